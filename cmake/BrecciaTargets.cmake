@@ -1,0 +1,65 @@
+# Targets of the project: the options every target is compiled with, the rooms, the library that joins them.
+
+include(CMakePackageConfigHelpers)
+
+# What every target of the project is compiled with.
+add_library(breccia_options INTERFACE)
+target_compile_features(breccia_options INTERFACE cxx_std_20)
+# No contraction of a*b+c: the same bits from every instruction set and compiler.
+target_compile_options(breccia_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
+  -Woverloaded-virtual -ffp-contract=off
+  $<$<BOOL:${BRECCIA_WARNINGS_AS_ERRORS}>:-Werror>)
+if(BRECCIA_SANITIZE)
+  target_compile_options(breccia_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# breccia_room(<name> SOURCES <file>... [ROOMS <room>...] [LIBRARIES <target>...])
+# One room of src/: an object library that may include the public headers and the rooms named.
+function(breccia_room name)
+  cmake_parse_arguments(room "" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  add_library(breccia_${name} OBJECT ${room_SOURCES})
+  set_target_properties(breccia_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(breccia_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(breccia_${name} PRIVATE breccia_options)
+  target_link_libraries(breccia_${name} PUBLIC ${room_LIBRARIES})
+  foreach(lower IN LISTS room_ROOMS)
+    target_include_directories(breccia_${name} PUBLIC $<TARGET_PROPERTY:breccia_${lower},INTERFACE_INCLUDE_DIRECTORIES>)
+  endforeach()
+endfunction()
+
+# breccia_library(<room>...): libbreccia, made of all rooms, and its CMake package.
+function(breccia_library)
+  add_library(breccia)
+  add_library(breccia::breccia ALIAS breccia)
+  foreach(room IN LISTS ARGN)
+    target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${room}>)
+    target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:$<TARGET_PROPERTY:breccia_${room},INTERFACE_LINK_LIBRARIES>>)
+  endforeach()
+  set_target_properties(breccia PROPERTIES
+    LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  target_compile_features(breccia PUBLIC cxx_std_20)
+  target_include_directories(breccia PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options>)
+
+  install(TARGETS breccia EXPORT brecciaTargets)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  install(EXPORT brecciaTargets NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
+  configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in
+    ${PROJECT_BINARY_DIR}/brecciaConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/brecciaConfig.cmake ${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
+endfunction()
+
+# breccia_test(<room> SOURCES <file>...): the unit tests of one room.
+function(breccia_test room)
+  cmake_parse_arguments(test "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${room}_test ${test_SOURCES})
+  target_include_directories(${room}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${room}_test PRIVATE breccia_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
+  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace breccia {
+
+/// What the `breccia` command returns to the shell.
+enum class ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4, interrupted = 130 };
+
+/// Base of every error that Breccia reports to its user. The message is complete: it needs no prefix.
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  [[nodiscard]] ExitCode exit_code() const noexcept { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+/// Bad usage, a bad deck, a bad data file or a bad argument of a public function.
+class InputError : public Error {
+ public:
+  explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
+};
+
+/// The computation cannot go on: instability, no convergence, an impossible packing.
+class NumericalError : public Error {
+ public:
+  explicit NumericalError(const std::string& message) : Error(ExitCode::numerical_failure, message) {}
+};
+
+/// A file cannot be read or written.
+class FileError : public Error {
+ public:
+  explicit FileError(const std::string& message) : Error(ExitCode::file_failure, message) {}
+};
+
+/// The user asked the computation to stop.
+class Interrupted : public Error {
+ public:
+  explicit Interrupted(const std::string& message) : Error(ExitCode::interrupted, message) {}
+};
+
+}  // namespace breccia
