@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+namespace breccia {
+
+/// An isotropic linear viscoelastic solid: s(t) = 2 int G(t-t') de', p(t) = int K(t-t') d tr(eps').
+struct Material {
+  std::string name;
+  double density = 0.0;  ///< [kg/m^3]
+  PronySeries bulk;      ///< bulk modulus K(t) [Pa]
+  PronySeries shear;     ///< shear modulus G(t) [Pa]
+
+  friend bool operator==(const Material&, const Material&) = default;
+};
+
+/// Speed of the dilatational wave before any relaxation, sqrt((K + 4 G / 3) / density) [m/s].
+double dilatational_wave_speed(const Material& material);
+
+/// Speed of a shear wave in a solid of given shear modulus [Pa] and density [kg/m^3], sqrt(G / density) [m/s].
+double shear_wave_speed(double shear_modulus, double density);
+
+/// The material with all relaxation times multiplied by a shift factor a_T > 0.
+Material shifted(const Material& material, double shift_factor);
+
+}  // namespace breccia

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+namespace breccia {
+
+/// One Maxwell element: modulus * exp(-t / relaxation_time).
+struct MaxwellTerm {
+  double relaxation_time;  ///< [s], positive
+  double modulus;          ///< [Pa], not negative
+
+  friend bool operator==(const MaxwellTerm&, const MaxwellTerm&) = default;
+};
+
+/// Relaxation modulus as a Prony series: M(t) = M_inf + sum_k M_k exp(-t / tau_k).
+/// An elastic modulus is a series without terms.
+class PronySeries {
+ public:
+  PronySeries() = default;
+  /// An elastic modulus [Pa].
+  explicit PronySeries(double equilibrium) : PronySeries(equilibrium, {}) {}
+  /// Equilibrium modulus [Pa] and terms, kept in order of falling relaxation time.
+  /// Throws InputError when a modulus is negative or not finite, or a relaxation time is not positive and finite.
+  PronySeries(double equilibrium, std::vector<MaxwellTerm> terms);
+
+  [[nodiscard]] double equilibrium() const noexcept { return equilibrium_; }
+  [[nodiscard]] const std::vector<MaxwellTerm>& terms() const noexcept { return terms_; }
+  [[nodiscard]] bool is_elastic() const noexcept { return terms_.empty(); }
+
+  /// Relaxation modulus [Pa] at time t [s], t >= 0.
+  [[nodiscard]] double at(double t) const noexcept;
+  /// Modulus at t = 0 [Pa].
+  [[nodiscard]] double unrelaxed() const noexcept;
+  /// Complex modulus M' + i M'' [Pa] at angular frequency omega [rad/s].
+  [[nodiscard]] std::complex<double> complex_modulus(double omega) const noexcept;
+  /// The same series with every relaxation time multiplied by a positive factor (time-temperature superposition).
+  [[nodiscard]] PronySeries shifted(double shift_factor) const;
+
+  friend bool operator==(const PronySeries&, const PronySeries&) = default;
+
+ private:
+  double equilibrium_ = 0.0;
+  std::vector<MaxwellTerm> terms_;
+};
+
+}  // namespace breccia
