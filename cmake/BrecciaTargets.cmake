@@ -15,18 +15,15 @@ if(BRECCIA_SANITIZE)
   target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# breccia_room(<name> SOURCES <file>... [ROOMS <room>...] [LIBRARIES <target>...])
-# One room of src/: an object library that may include the public headers and the rooms named.
+# breccia_room(<name> SOURCES <file>... [LIBRARIES <target>...])
+# One room of src/: an object library, with the libraries it needs beyond Eigen and fmt.
 function(breccia_room name)
-  cmake_parse_arguments(room "" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(room "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_library(breccia_${name} OBJECT ${room_SOURCES})
   set_target_properties(breccia_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_include_directories(breccia_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
-  target_link_libraries(breccia_${name} PRIVATE breccia_options)
-  target_link_libraries(breccia_${name} PUBLIC ${room_LIBRARIES})
-  foreach(lower IN LISTS room_ROOMS)
-    target_include_directories(breccia_${name} PUBLIC $<TARGET_PROPERTY:breccia_${lower},INTERFACE_INCLUDE_DIRECTORIES>)
-  endforeach()
+  target_link_libraries(breccia_${name} PRIVATE breccia_options Eigen3::Eigen fmt::fmt ${room_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY breccia_libraries ${room_LIBRARIES})
 endfunction()
 
 # breccia_library(<room>...): libbreccia, made of all rooms, and its CMake package.
@@ -35,15 +32,15 @@ function(breccia_library)
   add_library(breccia::breccia ALIAS breccia)
   foreach(room IN LISTS ARGN)
     target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${room}>)
-    target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:$<TARGET_PROPERTY:breccia_${room},INTERFACE_LINK_LIBRARIES>>)
   endforeach()
+  get_property(libraries GLOBAL PROPERTY breccia_libraries)
   set_target_properties(breccia PROPERTIES
     LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   target_compile_features(breccia PUBLIC cxx_std_20)
   target_include_directories(breccia PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
-  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options>)
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> "$<BUILD_INTERFACE:${libraries}>")
 
   install(TARGETS breccia EXPORT brecciaTargets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
