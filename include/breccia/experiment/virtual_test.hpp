@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "breccia/mpm/volumetric.hpp"
+
+namespace breccia {
+
+/// The load of a virtual test.
+enum class Load {
+  shear,  ///< pure shear in the plane; the modulus is G
+  bulk    ///< equibiaxial in-plane strain; the modulus is the plane-strain bulk modulus K + G / 3
+};
+
+/// How the equations of the dynamic method are arranged. Both give the same answer.
+enum class Formulation {
+  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
+  classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
+};
+
+/// What moves while the strain is ramped.
+enum class Start {
+  boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
+  affine     ///< the whole field
+};
+
+/// Settings of the dynamic method.
+struct DynamicOptions {
+  Formulation formulation = Formulation::total_lagrangian;
+  Start start = Start::boundary;
+  Volumetric volumetric = Volumetric::averaged;
+  double courant = 0.9;                 ///< time step over the stable limit of the discretisation [-]
+  double ramp_transits = 2.0;           ///< duration of the strain ramp in transits of the shear wave [-]
+  std::optional<double> ramp_time;      ///< the same as a time at density factor 1 [s]; overrides ramp_transits
+  std::vector<double> density_factors;  ///< rising [-]; empty: chosen from the requested times
+  double reduction_tolerance = 1e-3;    ///< relative error of G(t) that leaving out Prony terms may cause [-]
+};
+
+}  // namespace breccia

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace breccia {
+
+/// How a material point sees the volumetric strain of its cell.
+enum class Volumetric {
+  averaged,  ///< the mean over the cell (B-bar): does not lock
+  standard   ///< the point's own, as in the paper: locks where the matrix is nearly incompressible
+};
+
+}  // namespace breccia
