@@ -5,6 +5,7 @@
 
 #include <omp.h>
 
+#include "barrier.hpp"
 #include "breccia/mpm/cell.hpp"
 #include "instruction_set.hpp"
 #include "nodal_masses.hpp"
@@ -46,7 +47,10 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
     }
   }
   row_stresses_.assign(static_cast<std::size_t>(grid.rows) * 6, 0.0);
-  const int bands = std::clamp(threads, 1, grid.rows);
+  // With less to do than this a thread would mostly wait for the others.
+  constexpr std::size_t points_per_thread = 8192;
+  const auto useful = static_cast<int>(this->problem().discretisation.points() / points_per_thread);
+  const int bands = std::clamp(std::min(threads, useful), 1, grid.rows);
   for (int band = 0; band < bands; ++band) {
     bands_.push_back({grid.rows * band / bands, grid.rows * (band + 1) / bands, ForceRow(stride_), ForceRow(stride_),
                       ForceRow(stride_), ForceRow(stride_)});
@@ -72,15 +76,16 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
+  Barrier barrier(static_cast<int>(bands_.size()));
 #pragma omp parallel num_threads(bands_.size())
   {
     const auto band = static_cast<std::size_t>(omp_get_thread_num());
     for (int i = 0; i < steps; ++i) {
       sweep(bands_[band], first + i);
-#pragma omp barrier
+      barrier.wait();
       join_bands(band, first + i);
       if (band == 0) stresses[i] = average_stress(first + i);
-#pragma omp barrier
+      barrier.wait();
     }
   }
 }
