@@ -26,9 +26,16 @@ Shape shape(std::size_t node, const Vector<2>& local) {
   return {wx * wy, sx * wy, wx * sy};
 }
 
+/// With fewer points than this a thread would mostly wait for the others.
+int useful_threads(int threads, std::size_t points) {
+  constexpr std::size_t points_per_thread = 4096;
+  return std::clamp(static_cast<int>(points / points_per_thread), 1, threads);
+}
+
 }  // namespace
 
-Classical::Classical(DynamicProblem given, int threads) : DynamicSolver(std::move(given)), threads_(threads) {
+Classical::Classical(DynamicProblem given, int threads)
+    : DynamicSolver(std::move(given)), threads_(useful_threads(threads, problem().discretisation.points())) {
   const auto half_steps = [&](const PronySeries& series) {
     std::vector<TermStep> steps;
     for (const auto& [relaxation_time, modulus] : series.terms()) {
@@ -80,10 +87,10 @@ void Classical::set_velocities(const VelocityField& velocity) {
 void Classical::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
   for (int i = 0; i < steps; ++i) {
     const auto step = first + i;
-    stresses[i] = average_stress();
     locate_points();
     extrapolate_momenta(step - 1);
     update_strains();
+    stresses[i] = average_stress();
     find_forces();
     update_momenta(step);
     update_points();

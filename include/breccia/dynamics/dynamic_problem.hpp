@@ -50,8 +50,8 @@ struct DynamicProblem {
   double density_factor = 1.0;  ///< multiplies all masses [-]
   double time_step = 0.0;       ///< [s]; at most stable_time_step
   Boundary boundary = Boundary::displacement;
-  PlaneStrain load;  ///< strain at the end of the ramp [-]
-  StrainRamp ramp;
+  PlaneStrain load = {};  ///< strain at the end of the ramp [-]
+  StrainRamp ramp = StrainRamp();
   Start start = Start::boundary;
   /// Factor on the load with which the points of the classical formulation really move [-].
   double amplitude = 1e-6;
