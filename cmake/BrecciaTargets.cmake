@@ -40,7 +40,7 @@ function(breccia_library)
   target_include_directories(breccia PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
-  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> "$<BUILD_INTERFACE:${libraries}>")
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> ${libraries})
 
   install(TARGETS breccia EXPORT brecciaTargets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
