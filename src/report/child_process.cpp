@@ -1,8 +1,11 @@
 #include "child_process.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -88,7 +91,7 @@ ProcessResult run_program(const std::vector<std::string>& command, const std::st
 
   auto words = command;
   std::vector<char*> arguments;
-  for (auto& word : words) arguments.push_back(word.data());
+  std::ranges::transform(words, std::back_inserter(arguments), [](std::string& word) { return word.data(); });
   arguments.push_back(nullptr);
 
   pid_t process = 0;

@@ -73,23 +73,25 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       "set logscale xy\n"
       "set xrange [{:.17g}:{:.17g}]\nset yrange [{:.17g}:{:.17g}]\n"
       "set xtics ({})\nset ytics ({})\n"
-      "set xlabel 'Time / s'\nset ylabel {} noenhanced\nset title {} noenhanced\n",
+      "set xlabel 'Time / s' offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
       time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus),
       quoted(plot.quantity + " / MPa"), quoted(plot.title));
 }
 
-/// Bands of alternating grey, so that windows which overlap show where.
+/// Transparent bands of alternating colour and height of label: where two windows overlap both can be seen.
 std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
   std::string script;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const double begin = std::clamp(windows[i].begin, time.begin, time.end);
     const double end = std::clamp(windows[i].end, time.begin, time.end);
     if (!(begin < end)) continue;
+    const bool is_even = i % 2 == 0;
     script += fmt::format(
         "set object rectangle from first {0:.17g}, graph 0 to first {1:.17g}, graph 1 behind "
-        "fillcolor rgb '#808080' fillstyle transparent solid {2} noborder\n"
+        "fillcolor rgb '{2}' fillstyle transparent solid 0.12 noborder\n"
         "set label {3} at first {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
-        begin, end, 0.12, quoted(windows[i].label), std::sqrt(begin * end), i % 2 == 0 ? 0.96 : 0.92);
+        begin, end, is_even ? "#4477aa" : "#998866", quoted(windows[i].label), std::sqrt(begin * end),
+        is_even ? 0.96 : 0.92);
   }
   return script;
 }
@@ -150,8 +152,8 @@ std::string gnuplot_script(const ModulusPlot& plot) {
          "set terminal svg enhanced size 900,600 dynamic rounded background rgb 'white' font 'sans-serif,15'\n"
          "set border linecolor rgb '#404040'\n"
          "set tics nomirror out\n"
-         "set grid xtics ytics mxtics mytics linecolor rgb '#c8c8c8' linewidth 1, linecolor rgb '#ececec' linewidth 1\n"
-         "set key outside bottom center horizontal Left reverse noenhanced samplen 2.5\n" +
+         "set grid xtics ytics mxtics mytics linecolor rgb '#c8c8c8' linewidth 1, linecolor rgb '#e4e4e4' linewidth 1\n"
+         "set key outside bottom center horizontal Left reverse noenhanced samplen 2.5 height 0.8\n" +
          axes(plot, time, modulus) + bands(plot.windows, time) + curves(plot.curves, points);
 }
 

@@ -25,7 +25,10 @@ using testing::xml_mistake;
 /// Sets the PATH for one test.
 class ScopedPath {
  public:
-  explicit ScopedPath(const std::string& path) : before_(std::getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
+  explicit ScopedPath(const std::string& path) {
+    if (const char* before = std::getenv("PATH")) before_ = before;
+    setenv("PATH", path.c_str(), 1);
+  }
   ~ScopedPath() { setenv("PATH", before_.c_str(), 1); }
   ScopedPath(const ScopedPath&) = delete;
   ScopedPath& operator=(const ScopedPath&) = delete;
@@ -100,6 +103,15 @@ TEST(ModulusPlot, LeavesOutWhatLogarithmicAxesCannotShow) {
   EXPECT_EQ(xml_mistake(svg), "");
   EXPECT_THAT(svg, HasSubstr(">kept<"));
   EXPECT_THAT(svg, Not(HasSubstr(">nothing to show<")));
+}
+
+TEST(ModulusPlot, LabelsItsAxesWithRoundNumbers) {
+  const auto within_two_decades = modulus_plot({"", {{"a", {1e-3, 1e-1}, {30e6, 300e6}}}});
+  for (const auto* label : {">0.001<", ">0.002<", ">0.05<", ">0.1<", ">50<", ">100<", ">200<"}) {
+    EXPECT_THAT(within_two_decades, HasSubstr(label));
+  }
+  const auto over_many_decades = modulus_plot({"", {{"a", {1e-9, 1e-2}, {1e0, 1e9}}}});
+  EXPECT_EQ(count(over_many_decades, ">10</tspan>"), 8 + 5) << "every decade of time, every second one of modulus";
 }
 
 TEST(ModulusPlot, DrawsASinglePoint) {
