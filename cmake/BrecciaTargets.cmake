@@ -34,6 +34,8 @@ function(breccia_library)
     target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${room}>)
   endforeach()
   get_property(libraries GLOBAL PROPERTY breccia_libraries)
+  get_property(objects GLOBAL PROPERTY breccia_objects)
+  target_sources(breccia PRIVATE ${objects})
   set_target_properties(breccia PROPERTIES
     LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   target_compile_features(breccia PUBLIC cxx_std_20)
