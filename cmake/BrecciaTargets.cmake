@@ -11,7 +11,10 @@ target_compile_options(breccia_options INTERFACE
   -Woverloaded-virtual -ffp-contract=off
   $<$<BOOL:${BRECCIA_WARNINGS_AS_ERRORS}>:-Werror>)
 if(BRECCIA_SANITIZE)
-  target_compile_options(breccia_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Instrumented code looks uninitialised to g++ where it is not.
+  target_compile_options(breccia_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -42,7 +45,7 @@ function(breccia_library)
   target_include_directories(breccia PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
-  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> "$<BUILD_INTERFACE:${libraries}>")
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> ${libraries})
 
   install(TARGETS breccia EXPORT brecciaTargets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
