@@ -5,8 +5,8 @@
 
 namespace breccia::dynamics {
 
-/// Lets threads meet twice a step. It spins for as long as threads are usually apart, a few microseconds, and then gives the
-/// core away, so that a machine with more threads than cores stays usable.
+/// Lets threads meet twice a step. It spins for as long as threads are usually apart, a few microseconds, and then
+/// gives the core away, so that a machine with more threads than cores stays usable.
 class Barrier {
  public:
   explicit Barrier(int threads) : threads_(threads) {}

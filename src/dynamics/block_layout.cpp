@@ -40,7 +40,8 @@ BlockLayout::BlockLayout(const DynamicProblem& problem)
   std::size_t history_size = 0;
   for (const auto& share : shares_) {
     history_size += static_cast<std::size_t>(share.material->shear_term_count * shear_modes +
-                                             share.material->bulk_term_count * bulk_modes_) * lanes;
+                                             share.material->bulk_term_count * bulk_modes_) *
+                    lanes;
   }
   history_.assign(history_size, 0.0);
   double* history = history_.data();
@@ -91,7 +92,8 @@ BlockLayout::Histories BlockLayout::histories(int column, int row, MaterialIndex
       for (auto& mode : sums.shear) mode += *history, history += lanes;
     }
     for (int k = 0; k < share.material->bulk_term_count; ++k) {
-      for (int mode = 0; mode < bulk_modes_; ++mode, history += lanes) sums.bulk[static_cast<std::size_t>(mode)] += *history;
+      for (int mode = 0; mode < bulk_modes_; ++mode, history += lanes)
+        sums.bulk[static_cast<std::size_t>(mode)] += *history;
     }
   }
   return sums;

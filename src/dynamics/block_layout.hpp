@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
+
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
-/// The cells of a discretisation as blocks of eight, with the history that their Maxwell terms need and nothing for elastic
-/// points. Rows are filled up with cells without points.
+/// The cells of a discretisation as blocks of eight, with the history that their Maxwell terms need and nothing for
+/// elastic points. Rows are filled up with cells without points.
 class BlockLayout {
  public:
   explicit BlockLayout(const DynamicProblem& problem);

@@ -1,13 +1,14 @@
 // Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills. Everything here has
-// internal linkage and nothing of the standard library is used, so that no code for a newer processor leaks into others.
+// internal linkage and nothing of the standard library is used, so that no code for a newer processor leaks into
+// others.
 
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 namespace {
 
-typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));            // NOLINT(modernize-use-using)
-typedef long long Bits __attribute__((vector_size(lanes * sizeof(long long))));      // NOLINT(modernize-use-using)
+typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));        // NOLINT(modernize-use-using)
+typedef long long Bits __attribute__((vector_size(lanes * sizeof(long long))));  // NOLINT(modernize-use-using)
 
 #define BRECCIA_INLINE inline __attribute__((always_inline))
 
@@ -17,7 +18,9 @@ BRECCIA_INLINE Pack load(const double* from) {
   return pack;
 }
 
-BRECCIA_INLINE void store(double* to, const Pack& pack) { __builtin_memcpy(to, &pack, sizeof(pack)); }
+BRECCIA_INLINE void store(double* to, const Pack& pack) {
+  __builtin_memcpy(to, &pack, sizeof(pack));
+}
 
 /// Strain modes of eight cells, times the cell side.
 struct Modes {
@@ -182,8 +185,8 @@ void cell_row(const CellRow& row) {
 BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacement, double* increment,
                                const double* left_below, const double* right_below, const double* left_above,
                                const double* right_above) {
-  const Pack force = (load(left_below + node) + load(right_below + node)) +
-                     (load(left_above + node) + load(right_above + node));
+  const Pack force =
+      (load(left_below + node) + load(right_below + node)) + (load(left_above + node) + load(right_above + node));
   const Pack moved = load(increment + node) + load(row.step_over_mass + node) * force;
   store(increment + node, moved);
   store(displacement + node, load(displacement + node) + moved);

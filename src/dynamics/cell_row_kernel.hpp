@@ -2,10 +2,10 @@
 
 // The inner loop of the total-lagrangian formulation: the internal forces of one row of cells.
 //
-// A cell strains in five ways: xx, yy and xy of its centre, and two hourglass modes, the gradients q_u and q_v of the two
-// displacement components along the diagonal. All its points' strains follow from these five (theory, Eq. 6), and so do
-// their histories, since a hereditary stress is linear in the strain: a Maxwell term needs five numbers a cell and
-// material, whatever the number of points.
+// A cell strains in five ways: xx, yy and xy of its centre, and two hourglass modes, the gradients q_u and q_v of the
+// two displacement components along the diagonal. All its points' strains follow from these five (theory, Eq. 6), and
+// so do their histories, since a hereditary stress is linear in the strain: a Maxwell term needs five numbers a cell
+// and material, whatever the number of points.
 //
 // Cells are handled eight at a time (a block); the arithmetic of a block is the same on every instruction set.
 // This header is compiled for several instruction sets: it defines plain data only.
@@ -54,8 +54,8 @@ struct NodeValues {
   const double* y;
 };
 
-/// Forces of a row of cells on the nodes below and above, from the cells to the right of the node ("left" nodes of their
-/// cells) and from those to its left.
+/// Forces of a row of cells on the nodes below and above, from the cells to the right of the node ("left" nodes of
+/// their cells) and from those to its left.
 struct RowForces {
   double* left_x;
   double* left_y;

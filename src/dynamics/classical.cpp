@@ -119,9 +119,10 @@ void Classical::sort_points() {
   const auto& grid = problem().discretisation.grid();
   const auto lost = std::ranges::find(points_, -1, &Point::cell);
   if (lost != points_.end()) {
-    throw NumericalError(fmt::format("dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
-                                     "likely cause: too large a time step or too large an amplitude",
-                                     lost->origin[0], lost->origin[1], steps_taken()));
+    throw NumericalError(
+        fmt::format("dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
+                    "likely cause: too large a time step or too large an amplitude",
+                    lost->origin[0], lost->origin[1], steps_taken()));
   }
   std::ranges::stable_sort(points_, {}, &Point::cell);
   cell_begin_.assign(grid.cells() + 1, 0);

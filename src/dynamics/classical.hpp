@@ -9,9 +9,10 @@
 
 namespace breccia::dynamics {
 
-/// The paper's formulation: points carry position, velocity, strain and stress and may move through the grid; momenta are
-/// extrapolated to the nodes every step; velocities are updated with the nodes' accelerations (FLIP); strains are
-/// updated half before and half after the momenta (update strain average), the second time from re-extrapolated momenta.
+/// The paper's formulation: points carry position, velocity, strain and stress and may move through the grid; momenta
+/// are extrapolated to the nodes every step; velocities are updated with the nodes' accelerations (FLIP); strains are
+/// updated half before and half after the momenta (update strain average), the second time from re-extrapolated
+/// momenta.
 ///
 /// Nodes gather from the points of the cells around them in a fixed order: no result depends on the number of threads.
 class Classical final : public DynamicSolver {
@@ -27,10 +28,10 @@ class Classical final : public DynamicSolver {
   struct Point {
     Vector<2> position;
     Vector<2> velocity;
-    Vector<2> origin;         ///< where the point was at the start
-    Vector<2> local;          ///< position relative to the centre of its cell, in cell sides
-    std::array<double, 3> strain;  ///< xx, yy, engineering xy
-    double volumetric_strain;      ///< what the point sees of it: its own or the mean of its cell
+    Vector<2> origin;                ///< where the point was at the start
+    Vector<2> local;                 ///< position relative to the centre of its cell, in cell sides
+    std::array<double, 3> strain;    ///< xx, yy, engineering xy
+    double volumetric_strain;        ///< what the point sees of it: its own or the mean of its cell
     std::array<double, 3> deviator;  ///< stress deviator xx, yy, xy [Pa]
     double pressure;                 ///< tension positive [Pa]
     double mass;                     ///< per unit thickness [kg/m]

@@ -51,8 +51,8 @@ void require_complete(const Discretisation& discretisation, const std::vector<Ma
   for (const auto& cell : discretisation.cells()) {
     for (const auto material : cell) {
       if (material != no_material && material >= materials.size()) {
-        throw InputError(fmt::format("dynamic run: a point has material {}, but only {} are given", material,
-                                     materials.size()));
+        throw InputError(
+            fmt::format("dynamic run: a point has material {}, but only {} are given", material, materials.size()));
       }
     }
   }
@@ -82,8 +82,9 @@ void require_stable(const DynamicProblem& problem) {
   const double limit =
       stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   if (!(problem.time_step > 0.0) || problem.time_step > limit) {
-    throw InputError(fmt::format("dynamic run: a time step of {} s is not in (0, {}] s, the range in which it is stable",
-                                 problem.time_step, limit));
+    throw InputError(
+        fmt::format("dynamic run: a time step of {} s is not in (0, {}] s, the range in which it is stable",
+                    problem.time_step, limit));
   }
 }
 

@@ -8,12 +8,15 @@
 #include <omp.h>
 
 #include "breccia/error.hpp"
+
 #include "classical.hpp"
 #include "total_lagrangian.hpp"
 
 namespace breccia {
 
-DynamicSolver::DynamicSolver(DynamicProblem problem) : problem_(std::move(problem)) { require_stable(problem_); }
+DynamicSolver::DynamicSolver(DynamicProblem problem) : problem_(std::move(problem)) {
+  require_stable(problem_);
+}
 
 double DynamicSolver::load_at(std::int64_t step) const noexcept {
   return step <= 0 ? 0.0 : problem_.ramp.at(time_at(step));
@@ -31,9 +34,10 @@ void DynamicSolver::advance(int steps, std::vector<PlaneStress>& stresses) {
   const auto bad = std::find_if_not(stresses.begin() + static_cast<std::ptrdiff_t>(before), stresses.end(), finite);
   if (bad != stresses.end()) {
     const auto step = step_ + (bad - stresses.begin()) - static_cast<std::ptrdiff_t>(before);
-    throw NumericalError(fmt::format("dynamic run: the average stress is no longer finite at step {}, {:.3e} s after the "
-                                     "strain; likely cause: a time step above the stable limit",
-                                     step, time_at(step)));
+    throw NumericalError(
+        fmt::format("dynamic run: the average stress is no longer finite at step {}, {:.3e} s after the "
+                    "strain; likely cause: a time step above the stable limit",
+                    step, time_at(step)));
   }
   step_ += steps;
 }
@@ -49,8 +53,10 @@ void DynamicSolver::require_elastic() const {
 std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads) {
   const int used = threads > 0 ? threads : omp_get_max_threads();
   switch (formulation) {
-    case Formulation::total_lagrangian: return std::make_unique<dynamics::TotalLagrangian>(std::move(problem), used);
-    case Formulation::classical: return std::make_unique<dynamics::Classical>(std::move(problem), used);
+    case Formulation::total_lagrangian:
+      return std::make_unique<dynamics::TotalLagrangian>(std::move(problem), used);
+    case Formulation::classical:
+      return std::make_unique<dynamics::Classical>(std::move(problem), used);
   }
   throw InputError("dynamic run: unknown formulation");
 }

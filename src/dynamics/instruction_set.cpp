@@ -15,8 +15,10 @@ extern const KernelTable kernels_avx512;
 
 bool is_supported(InstructionSet set) {
   switch (set) {
-    case InstructionSet::baseline: return true;
-    case InstructionSet::avx2: return __builtin_cpu_supports("avx2") != 0;
+    case InstructionSet::baseline:
+      return true;
+    case InstructionSet::avx2:
+      return __builtin_cpu_supports("avx2") != 0;
     case InstructionSet::avx512:
       return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
              __builtin_cpu_supports("avx512vl") != 0;
@@ -27,9 +29,9 @@ bool is_supported(InstructionSet set) {
 InstructionSet chosen_instruction_set() {
   if (const char* name = std::getenv("BRECCIA_INSTRUCTION_SET"); name != nullptr) {
     const std::string_view wanted = name;
-    for (const auto& [set, known] : {std::pair{InstructionSet::baseline, "baseline"},
-                                     std::pair{InstructionSet::avx2, "avx2"},
-                                     std::pair{InstructionSet::avx512, "avx512"}}) {
+    for (const auto& [set, known] :
+         {std::pair{InstructionSet::baseline, "baseline"}, std::pair{InstructionSet::avx2, "avx2"},
+          std::pair{InstructionSet::avx512, "avx512"}}) {
       if (wanted == known && is_supported(set)) return set;
     }
     throw InputError(fmt::format(
@@ -41,9 +43,12 @@ InstructionSet chosen_instruction_set() {
 
 const KernelTable& kernels(InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx2: return kernels_avx2;
-    case InstructionSet::avx512: return kernels_avx512;
-    case InstructionSet::baseline: break;
+    case InstructionSet::avx2:
+      return kernels_avx2;
+    case InstructionSet::avx512:
+      return kernels_avx512;
+    case InstructionSet::baseline:
+      break;
   }
   return kernels_baseline;
 }

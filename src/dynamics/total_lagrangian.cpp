@@ -5,8 +5,9 @@
 
 #include <omp.h>
 
-#include "barrier.hpp"
 #include "breccia/mpm/cell.hpp"
+
+#include "barrier.hpp"
 #include "instruction_set.hpp"
 #include "nodal_masses.hpp"
 
@@ -258,8 +259,7 @@ PointFields TotalLagrangian::fields() const {
         const auto& [sxx, syy, sxy, squ, sqv] = history.shear;
         const auto& [centre, bqu, bqv] = history.bulk;
         const double volumetric = volumetric_strain_matrix(p, problem().volumetric).dot(u) / grid.cell_side;
-        const double pressure =
-            bulk.equilibrium() * volumetric + (centre + y * bqu + x * bqv) / grid.cell_side;
+        const double pressure = bulk.equilibrium() * volumetric + (centre + y * bqu + x * bqv) / grid.cell_side;
         const double gxx = shear.equilibrium() * strain[0] + (sxx + y * squ) / grid.cell_side;
         const double gyy = shear.equilibrium() * strain[1] + (syy + x * sqv) / grid.cell_side;
         const double gxy = shear.equilibrium() * strain[2] + (sxy + x * squ + y * sqv) / grid.cell_side;

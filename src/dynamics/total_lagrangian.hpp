@@ -4,9 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "block_layout.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/mpm/cell.hpp"
+
+#include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {

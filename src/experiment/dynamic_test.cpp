@@ -16,7 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 /// Strain of a load whose modulus is then the stress of `modulus_of`.
 PlaneStrain unit_strain(Load load) {
@@ -56,8 +58,8 @@ Preparation prepare(const DynamicTest& test, const DomainRules& rules, const Dom
     domain.terms = std::max(domain.terms, bulk.series.terms().size() + shear.series.terms().size());
     domain.reduction_error = std::max({domain.reduction_error, bulk.error_bound, shear.error_bound});
   }
-  domain.time_step = test.options.courant * stable_time_step(test.discretisation, materials, test.options.volumetric,
-                                                             domain.density_factor);
+  domain.time_step = test.options.courant *
+                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
   // The window begins after so many transits, by definition; that gives the duration of one.
   domain.ramp = test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor)
                                        : test.options.ramp_transits * begin / (2.0 * there_and_back_transits);
@@ -105,8 +107,8 @@ void run_domain(const DynamicTest& test, DomainSequence& sequence, DynamicSolver
 
 void require_complete(const DynamicTest& test) {
   if (!(test.times.begin > 0.0) || !(test.times.end >= test.times.begin)) {
-    throw InputError(fmt::format("dynamic test: expected rising positive times, got {} to {} s", test.times.begin,
-                                 test.times.end));
+    throw InputError(
+        fmt::format("dynamic test: expected rising positive times, got {} to {} s", test.times.begin, test.times.end));
   }
   if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
     throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
@@ -123,7 +125,8 @@ std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
 void cut(TimeDomain& domain, const DomainSequence& sequence, bool first) {
   domain.window = sequence.window().value_or(TimeWindow{});
   // Nearly all of a window that begins earlier than needed is known better from the domain before.
-  if (!first) domain.window.begin = std::max(domain.window.begin, std::min(sequence.expected_begin(), domain.window.end));
+  if (!first)
+    domain.window.begin = std::max(domain.window.begin, std::min(sequence.expected_begin(), domain.window.end));
 }
 
 }  // namespace
@@ -156,9 +159,7 @@ double estimated_shear_modulus(const Discretisation& discretisation, const std::
 
 DynamicPlan plan_dynamic_test(const DynamicTest& test) {
   require_complete(test);
-  const auto estimate = [&](double time) {
-    return estimated_shear_modulus(test.discretisation, test.materials, time);
-  };
+  const auto estimate = [&](double time) { return estimated_shear_modulus(test.discretisation, test.materials, time); };
   const auto rules = rules_of(test);
   DomainSequence sequence(rules, estimate(test.times.begin));
   DynamicPlan plan;

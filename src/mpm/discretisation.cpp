@@ -11,8 +11,9 @@ namespace breccia {
 
 Discretisation::Discretisation(const Grid& grid, MaterialIndex matrix) : grid_(grid) {
   if (grid.columns < 1 || grid.rows < 1 || !(grid.cell_side > 0.0)) {
-    throw InputError(fmt::format("discretisation: expected at least one cell of positive side, got {} x {} cells of {} m",
-                                 grid.columns, grid.rows, grid.cell_side));
+    throw InputError(
+        fmt::format("discretisation: expected at least one cell of positive side, got {} x {} cells of {} m",
+                    grid.columns, grid.rows, grid.cell_side));
   }
   cells_.assign(grid.cells(), {matrix, matrix, matrix, matrix});
 }
@@ -29,8 +30,9 @@ void Discretisation::paint(const Disc& disc, MaterialIndex material) {
     return {static_cast<int>(std::clamp(first, 0.0, static_cast<double>(count))),
             static_cast<int>(std::clamp(last + 1.0, 0.0, static_cast<double>(count)))};
   };
-  paint_range(cells_touched(disc.centre[0], grid_.columns), cells_touched(disc.centre[1], grid_.rows),
-              [&](const Vector<2>& point) { return disc.contains(point); }, material);
+  paint_range(
+      cells_touched(disc.centre[0], grid_.columns), cells_touched(disc.centre[1], grid_.rows),
+      [&](const Vector<2>& point) { return disc.contains(point); }, material);
 }
 
 std::vector<double> Discretisation::fractions(std::size_t count) const {
@@ -50,9 +52,9 @@ Discretisation discretise(const Microstructure& microstructure, int cells, Mater
   for (const auto& disc : microstructure.discs) {
     for (int i = -images; i <= images; ++i) {
       for (int j = -images; j <= images; ++j) {
-        discretisation.paint(Disc{{disc.centre[0] + i * microstructure.side, disc.centre[1] + j * microstructure.side},
-                                  disc.diameter},
-                             filler);
+        discretisation.paint(
+            Disc{{disc.centre[0] + i * microstructure.side, disc.centre[1] + j * microstructure.side}, disc.diameter},
+            filler);
       }
     }
   }

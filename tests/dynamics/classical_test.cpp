@@ -7,6 +7,7 @@
 
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
+
 #include "materials.hpp"
 
 namespace breccia {
@@ -17,8 +18,8 @@ using testing_materials::soft;
 /// A square body of side 0.5 m in the lower left of an otherwise empty box of side 1 m, whose points really move.
 std::unique_ptr<DynamicSolver> travelling_body(const DynamicSolver::VelocityField& velocity, double courant = 0.2) {
   DynamicProblem problem{Discretisation({20, 20, 0.05}, no_material), {soft}};
-  problem.discretisation.paint(
-      [](const Vector<2>& x) { return x[0] > 0.1 && x[0] < 0.6 && x[1] > 0.1 && x[1] < 0.6; }, 0);
+  problem.discretisation.paint([](const Vector<2>& x) { return x[0] > 0.1 && x[0] < 0.6 && x[1] > 0.1 && x[1] < 0.6; },
+                               0);
   problem.boundary = Boundary::free;
   problem.amplitude = 1.0;
   problem.time_step =

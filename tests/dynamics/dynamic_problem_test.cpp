@@ -7,6 +7,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/mpm/cell.hpp"
+
 #include "materials.hpp"
 #include "nodal_masses.hpp"
 
@@ -34,7 +35,9 @@ TEST(StrainRamp, RateIsARaisedCosine) {
   EXPECT_NEAR(rate(0.999), 0.0, 1e-5);
 }
 
-TEST(StrainRamp, RefusesANegativeDuration) { EXPECT_THROW(StrainRamp(-1.0), InputError); }
+TEST(StrainRamp, RefusesANegativeDuration) {
+  EXPECT_THROW(StrainRamp(-1.0), InputError);
+}
 
 /// Highest frequency of a free body [rad/s], from the assembled matrices.
 double highest_frequency(const DynamicProblem& problem) {
@@ -63,7 +66,8 @@ double highest_frequency(const DynamicProblem& problem) {
   Eigen::VectorXd scale(size);
   for (Eigen::Index i = 0; i < size; ++i) scale[i] = 1.0 / std::sqrt(masses[static_cast<std::size_t>(i / 2)]);
   const Eigen::MatrixXd scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
-  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
+  return std::sqrt(
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff());
 }
 
 TEST(StableTimeStep, IsBelowAndCloseToTheLimitOfTheAssembledSystem) {

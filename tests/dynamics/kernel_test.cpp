@@ -6,8 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "block_layout.hpp"
 #include "breccia/mpm/cell.hpp"
+
+#include "block_layout.hpp"
 #include "instruction_set.hpp"
 #include "materials.hpp"
 
@@ -31,10 +32,9 @@ class CellRowKernel : public testing::TestWithParam<Case> {
     auto& random = random_;
     problem_.volumetric = GetParam().volumetric;
     problem_.time_step = 1e-6;
-    problem_.discretisation.paint(
-        [&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.0; }, 1);
-    problem_.discretisation.paint(
-        [&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.6; }, no_material);
+    problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.0; }, 1);
+    problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.6; },
+                                  no_material);
     for (auto& row : values_) {
       row.assign(length, 0.0);
       for (int node = 0; node <= columns; ++node) row[static_cast<std::size_t>(node)] = uniform(random);
@@ -95,8 +95,8 @@ TEST_P(CellRowKernel, GivesTheForcesOfTheCellStiffness) {
       const CellVector u = displacement(static_cast<std::size_t>(column));
       const Eigen::Vector3d e = strain_matrix(p) * u;
       const double pressure = bulk * volumetric_strain_matrix(p, problem_.volumetric).dot(u);
-      stress += Eigen::Vector3d(pressure + shear * (4 * e[0] - 2 * e[1]) / 3, pressure + shear * (4 * e[1] - 2 * e[0]) / 3,
-                                shear * e[2]);
+      stress += Eigen::Vector3d(pressure + shear * (4 * e[0] - 2 * e[1]) / 3,
+                                pressure + shear * (4 * e[1] - 2 * e[0]) / 3, shear * e[2]);
     }
     const auto c = static_cast<std::size_t>(column);
     const CellVector expected = -cell_stiffness(moduli, problem_.volumetric) * displacement(c);

@@ -1,12 +1,12 @@
-#include "breccia/dynamics/dynamic_solver.hpp"
-
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/error.hpp"
+
 #include "materials.hpp"
 
 namespace breccia {
@@ -18,8 +18,8 @@ using testing_materials::stiff;
 
 /// A problem at a share of its stable time step.
 DynamicProblem with_step(DynamicProblem problem, double courant = 0.9) {
-  problem.time_step = courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric,
-                                                 problem.density_factor);
+  problem.time_step =
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   return problem;
 }
 
@@ -156,14 +156,16 @@ TEST_P(BothFormulations, GiveNoEnergyOfRelaxingMaterials) {
   EXPECT_THROW((void)solver({Discretisation({2, 2, 0.5}), {relaxing}})->energy(), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, BothFormulations,
-    testing::Combine(testing::Values(Formulation::total_lagrangian, Formulation::classical),
-                     testing::Values(Volumetric::averaged, Volumetric::standard)),
-    [](const auto& chosen) {
-      return std::string(std::get<Formulation>(chosen.param) == Formulation::classical ? "Classical" : "TotalLagrangian") +
-             (std::get<Volumetric>(chosen.param) == Volumetric::averaged ? "Averaged" : "Standard");
-    });
+INSTANTIATE_TEST_SUITE_P(All, BothFormulations,
+                         testing::Combine(testing::Values(Formulation::total_lagrangian, Formulation::classical),
+                                          testing::Values(Volumetric::averaged, Volumetric::standard)),
+                         [](const auto& chosen) {
+                           return std::string(std::get<Formulation>(chosen.param) == Formulation::classical
+                                                  ? "Classical"
+                                                  : "TotalLagrangian") +
+                                  (std::get<Volumetric>(chosen.param) == Volumetric::averaged ? "Averaged"
+                                                                                              : "Standard");
+                         });
 
 TEST(TotalLagrangian, GivesTheSameBitsOnEveryInstructionSet) {
   DynamicProblem problem{testing_materials::disc_in_box(37), {relaxing, stiff}};
@@ -179,8 +181,8 @@ TEST(TotalLagrangian, GivesTheSameBitsOnEveryInstructionSet) {
 
 TEST(TotalLagrangian, RefusesAnUnknownInstructionSet) {
   setenv("BRECCIA_INSTRUCTION_SET", "mmx", 1);
-  EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian,
-                                   with_step({Discretisation({2, 2, 0.5}), {soft}})), InputError);
+  EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({2, 2, 0.5}), {soft}})),
+               InputError);
   unsetenv("BRECCIA_INSTRUCTION_SET");
 }
 
@@ -205,7 +207,8 @@ Material damped(double bulk, double shear) {
 }
 
 TEST(Laminate, InParallelItsModuliAddUp) {
-  // Layers with the same Lame modulus K - 2 G / 3 strain uniformly along the layers: sigma_xx = sum of f (lambda + 2 G).
+  // Layers with the same Lame modulus K - 2 G / 3 strain uniformly along the layers: sigma_xx = sum of f (lambda + 2
+  // G).
   const double lambda = 1e6;
   const auto material = [&](double shear) { return damped(lambda + 2.0 / 3.0 * shear, shear); };
   const auto stress = relaxed_laminate(32, {material(0.3e6), material(3e6)}, {.xx = 1.0});

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/dynamics/dynamic_solver.hpp"
+
 #include "materials.hpp"
 
 namespace breccia {
@@ -64,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(All, PulseInABar,
                                           testing::Bool()),
                          [](const auto& chosen) {
                            return std::string(std::get<0>(chosen.param) == Formulation::classical ? "Classical"
-                                                                                                : "TotalLagrangian") +
+                                                                                                  : "TotalLagrangian") +
                                   (std::get<1>(chosen.param) ? "Shear" : "Dilatational");
                          });
 

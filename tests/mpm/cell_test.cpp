@@ -90,7 +90,8 @@ TEST(Cell, AveragedPointsDoNotResistAnIncompressibleHourglass) {
   const Moduli incompressible = {1e9, 1.0};
   const CellVector pure = hourglass - nodal([](const Vector<2>& x) { return Vector<2>{0.5 * (x[0] + x[1]), 0.0}; });
   const auto energy = [&](Volumetric volumetric) {
-    return pure.dot(cell_stiffness({incompressible, incompressible, incompressible, incompressible}, volumetric) * pure);
+    return pure.dot(cell_stiffness({incompressible, incompressible, incompressible, incompressible}, volumetric) *
+                    pure);
   };
   EXPECT_NEAR(energy(Volumetric::averaged), 7.0 / 48.0, 1e-6);
   EXPECT_GT(energy(Volumetric::standard), 1e7);

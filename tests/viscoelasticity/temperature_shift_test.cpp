@@ -11,7 +11,9 @@ namespace {
 
 constexpr WilliamsLandelFerry estane = {6.5, 120.0, 292.15};
 
-TEST(WilliamsLandelFerry, IsOneAtTheReference) { EXPECT_DOUBLE_EQ(estane.shift_factor(292.15), 1.0); }
+TEST(WilliamsLandelFerry, IsOneAtTheReference) {
+  EXPECT_DOUBLE_EQ(estane.shift_factor(292.15), 1.0);
+}
 
 TEST(WilliamsLandelFerry, FollowsItsLaw) {
   EXPECT_NEAR(estane.shift_factor(292.15 + 120.0), std::pow(10.0, -3.25), 1e-12);

@@ -27,9 +27,9 @@ enum class Boundary {
   free           ///< nothing
 };
 
-/// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the midpoint, so
-/// that the answer of a hereditary material to the ramp differs from its answer to a step only in second order (theory,
-/// Eq. 13).
+/// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the
+/// midpoint, so that the answer of a hereditary material to the ramp differs from its answer to a step only in second
+/// order (theory, Eq. 13).
 class StrainRamp {
  public:
   /// Duration T [s]; a ramp of duration 0 is a step. Throws InputError when negative.
@@ -57,9 +57,10 @@ struct DynamicProblem {
   double amplitude = 1e-6;
 };
 
-/// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of any
-/// cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq. 12).
-/// Moduli count unrelaxed. Throws InputError when a point has no material or a material no stiffness or no density.
+/// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
+/// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
+/// 12). Moduli count unrelaxed. Throws InputError when a point has no material or a material no stiffness or no
+/// density.
 double stable_time_step(const Discretisation& discretisation, const std::vector<Material>& materials,
                         Volumetric volumetric, double density_factor);
 

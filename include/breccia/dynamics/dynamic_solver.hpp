@@ -36,8 +36,8 @@ class DynamicSolver {
   DynamicSolver(const DynamicSolver&) = delete;
   DynamicSolver& operator=(const DynamicSolver&) = delete;
 
-  /// Takes steps and appends, for each, the volume-averaged stress [Pa per unit load] at the time where the step begins.
-  /// Throws NumericalError when the stress is no longer finite.
+  /// Takes steps and appends, for each, the volume-averaged stress [Pa per unit load] at the time where the step
+  /// begins. Throws NumericalError when the stress is no longer finite.
   void advance(int steps, std::vector<PlaneStress>& stresses);
 
   /// Time where the next step begins [s], counted from the midpoint of the ramp.

@@ -55,10 +55,10 @@ struct DynamicTestResult {
 
 /// Where a running test stands.
 struct DynamicProgress {
-  std::size_t domain = 0;       ///< 0 for the first
+  std::size_t domain = 0;  ///< 0 for the first
   double density_factor = 1.0;
-  double time = 0.0;            ///< reached in this domain [s]
-  double share = 0.0;           ///< of the whole test, estimated on the logarithmic time axis, 0 to 1
+  double time = 0.0;   ///< reached in this domain [s]
+  double share = 0.0;  ///< of the whole test, estimated on the logarithmic time axis, 0 to 1
   double point_steps_per_second = 0.0;
 };
 /// Called now and then; may throw Interrupted.
@@ -86,7 +86,8 @@ std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, in
 double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials);
 
 /// Lower estimate of the composite's relaxation modulus at a time [Pa]: the bound of Hashin (1965) for transversely
-/// isotropic fibre composites in plane strain, with the phases' relaxation moduli taken as elastic ones (theory, Eq. 15).
+/// isotropic fibre composites in plane strain, with the phases' relaxation moduli taken as elastic ones (theory, Eq.
+/// 15).
 double estimated_shear_modulus(const Discretisation& discretisation, const std::vector<Material>& materials,
                                double time);
 

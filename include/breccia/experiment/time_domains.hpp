@@ -30,9 +30,9 @@ struct DomainRules {
 
 /// Chooses density factors one after the other, while the curve that they need becomes known.
 ///
-/// A domain with factor s is valid while s is at most the admissible factor. It hands over when the next factor has been
-/// admissible for the ratio of times `overlap`. Where the composite relaxes so fast that the admissible factor falls
-/// again, factors that are chosen fall with it.
+/// A domain with factor s is valid while s is at most the admissible factor. It hands over when the next factor has
+/// been admissible for the ratio of times `overlap`. Where the composite relaxes so fast that the admissible factor
+/// falls again, factors that are chosen fall with it.
 class DomainSequence {
  public:
   /// `modulus` is a lower estimate of the composite's shear modulus at the first requested time [Pa].
@@ -44,8 +44,8 @@ class DomainSequence {
   /// Where the present domain has been found valid so far; empty before.
   [[nodiscard]] std::optional<TimeWindow> window() const noexcept { return window_; }
 
-  /// Takes note of the composite's shear modulus at a time, times rising. Returns false when the domain is over: either the
-  /// last time requested is reached, or the next domain can take over.
+  /// Takes note of the composite's shear modulus at a time, times rising. Returns false when the domain is over: either
+  /// the last time requested is reached, or the next domain can take over.
   [[nodiscard]] bool observe(double time, double modulus);
 
   [[nodiscard]] bool is_complete() const noexcept { return complete_; }

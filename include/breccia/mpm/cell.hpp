@@ -15,7 +15,8 @@ constexpr int cell_dofs = 8;
 using CellVector = Eigen::Matrix<double, cell_dofs, 1>;
 using CellMatrix = Eigen::Matrix<double, cell_dofs, cell_dofs>;
 
-/// Weights of the four nodes at a material point (bilinear shape functions): 9/16, 3/16, 3/16, 1/16 in the point's order.
+/// Weights of the four nodes at a material point (bilinear shape functions): 9/16, 3/16, 3/16, 1/16 in the point's
+/// order.
 std::array<double, 4> node_weights(int point);
 
 /// Strain (xx, yy, engineering xy) at a point from the nodal displacements in units of the cell side (theory, Eq. 3).
