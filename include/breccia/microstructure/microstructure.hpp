@@ -1,13 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace breccia {
 
 /// A position or displacement in `dim` dimensions [m].
 template <int dim>
-using Vector = std::array<double, dim>;
+using Vector = std::array<double, static_cast<std::size_t>(dim)>;
 
 /// A ball: a disc in 2D, a sphere in 3D.
 template <int dim>
@@ -18,7 +19,7 @@ struct Ball {
   /// Is the point inside or on the surface?
   [[nodiscard]] bool contains(const Vector<dim>& point) const noexcept {
     double squared_distance = 0.0;
-    for (int d = 0; d < dim; ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
+    for (std::size_t d = 0; d < centre.size(); ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
     return 4.0 * squared_distance <= diameter * diameter;
   }
 
