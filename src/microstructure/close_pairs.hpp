@@ -49,12 +49,13 @@ template <int dim>
   const double diagonal = side * std::sqrt(static_cast<double>(dim));
   double reach = 0.1 * side * std::pow(static_cast<double>(balls.size()), -1.0 / dim);
   bool found = false;
-  for (; !found && reach < 2.0 * diagonal; reach *= 4.0) {
+  do {
     visit_close_pairs(side, walls, balls, reach, [&](std::uint32_t, std::uint32_t, double gap) {
       found = true;
       smallest = std::min(smallest, gap);
     });
-  }
+    reach *= 4.0;
+  } while (!found && reach < 4.0 * diagonal);
   return smallest;
 }
 

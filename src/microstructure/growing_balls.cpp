@@ -80,8 +80,7 @@ void GrowingBalls<dim>::make_lists(double largest_scale) {
   skin_ = std::min((0.15 + 0.5 * room) * spacing, 0.1 * side_);
   std::vector<Vector<dim>> anchors;
   std::vector<double> domains;
-  for (Body& body : bodies_) {
-    wrap(body.position);
+  for (const Body& body : bodies_) {
     anchors.push_back(body.position);
     domains.push_back(largest_scale * body.radius + skin_);
   }
@@ -102,7 +101,10 @@ void GrowingBalls<dim>::predict_all() {
 template <int dim>
 void GrowingBalls<dim>::synchronise(double time) {
   now_ = time;
-  for (Body& body : bodies_) advance(body);
+  for (Body& body : bodies_) {
+    advance(body);
+    wrap(body.position);
+  }
   scale_ += rate_ * time;
 }
 

@@ -129,13 +129,14 @@ Packing<dim> pack(const PackingRequest& request, const PackingWatch& watch) {
   for (const double diameter : request.diameters) {
     inflated.push_back((1.0 + margin) * (diameter + request.minimum_gap) / mean_diameter);
   }
-  GrowingBalls<dim> growing(request.side / mean_diameter, request.walls, inflated, request.seed);
+  const double side = request.side / mean_diameter;
+  GrowingBalls<dim> growing(side, request.walls, inflated, request.seed);
   grow(growing, request, watch);
 
   Packing<dim> packing;
   for (std::size_t ball = 0; ball < count; ++ball) {
     packing.balls.push_back({growing.centre(ball), request.diameters[ball]});
-    for (double& x : packing.balls.back().centre) x *= mean_diameter;
+    for (double& x : packing.balls.back().centre) x = x / side * request.side;
   }
   packing.fraction = fraction<dim>(request, 0.0);
   packing.gap = smallest_gap<dim>(request.side, request.walls, packing.balls);
