@@ -66,6 +66,7 @@ std::vector<std::string> overlaps(const Microstructure& microstructure) {
                        });
   std::ranges::sort(found, {}, &Overlap::pair);
   std::vector<std::string> mistakes;
+  mistakes.reserve(found.size());
   for (const auto& [pair, depth] : found) {
     mistakes.push_back(fmt::format("{} and {} overlap by {:.3g} m", name(pair.first, discs[pair.first]),
                                    name(pair.second, discs[pair.second]), depth));

@@ -16,8 +16,8 @@ template <std::size_t dim>
 template <std::size_t dim>
 [[nodiscard]] inline std::array<double, dim> difference(const std::array<double, dim>& a,
                                                         const std::array<double, dim>& b) noexcept {
-  std::array<double, dim> result;
-  for (std::size_t d = 0; d < dim; ++d) result[d] = a[d] - b[d];
+  std::array<double, dim> result = a;
+  for (std::size_t d = 0; d < dim; ++d) result[d] -= b[d];
   return result;
 }
 
@@ -25,8 +25,8 @@ template <std::size_t dim>
 template <std::size_t dim>
 [[nodiscard]] inline std::array<double, dim> displaced(const std::array<double, dim>& a, double factor,
                                                        const std::array<double, dim>& b) noexcept {
-  std::array<double, dim> result;
-  for (std::size_t d = 0; d < dim; ++d) result[d] = a[d] + factor * b[d];
+  std::array<double, dim> result = a;
+  for (std::size_t d = 0; d < dim; ++d) result[d] += factor * b[d];
   return result;
 }
 
