@@ -11,7 +11,10 @@ target_compile_options(breccia_options INTERFACE
   -Woverloaded-virtual -ffp-contract=off
   $<$<BOOL:${BRECCIA_WARNINGS_AS_ERRORS}>:-Werror>)
 if(BRECCIA_SANITIZE)
-  target_compile_options(breccia_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Instrumented code looks uninitialised to g++ where it is not.
+  target_compile_options(breccia_options INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
 endif()
 
@@ -34,13 +37,15 @@ function(breccia_library)
     target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${room}>)
   endforeach()
   get_property(libraries GLOBAL PROPERTY breccia_libraries)
+  get_property(objects GLOBAL PROPERTY breccia_objects)
+  target_sources(breccia PRIVATE ${objects})
   set_target_properties(breccia PROPERTIES
     LINKER_LANGUAGE CXX VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
   target_compile_features(breccia PUBLIC cxx_std_20)
   target_include_directories(breccia PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
-  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> "$<BUILD_INTERFACE:${libraries}>")
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> ${libraries})
 
   install(TARGETS breccia EXPORT brecciaTargets)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

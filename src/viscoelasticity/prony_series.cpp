@@ -13,8 +13,8 @@ namespace breccia {
 PronySeries::PronySeries(double equilibrium, std::vector<MaxwellTerm> terms)
     : equilibrium_(equilibrium), terms_(std::move(terms)) {
   if (!(equilibrium_ >= 0.0) || !std::isfinite(equilibrium_)) {
-    throw InputError(fmt::format("Prony series: the equilibrium modulus must be finite and not negative, got {} Pa",
-                                 equilibrium_));
+    throw InputError(
+        fmt::format("Prony series: the equilibrium modulus must be finite and not negative, got {} Pa", equilibrium_));
   }
   for (const auto& [relaxation_time, modulus] : terms_) {
     if (!(relaxation_time > 0.0) || !std::isfinite(relaxation_time)) {
@@ -34,7 +34,9 @@ double PronySeries::at(double t) const noexcept {
   return modulus;
 }
 
-double PronySeries::unrelaxed() const noexcept { return at(0.0); }
+double PronySeries::unrelaxed() const noexcept {
+  return at(0.0);
+}
 
 std::complex<double> PronySeries::complex_modulus(double omega) const noexcept {
   std::complex<double> modulus = equilibrium_;

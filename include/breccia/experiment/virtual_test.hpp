@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/mpm/volumetric.hpp"
 
 namespace breccia {
@@ -11,18 +12,6 @@ namespace breccia {
 enum class Load {
   shear,  ///< pure shear in the plane; the modulus is G
   bulk    ///< equibiaxial in-plane strain; the modulus is the plane-strain bulk modulus K + G / 3
-};
-
-/// How the equations of the dynamic method are arranged. Both give the same answer.
-enum class Formulation {
-  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
-  classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
-};
-
-/// What moves while the strain is ramped.
-enum class Start {
-  boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
-  affine     ///< the whole field
 };
 
 /// Settings of the dynamic method.

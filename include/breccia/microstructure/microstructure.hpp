@@ -1,16 +1,17 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace breccia {
 
 /// A position or displacement in `dim` dimensions [m].
-template <int dim>
+template <std::size_t dim>
 using Vector = std::array<double, dim>;
 
 /// A ball: a disc in 2D, a sphere in 3D.
-template <int dim>
+template <std::size_t dim>
 struct Ball {
   Vector<dim> centre;  ///< [m]
   double diameter;     ///< [m]
@@ -18,7 +19,7 @@ struct Ball {
   /// Is the point inside or on the surface?
   [[nodiscard]] bool contains(const Vector<dim>& point) const noexcept {
     double squared_distance = 0.0;
-    for (int d = 0; d < dim; ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
+    for (std::size_t d = 0; d < dim; ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
     return 4.0 * squared_distance <= diameter * diameter;
   }
 

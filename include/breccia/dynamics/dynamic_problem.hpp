@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/mpm/discretisation.hpp"
+#include "breccia/mpm/plane_tensor.hpp"
+#include "breccia/mpm/volumetric.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// How the equations of the dynamic method are arranged. Both give the same answer.
+enum class Formulation {
+  total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
+  classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
+};
+
+/// What moves while the strain is ramped.
+enum class Start {
+  boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
+  affine     ///< the whole field
+};
+
+/// What holds the boundary of the box.
+enum class Boundary {
+  displacement,  ///< nodes on the boundary follow the affine motion of the load
+  free           ///< nothing
+};
+
+/// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the
+/// midpoint, so that the answer of a hereditary material to the ramp differs from its answer to a step only in second
+/// order (theory, Eq. 13).
+class StrainRamp {
+ public:
+  /// Duration T [s]; a ramp of duration 0 is a step. Throws InputError when negative.
+  explicit StrainRamp(double duration = 0.0);
+  [[nodiscard]] double duration() const noexcept { return duration_; }
+  /// Share of the strain reached at time t [s], 0 to 1.
+  [[nodiscard]] double at(double t) const noexcept;
+
+ private:
+  double duration_;
+};
+
+/// One dynamic run: what both formulations solve. The problem is linear; results are per unit of the load.
+struct DynamicProblem {
+  Discretisation discretisation;
+  std::vector<Material> materials;  ///< by MaterialIndex
+  Volumetric volumetric = Volumetric::averaged;
+  double density_factor = 1.0;  ///< multiplies all masses [-]
+  double time_step = 0.0;       ///< [s]; at most stable_time_step
+  Boundary boundary = Boundary::displacement;
+  PlaneStrain load = {};  ///< strain at the end of the ramp [-]
+  StrainRamp ramp = StrainRamp();
+  Start start = Start::boundary;
+  /// Factor on the load with which the points of the classical formulation really move [-].
+  double amplitude = 1e-6;
+};
+
+/// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
+/// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
+/// 12). Moduli count unrelaxed. Throws InputError when a point has no material or a material no stiffness or no
+/// density.
+double stable_time_step(const Discretisation& discretisation, const std::vector<Material>& materials,
+                        Volumetric volumetric, double density_factor);
+
+/// Throws InputError when the time step of the problem is not positive or above the stable one, naming both.
+void require_stable(const DynamicProblem& problem);
+
+}  // namespace breccia

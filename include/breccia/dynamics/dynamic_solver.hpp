@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_problem.hpp"
+
+namespace breccia {
+
+/// Fields at the material points, per unit of the load. Points come in rows of the lattice with spacing h/2, from the
+/// lower left corner: a cell's points lie in two neighbouring rows.
+struct PointFields {
+  std::vector<MaterialIndex> material;
+  std::vector<std::array<double, 2>> displacement;  ///< [m]
+  std::vector<std::array<double, 3>> strain;        ///< xx, yy, xy (tensor shear) [-]
+  std::vector<std::array<double, 4>> stress;        ///< xx, yy, zz, xy [Pa]
+};
+
+/// Energy per unit thickness [J/m] and per squared unit of the load.
+struct Energy {
+  double kinetic = 0.0;  ///< with the velocities at the half step
+  /// total-lagrangian: half of u(n) K u(n+1), whose sum with the kinetic energy is what central differences conserve;
+  /// classical: that of the points.
+  double strain = 0.0;
+};
+
+/// An explicit run of the material point method: displacements at whole steps, velocities at half steps.
+class DynamicSolver {
+ public:
+  using VelocityField = std::function<Vector<2>(const Vector<2>& position)>;
+
+  virtual ~DynamicSolver() = default;
+  DynamicSolver(const DynamicSolver&) = delete;
+  DynamicSolver& operator=(const DynamicSolver&) = delete;
+
+  /// Takes steps and appends, for each, the volume-averaged stress [Pa per unit load] at the time where the step
+  /// begins. Throws NumericalError when the stress is no longer finite.
+  void advance(int steps, std::vector<PlaneStress>& stresses);
+
+  /// Time where the next step begins [s], counted from the midpoint of the ramp.
+  [[nodiscard]] double time() const noexcept { return time_at(step_); }
+  [[nodiscard]] std::int64_t steps_taken() const noexcept { return step_; }
+
+  /// Sets the velocities [m/s per unit load] before the first step.
+  virtual void set_velocities(const VelocityField& velocity) = 0;
+  [[nodiscard]] virtual Vector<2> momentum() const = 0;  ///< [kg/s per unit thickness]
+  /// Only for elastic materials. Throws InputError otherwise.
+  [[nodiscard]] virtual Energy energy() const = 0;
+  [[nodiscard]] virtual PointFields fields() const = 0;
+
+ protected:
+  /// Throws InputError when the problem is incomplete or its time step not stable.
+  explicit DynamicSolver(DynamicProblem problem);
+
+  [[nodiscard]] const DynamicProblem& problem() const noexcept { return problem_; }
+  /// Time of a step [s].
+  [[nodiscard]] double time_at(std::int64_t step) const noexcept;
+  /// Share of the load that has been applied at a step; nothing at step 0 even where the ramp is a jump.
+  [[nodiscard]] double load_at(std::int64_t step) const noexcept;
+  void require_elastic() const;
+
+ private:
+  /// Takes steps from `first` on, storing the average stress where each begins.
+  virtual void take_steps(std::int64_t first, int steps, PlaneStress* stresses) = 0;
+
+  DynamicProblem problem_;
+  std::int64_t step_ = 0;
+};
+
+/// A solver for the problem. `threads` = 0 takes all that OpenMP offers; the results do not depend on it.
+/// Throws InputError when the problem is incomplete or its time step not stable.
+std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads = 0);
+
+}  // namespace breccia

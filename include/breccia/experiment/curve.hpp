@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/viscoelasticity/reduction.hpp"
+
+namespace breccia {
+
+/// A modulus at a time.
+struct Sample {
+  double time = 0.0;     ///< [s]
+  double modulus = 0.0;  ///< [Pa]
+
+  friend bool operator==(const Sample&, const Sample&) = default;
+};
+
+/// Modulus against time, times rising.
+using Curve = std::vector<Sample>;
+
+/// Times from begin to end, both included, and between them the times 10^(k / per_decade) s.
+std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade);
+
+/// Value of a densely sampled curve at a time: least-squares parabola in ln t through the samples within a factor
+/// 10^(0.5 / per_decade) of it. Ringing with shorter periods averages out; the bias is of fourth order in the width.
+/// Falls back on linear interpolation in ln t where fewer than five samples are that close. Throws InputError outside
+/// the curve.
+double smoothed_at(const Curve& curve, double time, int per_decade);
+
+}  // namespace breccia

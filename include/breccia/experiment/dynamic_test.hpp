@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/experiment/curve.hpp"
+#include "breccia/experiment/virtual_test.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// What a dynamic relaxation test is made on.
+struct DynamicTest {
+  Discretisation discretisation;
+  std::vector<Material> materials;  ///< by MaterialIndex
+  Load load = Load::shear;
+  TimeWindow times;            ///< wanted [s]
+  int points_per_decade = 20;  ///< of the stitched curve
+  DynamicOptions options;
+  int threads = 0;  ///< 0: all
+};
+
+/// One dynamic run with one density factor.
+struct TimeDomain {
+  double density_factor = 1.0;
+  double time_step = 0.0;  ///< [s]
+  double ramp = 0.0;       ///< duration of the strain ramp [s]
+  TimeWindow window;       ///< where it is valid [s]
+  std::int64_t steps = 0;
+  std::size_t terms = 0;         ///< Prony terms with state in the material that has most
+  double reduction_error = 0.0;  ///< bound on the relative error of the materials' moduli by leaving out the others [-]
+  double seconds = 0.0;          ///< wall time
+  Curve history;                 ///< all of it, from the start of the ramp; each sample is a mean over a few steps
+
+  [[nodiscard]] double point_steps_per_second(std::size_t points) const {
+    return static_cast<double>(points) * static_cast<double>(steps) / seconds;
+  }
+};
+
+/// Where two neighbouring domains are both valid.
+struct Overlap {
+  TimeWindow window;      ///< [s]
+  double mismatch = 0.0;  ///< largest relative difference of the two curves in it [-]
+};
+
+struct DynamicTestResult {
+  std::vector<TimeDomain> domains;
+  std::vector<Overlap> overlaps;
+  Curve curve;         ///< stitched, at logarithmic times
+  PointFields fields;  ///< at the end of the last domain
+};
+
+/// Where a running test stands.
+struct DynamicProgress {
+  std::size_t domain = 0;  ///< 0 for the first
+  double density_factor = 1.0;
+  double time = 0.0;   ///< reached in this domain [s]
+  double share = 0.0;  ///< of the whole test, estimated on the logarithmic time axis, 0 to 1
+  double point_steps_per_second = 0.0;
+};
+/// Called now and then; may throw Interrupted.
+using ReportProgress = std::function<void(const DynamicProgress&)>;
+
+/// What a test will take, from an estimate of the composite's modulus (the lower bound of Hashin and Shtrikman).
+struct DynamicPlan {
+  std::vector<TimeDomain> domains;  ///< without histories and wall times
+  std::size_t bytes = 0;            ///< memory of the largest run, about
+};
+DynamicPlan plan_dynamic_test(const DynamicTest& test);
+
+/// Runs the time domains that the test needs and stitches them.
+/// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const ReportProgress& report = {});
+
+/// Joins the valid windows of the domains, in order, at logarithmic times: cut by validity, blended in log time where
+/// two are valid. Throws NumericalError where the domains leave a gap.
+Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, int points_per_decade);
+
+/// The overlaps of neighbouring domains, with their mismatch at logarithmic times.
+std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, int points_per_decade);
+
+/// Mean density of a discretisation [kg/m^3].
+double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials);
+
+/// Lower estimate of the composite's relaxation modulus at a time [Pa]: the bound of Hashin (1965) for transversely
+/// isotropic fibre composites in plane strain, with the phases' relaxation moduli taken as elastic ones (theory, Eq.
+/// 15).
+double estimated_shear_modulus(const Discretisation& discretisation, const std::vector<Material>& materials,
+                               double time);
+
+}  // namespace breccia

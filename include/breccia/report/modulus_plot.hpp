@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// How a curve of a plot is drawn.
+enum class PlotStyle {
+  line,
+  dashed,
+  points,  ///< marks alone, for measured values
+  line_and_points
+};
+
+/// One curve of modulus against time.
+struct PlotCurve {
+  std::string label;
+  std::vector<double> times;   ///< [s]
+  std::vector<double> moduli;  ///< [Pa], as many as times
+  PlotStyle style = PlotStyle::line;
+  std::optional<std::size_t> colour = {};  ///< place in the palette, for curves to share one; by default the next
+};
+
+/// A span of time marked as a band behind the curves, such as the valid window of a time domain.
+struct PlotWindow {
+  std::string label;
+  double begin;  ///< [s]
+  double end;    ///< [s]
+};
+
+/// A plot of moduli against time on logarithmic axes.
+struct ModulusPlot {
+  std::string title;
+  std::vector<PlotCurve> curves;
+  std::vector<PlotWindow> windows = {};
+  std::string quantity = "Relaxation modulus";
+};
+
+/// SVG of a plot, drawn by gnuplot. Points that logarithmic axes cannot show (time or modulus not positive and finite)
+/// are left out. Throws InputError if a curve has not as many moduli as times or if nothing is left to show,
+/// and FileError if gnuplot is missing or fails.
+std::string modulus_plot(const ModulusPlot& plot);
+
+/// Throws FileError, saying what to install, if gnuplot cannot be run.
+void require_gnuplot();
+
+}  // namespace breccia

@@ -1,0 +1,211 @@
+// Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills. Everything here has
+// internal linkage and nothing of the standard library is used, so that no code for a newer processor leaks into
+// others.
+
+#include "cell_row_kernel.hpp"
+
+namespace breccia::dynamics {
+namespace {
+
+typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));        // NOLINT(modernize-use-using)
+typedef long long Bits __attribute__((vector_size(lanes * sizeof(long long))));  // NOLINT(modernize-use-using)
+
+#define BRECCIA_INLINE inline __attribute__((always_inline))
+
+BRECCIA_INLINE Pack load(const double* from) {
+  Pack pack;
+  __builtin_memcpy(&pack, from, sizeof(pack));
+  return pack;
+}
+
+BRECCIA_INLINE void store(double* to, const Pack& pack) {
+  __builtin_memcpy(to, &pack, sizeof(pack));
+}
+
+/// Strain modes of eight cells, times the cell side.
+struct Modes {
+  Pack xx, yy, xy;  ///< of the centre; xy is the engineering shear
+  Pack qu, qv;      ///< hourglass modes
+};
+
+/// Volumetric strain modes of eight cells, times the cell side.
+struct VolumeModes {
+  Pack centre, qu, qv;
+};
+
+/// Theory, Eq. 6: nodes in the order lower left, lower right, upper left, upper right.
+BRECCIA_INLINE Modes strain_modes(const NodeValues& below, const NodeValues& above, int cell) {
+  const Pack u00 = load(below.x + cell), u10 = load(below.x + cell + 1);
+  const Pack u01 = load(above.x + cell), u11 = load(above.x + cell + 1);
+  const Pack v00 = load(below.y + cell), v10 = load(below.y + cell + 1);
+  const Pack v01 = load(above.y + cell), v11 = load(above.y + cell + 1);
+  const Pack ux0 = u10 - u00, ux1 = u11 - u01;
+  const Pack vx0 = v10 - v00, vx1 = v11 - v01;
+  const Pack uy = (u01 - u00) + (u11 - u10);
+  const Pack vy = (v01 - v00) + (v11 - v10);
+  return {0.5 * (ux0 + ux1), 0.5 * vy, 0.5 * (uy + (vx0 + vx1)), ux1 - ux0, vx1 - vx0};
+}
+
+BRECCIA_INLINE void advance(Pack& sum, double* history, const TermStep& term, const Pack& strain) {
+  const Pack h = term.decay * load(history) + term.gain * strain;
+  store(history, h);
+  sum += h;
+}
+
+/// Shear modulus applied to the strain modes: the springs and all Maxwell terms.
+BRECCIA_INLINE Modes shear_response(const MaterialStep& material, const Modes& strain, const Modes& increment,
+                                    double* history) {
+  const double g = material.shear;
+  Modes s = {g * strain.xx, g * strain.yy, g * strain.xy, g * strain.qu, g * strain.qv};
+  for (int k = 0; k < material.shear_term_count; ++k, history += shear_modes * lanes) {
+    const TermStep& term = material.shear_terms[k];
+    advance(s.xx, history, term, increment.xx);
+    advance(s.yy, history + lanes, term, increment.yy);
+    advance(s.xy, history + 2 * lanes, term, increment.xy);
+    advance(s.qu, history + 3 * lanes, term, increment.qu);
+    advance(s.qv, history + 4 * lanes, term, increment.qv);
+  }
+  return s;
+}
+
+/// Bulk modulus applied to the volumetric modes.
+template <bool averaged>
+BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Modes& strain, const Modes& increment,
+                                         double* history) {
+  constexpr int modes = averaged ? bulk_modes_averaged : bulk_modes_standard;
+  const double k_inf = material.bulk;
+  VolumeModes p = {k_inf * (strain.xx + strain.yy), k_inf * strain.qu, k_inf * strain.qv};
+  for (int k = 0; k < material.bulk_term_count; ++k, history += modes * lanes) {
+    const TermStep& term = material.bulk_terms[k];
+    advance(p.centre, history, term, increment.xx + increment.yy);
+    if constexpr (!averaged) {
+      advance(p.qu, history + lanes, term, increment.qu);
+      advance(p.qv, history + 2 * lanes, term, increment.qv);
+    }
+  }
+  return p;
+}
+
+/// Sums over the four points of a cell of one material in closed form (theory, Eq. 7).
+template <bool averaged>
+BRECCIA_INLINE Modes uniform_forces(const Modes& s, const VolumeModes& p) {
+  Modes force;
+  force.xx = 4.0 * (p.centre + (4.0 / 3.0) * s.xx - (2.0 / 3.0) * s.yy);
+  force.yy = 4.0 * (p.centre + (4.0 / 3.0) * s.yy - (2.0 / 3.0) * s.xx);
+  force.xy = 4.0 * s.xy;
+  force.qu = (7.0 / 12.0) * s.qu;
+  force.qv = (7.0 / 12.0) * s.qv;
+  if constexpr (!averaged) {
+    force.qu += 0.25 * p.qu;
+    force.qv += 0.25 * p.qv;
+  }
+  return force;
+}
+
+/// The values of the cells for which `mask` is set (all bits of the lane), zero for the others.
+BRECCIA_INLINE Pack masked(const Bits& mask, const Pack& value) {
+  return reinterpret_cast<Pack>(reinterpret_cast<Bits>(value) & mask);
+}
+
+/// Adds the sums over the points that belong to a share.
+template <bool averaged>
+BRECCIA_INLINE void add_shared_forces(Modes& force, const Share& share, const Modes& s, const VolumeModes& p) {
+  Bits points;
+  for (int lane = 0; lane < lanes; ++lane) points[lane] = share.points[lane];
+  for (int point = 0; point < 4; ++point) {
+    const Bits mask = (points & (1LL << point)) != 0;
+    const double x = (point & 1) != 0 ? 0.25 : -0.25;
+    const double y = (point & 2) != 0 ? 0.25 : -0.25;
+    const Pack exx = s.xx + y * s.qu;
+    const Pack eyy = s.yy + x * s.qv;
+    const Pack pressure = averaged ? p.centre : p.centre + y * p.qu + x * p.qv;
+    const Pack dxx = masked(mask, (4.0 / 3.0) * exx - (2.0 / 3.0) * eyy);
+    const Pack dyy = masked(mask, (4.0 / 3.0) * eyy - (2.0 / 3.0) * exx);
+    const Pack sxy = masked(mask, s.xy + x * s.qu + y * s.qv);
+    const Pack sp = masked(mask, pressure);
+    force.xx += sp + dxx;
+    force.yy += sp + dyy;
+    force.xy += sxy;
+    // Averaged points feel the pressure through the centre alone.
+    force.qu += y * (averaged ? dxx : sp + dxx) + x * sxy;
+    force.qv += x * (averaged ? dyy : sp + dyy) + y * sxy;
+  }
+}
+
+/// Forces on the nodes: minus a quarter (the volume of a point) of the transpose of Eq. 6.
+BRECCIA_INLINE void store_forces(const Modes& f, const CellRow& row, int cell) {
+  const Pack xx = 0.125 * f.xx, yy = 0.125 * f.yy, xy = 0.125 * f.xy;
+  const Pack qu = 0.25 * f.qu, qv = 0.25 * f.qv;
+  store(row.below.left_x + cell, (xx + xy) - qu);
+  store(row.below.right_x + cell + 1, (xy - xx) + qu);
+  store(row.above.left_x + cell, (xx - xy) + qu);
+  store(row.above.right_x + cell + 1, -(xx + xy) - qu);
+  store(row.below.left_y + cell, (yy + xy) - qv);
+  store(row.below.right_y + cell + 1, (yy - xy) + qv);
+  store(row.above.left_y + cell, (xy - yy) + qv);
+  store(row.above.right_y + cell + 1, -(yy + xy) - qv);
+}
+
+BRECCIA_INLINE double sum(const Pack& pack) {
+  return ((pack[0] + pack[1]) + (pack[2] + pack[3])) + ((pack[4] + pack[5]) + (pack[6] + pack[7]));
+}
+
+template <bool averaged>
+void cell_row(const CellRow& row) {
+  Pack stress_xx{}, stress_yy{}, stress_xy{};
+  for (int b = 0; b < row.block_count; ++b) {
+    const Block& block = row.blocks[b];
+    const int cell = b * lanes;
+    const Modes strain = strain_modes(row.displacement_below, row.displacement_above, cell);
+    Modes increment{};
+    if (block.relaxes) increment = strain_modes(row.increment_below, row.increment_above, cell);
+    Modes force{};
+    for (int i = 0; i < block.share_count; ++i) {
+      const Share& share = block.shares[i];
+      const MaterialStep& material = *share.material;
+      const Modes s = shear_response(material, strain, increment, share.history);
+      const VolumeModes p = bulk_response<averaged>(material, strain, increment,
+                                                    share.history + material.shear_term_count * shear_modes * lanes);
+      if (block.uniform) {
+        force = uniform_forces<averaged>(s, p);
+      } else {
+        add_shared_forces<averaged>(force, share, s, p);
+      }
+    }
+    stress_xx += force.xx;
+    stress_yy += force.yy;
+    stress_xy += force.xy;
+    store_forces(force, row, cell);
+  }
+  row.stress[0] = sum(stress_xx);
+  row.stress[1] = sum(stress_yy);
+  row.stress[2] = sum(stress_xy);
+}
+
+BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacement, double* increment,
+                               const double* left_below, const double* right_below, const double* left_above,
+                               const double* right_above) {
+  const Pack force =
+      (load(left_below + node) + load(right_below + node)) + (load(left_above + node) + load(right_above + node));
+  const Pack moved = load(increment + node) + load(row.step_over_mass + node) * force;
+  store(increment + node, moved);
+  store(displacement + node, load(displacement + node) + moved);
+}
+
+void node_row(const NodeRow& row) {
+  const RowForces& below = row.from_cells_below;
+  const RowForces& above = row.from_cells_above;
+  for (int node = 0; node < row.count; node += lanes) {
+    move_nodes(row, node, row.displacement_x, row.increment_x, below.left_x, below.right_x, above.left_x,
+               above.right_x);
+    move_nodes(row, node, row.displacement_y, row.increment_y, below.left_y, below.right_y, above.left_y,
+               above.right_y);
+  }
+}
+
+}  // namespace
+
+extern const KernelTable BRECCIA_KERNEL_TABLE;
+const KernelTable BRECCIA_KERNEL_TABLE = {cell_row<true>, cell_row<false>, node_row};
+
+}  // namespace breccia::dynamics

@@ -1,0 +1,375 @@
+#include "classical.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::dynamics {
+namespace {
+
+struct Shape {
+  double weight;
+  double dx;  ///< gradient times the cell side
+  double dy;
+};
+
+/// Bilinear shape function of one node of a cell at a point of it (theory, Eq. 2).
+Shape shape(std::size_t node, const Vector<2>& local) {
+  const double sx = (node & 1U) != 0 ? 1.0 : -1.0;
+  const double sy = (node & 2U) != 0 ? 1.0 : -1.0;
+  const double wx = 0.5 + sx * local[0];
+  const double wy = 0.5 + sy * local[1];
+  return {wx * wy, sx * wy, wx * sy};
+}
+
+/// With fewer points than this a thread would mostly wait for the others.
+int useful_threads(int threads, std::size_t points) {
+  constexpr std::size_t points_per_thread = 4096;
+  return std::clamp(static_cast<int>(points / points_per_thread), 1, threads);
+}
+
+}  // namespace
+
+Classical::Classical(DynamicProblem given, int threads)
+    : DynamicSolver(std::move(given)), threads_(useful_threads(threads, problem().discretisation.points())) {
+  const auto half_steps = [&](const PronySeries& series) {
+    std::vector<TermStep> steps;
+    for (const auto& [relaxation_time, modulus] : series.terms()) {
+      const double x = 0.5 * problem().time_step / relaxation_time;
+      steps.push_back({std::exp(-x), -modulus * std::expm1(-x) / x});
+    }
+    return steps;
+  };
+  for (const auto& material : problem().materials) {
+    materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(), half_steps(material.bulk),
+                          half_steps(material.shear)});
+  }
+  const auto& discretisation = problem().discretisation;
+  const auto& grid = discretisation.grid();
+  const double point_area = 0.25 * grid.cell_side * grid.cell_side;
+  std::size_t history = 0;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      for (int p = 0; p < points_per_cell; ++p) {
+        const auto material = discretisation.cell(column, row)[static_cast<std::size_t>(p)];
+        if (material == no_material) continue;
+        const auto position = discretisation.position(column, row, p);
+        Point point{};
+        point.position = point.origin = position;
+        point.mass = problem().density_factor * problem().materials[material].density * point_area;
+        point.material = material;
+        point.cell = row * grid.columns + column;
+        point.history = history;
+        point.lattice = static_cast<std::size_t>((2 * row + p / 2) * 2 * grid.columns + 2 * column + p % 2);
+        history += 3 * materials_[material].shear_terms.size() + materials_[material].bulk_terms.size();
+        points_.push_back(point);
+      }
+    }
+  }
+  initial_area_ = point_area * static_cast<double>(points_.size());
+  history_.assign(history, 0.0);
+  nodes_.resize(static_cast<std::size_t>(grid.columns + 1) * static_cast<std::size_t>(grid.rows + 1));
+  cell_pressure_.resize(grid.cells());
+  sort_points();
+}
+
+void Classical::set_velocities(const VelocityField& velocity) {
+  for (auto& point : points_) {
+    const auto v = velocity(point.position);
+    point.velocity = {problem().amplitude * v[0], problem().amplitude * v[1]};
+  }
+}
+
+void Classical::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
+  for (int i = 0; i < steps; ++i) {
+    const auto step = first + i;
+    locate_points();
+    extrapolate_momenta(step - 1);
+    update_strains();
+    stresses[i] = average_stress();
+    find_forces();
+    update_momenta(step);
+    update_points();
+    extrapolate_momenta(step);
+    update_strains();
+  }
+}
+
+void Classical::locate_points() {
+  const auto& grid = problem().discretisation.grid();
+  bool sorted = true;
+#pragma omp parallel for num_threads(threads_) reduction(&& : sorted)
+  for (auto& point : points_) {  // NOLINT(modernize-loop-convert)
+    const double x = point.position[0] / grid.cell_side, y = point.position[1] / grid.cell_side;
+    const double column = std::floor(x), row = std::floor(y);
+    const bool inside = column >= 0.0 && row >= 0.0 && column < grid.columns && row < grid.rows;
+    const int cell = inside ? static_cast<int>(row) * grid.columns + static_cast<int>(column) : -1;
+    sorted = sorted && cell == point.cell;
+    point.cell = cell;
+    point.local = {x - column - 0.5, y - row - 0.5};
+  }
+  if (!sorted) sort_points();
+}
+
+void Classical::sort_points() {
+  const auto& grid = problem().discretisation.grid();
+  const auto lost = std::ranges::find(points_, -1, &Point::cell);
+  if (lost != points_.end()) {
+    throw NumericalError(
+        fmt::format("dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
+                    "likely cause: too large a time step or too large an amplitude",
+                    lost->origin[0], lost->origin[1], steps_taken()));
+  }
+  std::ranges::stable_sort(points_, {}, &Point::cell);
+  cell_begin_.assign(grid.cells() + 1, 0);
+  for (const auto& point : points_) ++cell_begin_[static_cast<std::size_t>(point.cell) + 1];
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell) cell_begin_[cell + 1] += cell_begin_[cell];
+}
+
+template <class Action>
+void Classical::for_nodes(Action&& action) {
+  const auto& grid = problem().discretisation.grid();
+#pragma omp parallel for num_threads(threads_)
+  for (int row = 0; row <= grid.rows; ++row) {
+    for (int column = 0; column <= grid.columns; ++column) {
+      action(nodes_[static_cast<std::size_t>(row * (grid.columns + 1) + column)], column, row);
+    }
+  }
+}
+
+template <class Visit>
+void Classical::for_points_around(int node_column, int node_row, Visit&& visit) const {
+  const auto& grid = problem().discretisation.grid();
+  for (int node = 3; node >= 0; --node) {
+    const int column = node_column - (node & 1), row = node_row - (node >> 1);
+    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
+    const auto cell = static_cast<std::size_t>(row * grid.columns + column);
+    for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
+      visit(points_[p], shape(static_cast<std::size_t>(node), points_[p].local));
+    }
+  }
+}
+
+bool Classical::is_prescribed(int node_column, int node_row) const noexcept {
+  const auto& grid = problem().discretisation.grid();
+  return problem().boundary == Boundary::displacement &&
+         (node_column == 0 || node_row == 0 || node_column == grid.columns || node_row == grid.rows);
+}
+
+/// Velocity of the affine motion of the load between a step and the next.
+Vector<2> Classical::load_velocity(int node_column, int node_row, std::int64_t step) const {
+  const double h = problem().discretisation.grid().cell_side;
+  const auto& load = problem().load;
+  const double rate = problem().amplitude * (load_at(step + 1) - load_at(step)) / problem().time_step;
+  const double x = node_column * h, y = node_row * h;
+  return {rate * (load.xx * x + load.xy * y), rate * (load.xy * x + load.yy * y)};
+}
+
+void Classical::extrapolate_momenta(std::int64_t step) {
+  for_nodes([&](Node& node, int column, int row) {
+    node.mass = 0.0;
+    node.momentum = {0.0, 0.0};
+    for_points_around(column, row, [&](const Point& point, const Shape& s) {
+      const double mass = s.weight * point.mass;
+      node.mass += mass;
+      node.momentum[0] += mass * point.velocity[0];
+      node.momentum[1] += mass * point.velocity[1];
+    });
+    if (is_prescribed(column, row)) {
+      const auto velocity = load_velocity(column, row, step);
+      node.momentum = {node.mass * velocity[0], node.mass * velocity[1]};
+    }
+    node.velocity = {0.0, 0.0};
+    if (node.mass > 0.0) node.velocity = {node.momentum[0] / node.mass, node.momentum[1] / node.mass};
+  });
+}
+
+std::array<std::size_t, 4> Classical::nodes_of(int cell) const noexcept {
+  const auto columns = static_cast<std::size_t>(problem().discretisation.grid().columns);
+  const auto c = static_cast<std::size_t>(cell);
+  const auto corner = c / columns * (columns + 1) + c % columns;
+  return {corner, corner + 1, corner + columns + 1, corner + columns + 2};
+}
+
+std::array<double, 3> Classical::strain_step(const Point& point) const {
+  const double scale = 0.5 * problem().time_step / problem().discretisation.grid().cell_side;
+  const auto nodes = nodes_of(point.cell);
+  std::array<double, 3> step = {0.0, 0.0, 0.0};
+  for (std::size_t node = 0; node < 4; ++node) {
+    const auto s = shape(node, point.local);
+    const auto& v = nodes_[nodes[node]].velocity;
+    step[0] += scale * s.dx * v[0];
+    step[1] += scale * s.dy * v[1];
+    step[2] += scale * (s.dy * v[0] + s.dx * v[1]);
+  }
+  return step;
+}
+
+double Classical::mean_volumetric_step(int cell) const {
+  const auto c = static_cast<std::size_t>(cell);
+  double sum = 0.0;
+  for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
+    const auto step = strain_step(points_[p]);
+    sum += step[0] + step[1];
+  }
+  return sum / static_cast<double>(cell_begin_[c + 1] - cell_begin_[c]);
+}
+
+void Classical::update_strains() {
+  const bool averaged = problem().volumetric == Volumetric::averaged;
+  const auto cells = static_cast<int>(cell_pressure_.size());
+#pragma omp parallel for num_threads(threads_)
+  for (int cell = 0; cell < cells; ++cell) {
+    const auto c = static_cast<std::size_t>(cell);
+    if (cell_begin_[c] == cell_begin_[c + 1]) continue;
+    const double mean = averaged ? mean_volumetric_step(cell) : 0.0;
+    for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
+      const auto step = strain_step(points_[p]);
+      update_stress(points_[p], step, averaged ? mean : step[0] + step[1]);
+    }
+  }
+}
+
+void Classical::update_stress(Point& point, const std::array<double, 3>& strain_step, double volumetric_step) {
+  const auto& material = materials_[point.material];
+  for (std::size_t i = 0; i < 3; ++i) point.strain[i] += strain_step[i];
+  point.volumetric_strain += volumetric_step;
+  const auto deviator = [](const std::array<double, 3>& e) -> std::array<double, 3> {
+    return {4.0 / 3.0 * e[0] - 2.0 / 3.0 * e[1], 4.0 / 3.0 * e[1] - 2.0 / 3.0 * e[0], e[2]};
+  };
+  const auto total = deviator(point.strain), step = deviator(strain_step);
+  for (std::size_t i = 0; i < 3; ++i) point.deviator[i] = material.shear * total[i];
+  point.pressure = material.bulk * point.volumetric_strain;
+  double* history = history_.data() + point.history;
+  for (const auto& [decay, gain] : material.shear_terms) {
+    for (std::size_t i = 0; i < 3; ++i, ++history) {
+      *history = decay * *history + gain * step[i];
+      point.deviator[i] += *history;
+    }
+  }
+  for (const auto& [decay, gain] : material.bulk_terms) {
+    *history = decay * *history + gain * volumetric_step;
+    point.pressure += *history++;
+  }
+}
+
+void Classical::find_forces() {
+  const double h = problem().discretisation.grid().cell_side;
+  const bool averaged = problem().volumetric == Volumetric::averaged;
+  if (averaged) {
+    for (std::size_t cell = 0; cell < cell_pressure_.size(); ++cell) {
+      double sum = 0.0;
+      for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) sum += points_[p].pressure;
+      const auto count = cell_begin_[cell + 1] - cell_begin_[cell];
+      cell_pressure_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
+    }
+  }
+  for_nodes([&](Node& node, int column, int row) {
+    node.force = {0.0, 0.0};
+    for_points_around(column, row, [&](const Point& point, const Shape& s) {
+      const double pressure = averaged ? cell_pressure_[static_cast<std::size_t>(point.cell)] : point.pressure;
+      const double volume_over_side = 0.25 * h;
+      const auto& [sxx, syy, sxy] = point.deviator;
+      node.force[0] -= volume_over_side * ((pressure + sxx) * s.dx + sxy * s.dy);
+      node.force[1] -= volume_over_side * (sxy * s.dx + (pressure + syy) * s.dy);
+    });
+  });
+}
+
+void Classical::update_momenta(std::int64_t step) {
+  const double dt = problem().time_step;
+  for_nodes([&](Node& node, int column, int row) {
+    node.acceleration = {0.0, 0.0};
+    if (node.mass == 0.0) return;
+    const auto before = load_velocity(column, row, step - 1), after = load_velocity(column, row, step);
+    const bool prescribed = is_prescribed(column, row);
+    for (std::size_t i = 0; i < 2; ++i) {
+      double acceleration = node.force[i] / node.mass;
+      if (prescribed) {
+        acceleration = (after[i] - before[i]) / dt;
+      } else if (problem().boundary == Boundary::displacement && problem().start == Start::affine) {
+        acceleration += (after[i] - before[i]) / dt;
+      }
+      node.acceleration[i] = acceleration;
+      node.velocity[i] += dt * acceleration;
+    }
+  });
+}
+
+void Classical::update_points() {
+  const double dt = problem().time_step;
+#pragma omp parallel for num_threads(threads_)
+  for (auto& point : points_) {  // NOLINT(modernize-loop-convert)
+    const auto nodes = nodes_of(point.cell);
+    for (std::size_t node = 0; node < 4; ++node) {
+      const double weight = shape(node, point.local).weight;
+      for (std::size_t i = 0; i < 2; ++i) {
+        point.velocity[i] += dt * weight * nodes_[nodes[node]].acceleration[i];
+        point.position[i] += dt * weight * nodes_[nodes[node]].velocity[i];
+      }
+    }
+  }
+}
+
+PlaneStress Classical::average_stress() const {
+  const auto& grid = problem().discretisation.grid();
+  PlaneStress sum;
+  for (const auto& point : points_) {
+    sum.xx += point.pressure + point.deviator[0];
+    sum.yy += point.pressure + point.deviator[1];
+    sum.xy += point.deviator[2];
+  }
+  const double scale = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * problem().amplitude);
+  return {scale * sum.xx, scale * sum.yy, scale * sum.xy};
+}
+
+Vector<2> Classical::momentum() const {
+  Vector<2> sum = {0.0, 0.0};
+  for (const auto& point : points_) {
+    sum[0] += point.mass * point.velocity[0] / problem().amplitude;
+    sum[1] += point.mass * point.velocity[1] / problem().amplitude;
+  }
+  return sum;
+}
+
+Energy Classical::energy() const {
+  require_elastic();
+  const double area = initial_area_ / static_cast<double>(points_.size());
+  Energy energy;
+  for (const auto& point : points_) {
+    const auto& v = point.velocity;
+    const auto& e = point.strain;
+    const auto& s = point.deviator;
+    energy.kinetic += 0.5 * point.mass * (v[0] * v[0] + v[1] * v[1]);
+    energy.strain += 0.5 * area * (point.pressure * point.volumetric_strain + s[0] * e[0] + s[1] * e[1] + s[2] * e[2]);
+  }
+  const double squared = problem().amplitude * problem().amplitude;
+  return {energy.kinetic / squared, energy.strain / squared};
+}
+
+PointFields Classical::fields() const {
+  const auto count = problem().discretisation.points();
+  const double scale = 1.0 / problem().amplitude;
+  PointFields fields;
+  fields.material.assign(count, no_material);
+  fields.displacement.resize(count);
+  fields.strain.resize(count);
+  fields.stress.resize(count);
+  for (const auto& point : points_) {
+    const auto i = point.lattice;
+    const auto& [sxx, syy, sxy] = point.deviator;
+    fields.material[i] = point.material;
+    fields.displacement[i] = {scale * (point.position[0] - point.origin[0]),
+                              scale * (point.position[1] - point.origin[1])};
+    fields.strain[i] = {scale * point.strain[0], scale * point.strain[1], 0.5 * scale * point.strain[2]};
+    fields.stress[i] = {scale * (point.pressure + sxx), scale * (point.pressure + syy),
+                        scale * (point.pressure - sxx - syy), scale * sxy};
+  }
+  return fields;
+}
+
+}  // namespace breccia::dynamics

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+
+namespace breccia::dynamics {
+
+/// The paper's formulation: points carry position, velocity, strain and stress and may move through the grid; momenta
+/// are extrapolated to the nodes every step; velocities are updated with the nodes' accelerations (FLIP); strains are
+/// updated half before and half after the momenta (update strain average), the second time from re-extrapolated
+/// momenta.
+///
+/// Nodes gather from the points of the cells around them in a fixed order: no result depends on the number of threads.
+class Classical final : public DynamicSolver {
+ public:
+  Classical(DynamicProblem problem, int threads);
+
+  void set_velocities(const VelocityField& velocity) override;
+  [[nodiscard]] Vector<2> momentum() const override;
+  [[nodiscard]] Energy energy() const override;
+  [[nodiscard]] PointFields fields() const override;
+
+ private:
+  struct Point {
+    Vector<2> position;
+    Vector<2> velocity;
+    Vector<2> origin;                ///< where the point was at the start
+    Vector<2> local;                 ///< position relative to the centre of its cell, in cell sides
+    std::array<double, 3> strain;    ///< xx, yy, engineering xy
+    double volumetric_strain;        ///< what the point sees of it: its own or the mean of its cell
+    std::array<double, 3> deviator;  ///< stress deviator xx, yy, xy [Pa]
+    double pressure;                 ///< tension positive [Pa]
+    double mass;                     ///< per unit thickness [kg/m]
+    std::size_t history;             ///< first value in `history_`
+    std::size_t lattice;             ///< place in PointFields
+    int cell;
+    MaterialIndex material;
+  };
+  struct Node {
+    double mass;
+    Vector<2> momentum;
+    Vector<2> force;
+    Vector<2> velocity;
+    Vector<2> acceleration;
+  };
+  /// Decay and gain of one Maxwell term over half a step.
+  struct TermStep {
+    double decay;
+    double gain;
+  };
+  struct MaterialStep {
+    double bulk;
+    double shear;
+    std::vector<TermStep> bulk_terms;
+    std::vector<TermStep> shear_terms;
+  };
+
+  void take_steps(std::int64_t first, int steps, PlaneStress* stresses) override;
+
+  // One step, in this order.
+  void locate_points();
+  void extrapolate_momenta(std::int64_t step);
+  void update_strains();
+  void find_forces();
+  void update_momenta(std::int64_t step);
+  void update_points();
+
+  void sort_points();
+  void update_stress(Point& point, const std::array<double, 3>& strain_step, double volumetric_step);
+  [[nodiscard]] double mean_volumetric_step(int cell) const;
+  [[nodiscard]] std::array<double, 3> strain_step(const Point& point) const;
+  [[nodiscard]] Vector<2> load_velocity(int node_column, int node_row, std::int64_t step) const;
+  [[nodiscard]] bool is_prescribed(int node_column, int node_row) const noexcept;
+  [[nodiscard]] PlaneStress average_stress() const;
+  [[nodiscard]] std::array<std::size_t, 4> nodes_of(int cell) const noexcept;
+  template <class Visit>
+  void for_points_around(int node_column, int node_row, Visit&& visit) const;
+  template <class Action>
+  void for_nodes(Action&& action);
+
+  int threads_;
+  std::vector<MaterialStep> materials_;
+  std::vector<Point> points_;            ///< sorted by cell
+  std::vector<std::size_t> cell_begin_;  ///< first point of each cell, and the end
+  std::vector<double> cell_pressure_;    ///< the pressure that averaged points of the cell feel [Pa]
+  std::vector<Node> nodes_;
+  std::vector<double> history_;
+  double initial_area_ = 0.0;
+};
+
+}  // namespace breccia::dynamics

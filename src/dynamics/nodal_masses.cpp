@@ -1,0 +1,31 @@
+#include "nodal_masses.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "breccia/mpm/cell.hpp"
+
+namespace breccia::dynamics {
+
+std::vector<double> nodal_masses(const DynamicProblem& problem) {
+  const auto& grid = problem.discretisation.grid();
+  const auto width = static_cast<std::size_t>(grid.columns) + 1;
+  const double point_area = 0.25 * grid.cell_side * grid.cell_side;
+  std::vector<double> masses(width * (static_cast<std::size_t>(grid.rows) + 1), 0.0);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const auto corner = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+      const std::array<std::size_t, 4> nodes = {corner, corner + 1, corner + width, corner + width + 1};
+      for (int p = 0; p < points_per_cell; ++p) {
+        const auto material = problem.discretisation.cell(column, row)[static_cast<std::size_t>(p)];
+        if (material == no_material) continue;
+        const double mass = problem.density_factor * problem.materials[material].density * point_area;
+        const auto weights = node_weights(p);
+        for (std::size_t node = 0; node < 4; ++node) masses[nodes[node]] += weights[node] * mass;
+      }
+    }
+  }
+  return masses;
+}
+
+}  // namespace breccia::dynamics

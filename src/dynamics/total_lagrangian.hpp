@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/mpm/cell.hpp"
+
+#include "block_layout.hpp"
+#include "cell_row_kernel.hpp"
+
+namespace breccia::dynamics {
+
+/// The fast formulation: points never leave their cell, so velocities live on the nodes, the weights are constants and
+/// masses are summed once. One sweep over the rows of cells makes a step: a row of nodes moves as soon as both rows of
+/// cells around it have given their forces.
+///
+/// Rows are dealt to threads in bands. The row of nodes between two bands moves after both are done, from the same two
+/// sums as any other row, so results do not depend on the number of threads.
+class TotalLagrangian final : public DynamicSolver {
+ public:
+  TotalLagrangian(DynamicProblem problem, int threads);
+
+  void set_velocities(const VelocityField& velocity) override;
+  [[nodiscard]] Vector<2> momentum() const override;
+  [[nodiscard]] Energy energy() const override;
+  [[nodiscard]] PointFields fields() const override;
+
+ private:
+  /// A pair of components along a row of nodes.
+  struct Row {
+    double* x;
+    double* y;
+  };
+  /// Storage behind RowForces.
+  struct ForceRow {
+    std::array<std::vector<double>, 4> values;
+    explicit ForceRow(std::size_t length);
+    [[nodiscard]] RowForces view() noexcept;
+  };
+  /// A thread's rows of cells, [first, end), and its forces.
+  struct Band {
+    int first;
+    int end;
+    ForceRow lowest;   ///< of the first row of cells on the nodes below it
+    ForceRow bottom;   ///< of the present row of cells on the nodes below it
+    ForceRow top;      ///< of the present row of cells on the nodes above it
+    ForceRow highest;  ///< of the row of cells below: what is carried to the present row's lower nodes
+  };
+
+  void take_steps(std::int64_t first, int steps, PlaneStress* stresses) override;
+  void sweep(Band& band, std::int64_t step);
+  void join_bands(std::size_t band, std::int64_t step);
+  void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
+  void follow_load(int row, std::int64_t step);
+  [[nodiscard]] PlaneStress average_stress(std::int64_t step) const;
+  [[nodiscard]] double* stress_of_row(int row, std::int64_t step);
+
+  [[nodiscard]] Row displacement(int row) noexcept { return {field(row, 0), field(row, 1)}; }
+  [[nodiscard]] Row increment(int row) noexcept { return {field(row, 2), field(row, 3)}; }
+  [[nodiscard]] double* step_over_mass(int row) noexcept { return field(row, 4); }
+  [[nodiscard]] double* field(int row, int which) noexcept {
+    return nodes_.data() + (static_cast<std::size_t>(row) * 5 + static_cast<std::size_t>(which)) * stride_;
+  }
+  [[nodiscard]] const double* field(int row, int which) const noexcept {
+    return nodes_.data() + (static_cast<std::size_t>(row) * 5 + static_cast<std::size_t>(which)) * stride_;
+  }
+  [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
+  [[nodiscard]] bool is_prescribed(int column, int row) const noexcept;
+
+  const KernelTable* kernels_;
+  BlockLayout layout_;
+  std::size_t stride_;         ///< nodes a row holds, with the filling
+  std::vector<double> nodes_;  ///< rows of displacement x, y, increment x, y, dt^2 / m
+  std::vector<double> masses_;
+  ForceRow nothing_;
+  std::vector<Band> bands_;
+  std::vector<double> row_stresses_;  ///< of the present and the next step, in turn
+};
+
+}  // namespace breccia::dynamics

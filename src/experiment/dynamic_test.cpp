@@ -1,0 +1,213 @@
+#include "breccia/experiment/dynamic_test.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/experiment/time_domains.hpp"
+
+namespace breccia {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Strain of a load whose modulus is then the stress of `modulus_of`.
+PlaneStrain unit_strain(Load load) {
+  return load == Load::shear ? PlaneStrain{.xy = 0.5} : PlaneStrain{.xx = 0.5, .yy = 0.5};
+}
+
+double modulus_of(Load load, const PlaneStress& stress) {
+  return load == Load::shear ? stress.xy : 0.5 * (stress.xx + stress.yy);
+}
+
+DomainRules rules_of(const DynamicTest& test) {
+  const auto& grid = test.discretisation.grid();
+  DomainRules rules;
+  rules.side = grid.cell_side * std::max(grid.columns, grid.rows);
+  rules.density = mean_density(test.discretisation, test.materials);
+  rules.times = test.times;
+  rules.density_factors = test.options.density_factors;
+  return rules;
+}
+
+/// A problem for one time domain, and what is told of it.
+struct Preparation {
+  DynamicProblem problem;
+  TimeDomain domain;
+};
+
+Preparation prepare(const DynamicTest& test, const DomainRules& rules, const DomainSequence& sequence) {
+  const double begin = sequence.expected_begin();
+  const double end = rules.density_factors.empty() ? std::min(rules.times.end, rules.longest * begin) : rules.times.end;
+  TimeDomain domain;
+  domain.density_factor = sequence.density_factor();
+  std::vector<Material> materials;
+  for (const auto& material : test.materials) {
+    const auto bulk = reduce_to_window(material.bulk, {begin, end}, test.options.reduction_tolerance);
+    const auto shear = reduce_to_window(material.shear, {begin, end}, test.options.reduction_tolerance);
+    materials.push_back({material.name, material.density, bulk.series, shear.series});
+    domain.terms = std::max(domain.terms, bulk.series.terms().size() + shear.series.terms().size());
+    domain.reduction_error = std::max({domain.reduction_error, bulk.error_bound, shear.error_bound});
+  }
+  domain.time_step = test.options.courant *
+                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
+  // The window begins after so many transits, by definition; that gives the duration of one.
+  domain.ramp = test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor)
+                                       : test.options.ramp_transits * begin / (2.0 * there_and_back_transits);
+  return {.problem = {.discretisation = test.discretisation,
+                      .materials = std::move(materials),
+                      .volumetric = test.options.volumetric,
+                      .density_factor = domain.density_factor,
+                      .time_step = domain.time_step,
+                      .boundary = Boundary::displacement,
+                      .load = unit_strain(test.load),
+                      .ramp = StrainRamp(domain.ramp),
+                      .start = test.options.start},
+          .domain = std::move(domain)};
+}
+
+/// Steps over which one sample of the history is averaged: few enough to change the time by less than half a per cent.
+int steps_to_average(double time, double time_step) {
+  constexpr double resolution = 0.005;
+  return std::max(1, static_cast<int>(std::min(resolution * time / time_step, 1e6)));
+}
+
+Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, double first_time, double time_step) {
+  double sum = 0.0;
+  for (const auto& stress : stresses) sum += modulus_of(load, stress);
+  const auto count = static_cast<double>(stresses.size());
+  return {first_time + 0.5 * (count - 1.0) * time_step, sum / count};
+}
+
+/// Runs until the sequence has seen enough.
+void run_domain(const DynamicTest& test, DomainSequence& sequence, DynamicSolver& solver, TimeDomain& domain,
+                const std::function<void(const TimeDomain&)>& report) {
+  const auto start = Clock::now();
+  std::vector<PlaneStress> stresses;
+  for (bool go_on = true; go_on;) {
+    stresses.clear();
+    const double time = solver.time();
+    solver.advance(steps_to_average(std::max(time, sequence.expected_begin()), domain.time_step), stresses);
+    const auto& sample = domain.history.emplace_back(averaged_sample(test.load, stresses, time, domain.time_step));
+    domain.steps = solver.steps_taken();
+    domain.seconds = seconds_since(start);
+    go_on = sample.time <= 0.0 || sequence.observe(sample.time, sample.modulus);
+    if (report) report(domain);
+  }
+}
+
+void require_complete(const DynamicTest& test) {
+  if (!(test.times.begin > 0.0) || !(test.times.end >= test.times.begin)) {
+    throw InputError(
+        fmt::format("dynamic test: expected rising positive times, got {} to {} s", test.times.begin, test.times.end));
+  }
+  if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
+    throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
+  }
+}
+
+/// Bytes of one run, about.
+std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
+  const auto points = test.discretisation.points();
+  if (test.options.formulation == Formulation::classical) return points * (180 + 24 * terms) + points / 4 * 72;
+  return points / 4 * (5 * sizeof(double) + 8 + 5 * sizeof(double) * terms);
+}
+
+void cut(TimeDomain& domain, const DomainSequence& sequence, bool first) {
+  domain.window = sequence.window().value_or(TimeWindow{});
+  // Nearly all of a window that begins earlier than needed is known better from the domain before.
+  if (!first)
+    domain.window.begin = std::max(domain.window.begin, std::min(sequence.expected_begin(), domain.window.end));
+}
+
+}  // namespace
+
+double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials) {
+  const auto fractions = discretisation.fractions(materials.size());
+  double density = 0.0;
+  for (std::size_t m = 0; m < materials.size(); ++m) density += fractions[m] * materials[m].density;
+  return density;
+}
+
+double estimated_shear_modulus(const Discretisation& discretisation, const std::vector<Material>& materials,
+                               double time) {
+  const auto fractions = discretisation.fractions(materials.size());
+  double softest = materials.front().shear.at(time), softest_bulk = materials.front().bulk.at(time);
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    if (fractions[m] == 0.0) continue;
+    softest = std::min(softest, materials[m].shear.at(time));
+    softest_bulk = std::min(softest_bulk, materials[m].bulk.at(time));
+  }
+  // With the softest phase around: sum of fraction / (G + G*) = 1 / (G_eff + G*), G* = G k / (k + 2 G), k = K + G / 3.
+  const double plane_bulk = softest_bulk + softest / 3.0;
+  const double surrounding = softest * plane_bulk / (plane_bulk + 2.0 * softest);
+  double sum = 0.0;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    sum += fractions[m] / (materials[m].shear.at(time) + surrounding);
+  }
+  return 1.0 / sum - surrounding;
+}
+
+DynamicPlan plan_dynamic_test(const DynamicTest& test) {
+  require_complete(test);
+  const auto estimate = [&](double time) { return estimated_shear_modulus(test.discretisation, test.materials, time); };
+  const auto rules = rules_of(test);
+  DomainSequence sequence(rules, estimate(test.times.begin));
+  DynamicPlan plan;
+  for (;;) {
+    auto domain = prepare(test, rules, sequence).domain;
+    constexpr double increase = 1.01;
+    double time = std::min(0.5 * sequence.expected_begin(), test.times.end);
+    while (sequence.observe(time, estimate(time))) time *= increase;
+    cut(domain, sequence, plan.domains.empty());
+    domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
+    plan.bytes = std::max(plan.bytes, memory_of(test, domain.terms));
+    plan.domains.push_back(std::move(domain));
+    if (sequence.is_complete()) return plan;
+    sequence.advance();
+  }
+}
+
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const ReportProgress& report) {
+  require_complete(test);
+  const auto rules = rules_of(test);
+  DomainSequence sequence(rules, estimated_shear_modulus(test.discretisation, test.materials, test.times.begin));
+  const double points = static_cast<double>(test.discretisation.points());
+  const double decades = std::log(test.times.end / test.times.begin);
+  DynamicTestResult result;
+  for (;;) {
+    auto [problem, domain] = prepare(test, rules, sequence);
+    const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
+    run_domain(test, sequence, *solver, domain, [&](const TimeDomain& running) {
+      if (!report) return;
+      const double time = running.history.back().time;
+      const double done = std::log(std::max(time, test.times.begin) / test.times.begin);
+      report({.domain = result.domains.size(),
+              .density_factor = running.density_factor,
+              .time = time,
+              .share = decades > 0.0 ? std::min(1.0, done / decades) : 0.0,
+              .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+    });
+    cut(domain, sequence, result.domains.empty());
+    result.domains.push_back(std::move(domain));
+    if (sequence.is_complete()) {
+      result.fields = solver->fields();
+      break;
+    }
+    sequence.advance();
+  }
+  result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
+  result.curve = stitch(result.domains, test.times, test.points_per_decade);
+  return result;
+}
+
+}  // namespace breccia

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/experiment/dynamic_test.hpp"
+
+namespace breccia {
+namespace {
+
+bool contains(const TimeWindow& window, double time) {
+  constexpr double rounding = 1e-9;
+  return time >= window.begin * (1.0 - rounding) && time <= window.end * (1.0 + rounding);
+}
+
+double modulus_at(const TimeDomain& domain, double time, int points_per_decade) {
+  const auto& history = domain.history;
+  return smoothed_at(history, std::clamp(time, history.front().time, history.back().time), points_per_decade);
+}
+
+}  // namespace
+
+Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, int points_per_decade) {
+  Curve curve;
+  for (const double time : logarithmic_times(times, points_per_decade)) {
+    const auto valid = [&](const TimeDomain& domain) { return contains(domain.window, time); };
+    const auto first = std::ranges::find_if(domains, valid);
+    if (first == domains.end()) {
+      throw NumericalError(fmt::format(
+          "time domains: none is valid at {:.3e} s; give density factors whose windows cover the times", time));
+    }
+    double modulus = modulus_at(*first, time, points_per_decade);
+    const auto second = std::next(first);
+    if (second != domains.end() && valid(*second)) {
+      const double width = std::log(first->window.end / second->window.begin);
+      const double share = width > 0.0 ? std::clamp(std::log(time / second->window.begin) / width, 0.0, 1.0) : 1.0;
+      modulus += share * (modulus_at(*second, time, points_per_decade) - modulus);
+    }
+    curve.push_back({time, modulus});
+  }
+  return curve;
+}
+
+std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, int points_per_decade) {
+  std::vector<Overlap> overlaps;
+  for (std::size_t i = 0; i + 1 < domains.size(); ++i) {
+    const auto& [earlier, later] = std::tie(domains[i], domains[i + 1]);
+    Overlap overlap{{later.window.begin, earlier.window.end}};
+    if (overlap.window.end < overlap.window.begin) continue;
+    for (const double time : logarithmic_times(overlap.window, 4 * points_per_decade)) {
+      const double a = modulus_at(earlier, time, points_per_decade), b = modulus_at(later, time, points_per_decade);
+      overlap.mismatch = std::max(overlap.mismatch, std::abs(b / a - 1.0));
+    }
+    overlaps.push_back(overlap);
+  }
+  return overlaps;
+}
+
+}  // namespace breccia

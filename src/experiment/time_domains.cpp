@@ -1,0 +1,88 @@
+#include "breccia/experiment/time_domains.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+double DomainRules::transit(double density_factor, double modulus) const {
+  return side * std::sqrt(density_factor * density / modulus);
+}
+
+double DomainRules::admissible_factor(double time, double modulus) const {
+  const double transits = time / (2.0 * there_and_back_transits * side);
+  return transits * transits * modulus / density;
+}
+
+DomainSequence::DomainSequence(DomainRules rules, double modulus)
+    : rules_(std::move(rules)), expected_begin_(rules_.times.begin) {
+  if (rules_.density_factors.empty()) {
+    constexpr double margin = 0.9;
+    factor_ = margin * rules_.admissible_factor(rules_.times.begin, modulus);
+  } else {
+    factor_ = rules_.density_factors.front();
+    expected_begin_ = 2.0 * there_and_back_transits * rules_.transit(factor_, modulus);
+  }
+}
+
+std::optional<double> DomainSequence::next_factor() const {
+  if (rules_.density_factors.empty()) return rising_ ? factor_ * rules_.factor_ratio : factor_ / rules_.factor_ratio;
+  if (given_ + 1 < rules_.density_factors.size()) return rules_.density_factors[given_ + 1];
+  return std::nullopt;
+}
+
+bool DomainSequence::observe(double time, double modulus) {
+  const double admissible = rules_.admissible_factor(time, modulus);
+  // Ringing may take a young window back below the limit; that is not the end of it.
+  constexpr double settled = 1.2;
+  if (admissible < factor_ && !(window_ && time < settled * window_->begin)) {
+    expired_ = window_.has_value();
+    return !expired_ && time < rules_.times.end;
+  }
+  if (!window_) window_ = TimeWindow{time, time};
+  window_->end = time;
+  if (time >= rules_.times.end) {
+    complete_ = true;
+    return false;
+  }
+  const auto next = next_factor();
+  if (rising_ && next && admissible >= *next) {
+    if (!next_admissible_) next_admissible_ = time;
+    return time < rules_.overlap * *next_admissible_;
+  }
+  next_admissible_.reset();
+  return time < rules_.longest * window_->begin || !rules_.density_factors.empty();
+}
+
+void DomainSequence::advance() {
+  if (!window_) {
+    throw NumericalError(
+        fmt::format("time domains: with density factor {:.3g} no time up to {:.3e} s comes after {:g} there-and-back "
+                    "transits of the "
+                    "shear wave; give smaller density factors",
+                    factor_, rules_.times.end, there_and_back_transits));
+  }
+  if (expired_) {
+    if (!rules_.density_factors.empty()) {
+      throw NumericalError(fmt::format(
+          "time domains: with density factor {:.3g} the run is valid from {:.3e} to {:.3e} s only, since the composite "
+          "relaxes faster than waves cross the box; give a smaller density factor or an earlier last time",
+          factor_, window_->begin, window_->end));
+    }
+    rising_ = false;
+  }
+  if (next_admissible_ || expired_) {
+    factor_ = next_factor().value();
+    if (given_ + 1 < rules_.density_factors.size()) ++given_;
+  }
+  expected_begin_ = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
+  expired_ = false;
+  window_.reset();
+  next_admissible_.reset();
+}
+
+}  // namespace breccia

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// What a program left behind.
+struct ProcessResult {
+  int exit_status;     ///< 128 + the signal's number if a signal ended it
+  std::string output;  ///< what it wrote to standard output
+  std::string errors;  ///< what it wrote to standard error
+};
+
+/// Runs a program of the PATH to its end, with a text as its standard input. No shell is involved.
+/// Throws FileError if it cannot be started.
+ProcessResult run_program(const std::vector<std::string>& command, const std::string& input);
+
+}  // namespace breccia

@@ -1,0 +1,46 @@
+#include "log_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace breccia {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // relative; keeps ticks that lie on the ends
+
+/// "0.2", "500" or, with powers, "10^{-6}", "2×10^{-6}".
+std::string tick_label(int digit, int exponent, bool powers) {
+  if (!powers) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
+  return digit == 1 ? fmt::format("10^{{{}}}", exponent) : fmt::format("{}×10^{{{}}}", digit, exponent);
+}
+
+}  // namespace
+
+LogAxis log_axis(double smallest, double largest, double margin) {
+  const double widening = std::sqrt(std::max(1.0, 4.0 * smallest / largest));
+  LogAxis axis{smallest / margin / widening, largest * margin * widening, {}};
+
+  const double decades = std::log10(axis.end / axis.begin);
+  const bool labels_two_and_five = decades <= 2.0;
+  const int labelled_exponents = std::max(1, static_cast<int>(std::ceil(decades / 9.0 - rounding)));
+  const bool powers = axis.begin < 0.999e-3 || axis.end > 1e4;
+
+  const int first = static_cast<int>(std::floor(std::log10(axis.begin)));
+  const int last = static_cast<int>(std::floor(std::log10(axis.end) + rounding));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (int digit = 1; digit <= 9; ++digit) {
+      const double at = digit * std::pow(10.0, exponent);
+      if (at < axis.begin * (1.0 - rounding) || at > axis.end * (1.0 + rounding)) continue;
+      if (digit > 1 && labelled_exponents > 1) continue;
+      const bool labelled =
+          (digit == 1 && exponent % labelled_exponents == 0) || (labels_two_and_five && (digit == 2 || digit == 5));
+      axis.ticks.push_back({at, labelled ? tick_label(digit, exponent, powers) : ""});
+    }
+  }
+  return axis;
+}
+
+}  // namespace breccia

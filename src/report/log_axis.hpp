@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// A mark on an axis: long with a label, or short without.
+struct Tick {
+  double at;
+  std::string label;  ///< in gnuplot's enhanced text
+};
+
+/// A logarithmic axis from begin to end.
+struct LogAxis {
+  double begin;
+  double end;
+  std::vector<Tick> ticks;  ///< rising; two to ten of them have a label
+};
+
+/// The axis that shows values from smallest to largest (positive) and goes on by a factor on both sides.
+/// It spans a factor of four at least.
+LogAxis log_axis(double smallest, double largest, double margin = 1.0);
+
+}  // namespace breccia

@@ -1,0 +1,102 @@
+#include "breccia/report/microstructure_picture.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/report/display.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// The box is drawn 1000 units wide; the scale bar has a strip below it.
+constexpr double drawn_side = 1000.0;
+constexpr double margin = 20.0;
+constexpr double strip = 70.0;
+
+/// Does any part of the disc lie inside the box [0, side]^2?
+bool shows_in_box(const Disc& disc, double side) {
+  double squared_distance = 0.0;  // from the centre to the box
+  for (const double x : disc.centre) {
+    const double outside = x < 0.0 ? -x : (x > side ? x - side : 0.0);
+    squared_distance += outside * outside;
+  }
+  return 4.0 * squared_distance < disc.diameter * disc.diameter;
+}
+
+/// The discs to draw: those of the box and, in a periodic box, their images that show in it.
+std::vector<Disc> visible_discs(const Microstructure& microstructure) {
+  const double side = microstructure.side;
+  std::vector<Disc> visible;
+  for (const auto& disc : microstructure.discs) {
+    visible.push_back(disc);
+    if (microstructure.walls == Walls::hard) continue;
+    for (const double dx : {-side, 0.0, side}) {
+      for (const double dy : {-side, 0.0, side}) {
+        const Disc image{{disc.centre[0] + dx, disc.centre[1] + dy}, disc.diameter};
+        if (image != disc && shows_in_box(image, side)) visible.push_back(image);
+      }
+    }
+  }
+  return visible;
+}
+
+/// The longest of 1, 2, 5 times a power of ten that is at most a quarter of the side.
+double scale_bar_length(double side) {
+  const double longest = side / 4.0;
+  const double power = std::pow(10.0, std::floor(std::log10(longest) + 1e-9));
+  for (const double step : {5.0, 2.0}) {
+    if (step * power <= longest * (1.0 + 1e-9)) return step * power;
+  }
+  return power;
+}
+
+std::string with_micro_sign(double length) {
+  const auto [number, prefix, scale] = with_prefix(length);
+  return fmt::format("{:.3g} {}m", number, prefix == "u" ? "µ" : prefix);
+}
+
+}  // namespace
+
+std::string microstructure_picture(const Microstructure& microstructure) {
+  const double side = microstructure.side;
+  if (!(side > 0.0) || !std::isfinite(side)) {
+    throw InputError(fmt::format("picture of a microstructure: the side of the box must be positive, got {} m", side));
+  }
+  const double scale = drawn_side / side;
+  const double bar = scale_bar_length(side);
+
+  std::string svg;
+  const auto out = std::back_inserter(svg);
+  fmt::format_to(out,
+                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif">
+<title>Microstructure: {3} particles in a box of {4}</title>
+<clipPath id="box"><rect width="{5}" height="{5}"/></clipPath>
+<rect x="{0}" y="{0}" width="{1}" height="{2}" fill="#fff"/>
+<rect width="{5}" height="{5}" fill="#f3e9d8"/>
+<g clip-path="url(#box)" fill="#5b7f95" stroke="#2f4858" stroke-width="1">
+)svg",
+                 -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.discs.size(),
+                 with_micro_sign(side), drawn_side);
+  for (const auto& disc : visible_discs(microstructure)) {
+    fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"/>\n", disc.centre[0] * scale,
+                   drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);
+  }
+  fmt::format_to(out,
+                 R"svg(</g>
+<rect width="{0}" height="{0}" fill="none" stroke="#222" stroke-width="2"/>
+<rect id="scale-bar" y="{1}" width="{2:.6g}" height="10" fill="#222"/>
+<text x="{3:.6g}" y="{4}" font-size="40" fill="#222">{5}</text>
+</svg>
+)svg",
+                 drawn_side, drawn_side + 40.0, bar * scale, bar * scale + 18.0, drawn_side + 59.0,
+                 with_micro_sign(bar));
+  return svg;
+}
+
+}  // namespace breccia

@@ -1,0 +1,134 @@
+#include <array>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/mpm/cell.hpp"
+
+#include "block_layout.hpp"
+#include "instruction_set.hpp"
+#include "materials.hpp"
+
+namespace breccia::dynamics {
+namespace {
+
+using testing_materials::soft;
+using testing_materials::stiff;
+
+struct Case {
+  InstructionSet set;
+  Volumetric volumetric;
+};
+
+/// One row of cells with a random mixture of two materials and holes, and random nodal displacements.
+class CellRowKernel : public testing::TestWithParam<Case> {
+ protected:
+  static constexpr int columns = 21, length = 32;
+
+  CellRowKernel() : problem_{Discretisation({columns, 1, 1.0}), {soft, stiff}} {
+    auto& random = random_;
+    problem_.volumetric = GetParam().volumetric;
+    problem_.time_step = 1e-6;
+    problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.0; }, 1);
+    problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.6; },
+                                  no_material);
+    for (auto& row : values_) {
+      row.assign(length, 0.0);
+      for (int node = 0; node <= columns; ++node) row[static_cast<std::size_t>(node)] = uniform(random);
+    }
+    for (auto& row : forces_) row.assign(length, 0.0);
+  }
+
+  void run(InstructionSet set) {
+    const BlockLayout layout(problem_);
+    const CellRow row = {.blocks = layout.row(0),
+                         .block_count = layout.blocks_per_row(),
+                         .displacement_below = {values_[0].data(), values_[1].data()},
+                         .displacement_above = {values_[2].data(), values_[3].data()},
+                         .increment_below = {values_[0].data(), values_[1].data()},
+                         .increment_above = {values_[2].data(), values_[3].data()},
+                         .below = {forces_[0].data(), forces_[1].data(), forces_[2].data(), forces_[3].data()},
+                         .above = {forces_[4].data(), forces_[5].data(), forces_[6].data(), forces_[7].data()},
+                         .stress = stress_.data()};
+    const auto& table = kernels(set);
+    (problem_.volumetric == Volumetric::averaged ? table.cell_row_averaged : table.cell_row_standard)(row);
+  }
+
+  [[nodiscard]] CellVector displacement(std::size_t column) const {
+    const auto& v = values_;
+    CellVector u;
+    u << v[0][column], v[1][column], v[0][column + 1], v[1][column + 1], v[2][column], v[3][column], v[2][column + 1],
+        v[3][column + 1];
+    return u;
+  }
+  [[nodiscard]] CellVector force(std::size_t column) const {
+    const auto& f = forces_;
+    CellVector force;
+    force << f[0][column], f[1][column], f[2][column + 1], f[3][column + 1], f[4][column], f[5][column],
+        f[6][column + 1], f[7][column + 1];
+    return force;
+  }
+
+  static double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; }
+
+  std::mt19937_64 random_{7};
+  DynamicProblem problem_;
+  std::array<std::vector<double>, 4> values_;
+  std::array<std::vector<double>, 8> forces_;
+  std::array<double, 3> stress_{};
+};
+
+TEST_P(CellRowKernel, GivesTheForcesOfTheCellStiffness) {
+  if (!is_supported(GetParam().set)) GTEST_SKIP() << "this processor lacks the instruction set";
+  run(GetParam().set);
+  Eigen::Vector3d stress = Eigen::Vector3d::Zero();
+  for (int column = 0; column < columns; ++column) {
+    std::array<Moduli, points_per_cell> moduli{};
+    for (int p = 0; p < points_per_cell; ++p) {
+      const auto material = problem_.discretisation.cell(column, 0)[static_cast<std::size_t>(p)];
+      if (material == no_material) continue;
+      const auto& [bulk, shear] = moduli[static_cast<std::size_t>(p)] = {
+          problem_.materials[material].bulk.equilibrium(), problem_.materials[material].shear.equilibrium()};
+      const CellVector u = displacement(static_cast<std::size_t>(column));
+      const Eigen::Vector3d e = strain_matrix(p) * u;
+      const double pressure = bulk * volumetric_strain_matrix(p, problem_.volumetric).dot(u);
+      stress += Eigen::Vector3d(pressure + shear * (4 * e[0] - 2 * e[1]) / 3,
+                                pressure + shear * (4 * e[1] - 2 * e[0]) / 3, shear * e[2]);
+    }
+    const auto c = static_cast<std::size_t>(column);
+    const CellVector expected = -cell_stiffness(moduli, problem_.volumetric) * displacement(c);
+    EXPECT_LT((force(c) - expected).norm(), 1e-13 * 1e8) << "in column " << column;
+  }
+  for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(stress_[static_cast<std::size_t>(i)], stress[i], 1e-13 * 1e9);
+}
+
+TEST_P(CellRowKernel, GivesTheSameBitsAsTheBaseline) {
+  if (!is_supported(GetParam().set)) GTEST_SKIP() << "this processor lacks the instruction set";
+  run(InstructionSet::baseline);
+  const auto forces = forces_;
+  const auto stress = stress_;
+  run(GetParam().set);
+  EXPECT_EQ(forces_, forces);
+  EXPECT_EQ(stress_, stress);
+}
+
+std::string name_of(const testing::TestParamInfo<Case>& chosen) {
+  constexpr std::array<const char*, 3> names = {"Baseline", "Avx2", "Avx512"};
+  return std::string(names[static_cast<std::size_t>(chosen.param.set)]) +
+         (chosen.param.volumetric == Volumetric::averaged ? "Averaged" : "Standard");
+}
+
+INSTANTIATE_TEST_SUITE_P(AllSets, CellRowKernel,
+                         testing::Values(Case{InstructionSet::baseline, Volumetric::averaged},
+                                         Case{InstructionSet::baseline, Volumetric::standard},
+                                         Case{InstructionSet::avx2, Volumetric::averaged},
+                                         Case{InstructionSet::avx2, Volumetric::standard},
+                                         Case{InstructionSet::avx512, Volumetric::averaged},
+                                         Case{InstructionSet::avx512, Volumetric::standard}),
+                         name_of);
+
+}  // namespace
+}  // namespace breccia::dynamics

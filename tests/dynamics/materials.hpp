@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/mpm/discretisation.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia::testing_materials {
+
+inline const Material soft = {"soft", 1000.0, PronySeries(3e6), PronySeries(1e6)};
+inline const Material stiff = {"stiff", 1700.0, PronySeries(40e6), PronySeries(25e6)};
+inline const Material relaxing = {"relaxing", 1200.0, PronySeries(2e6, {{3e-3, 4e6}}),
+                                  PronySeries(0.1e6, {{1e-3, 2e6}, {2e-2, 1e6}})};
+
+/// A disc of material 1 in a box of material 0 with side 1 m.
+inline Discretisation disc_in_box(int cells) {
+  return discretise({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells);
+}
+
+}  // namespace breccia::testing_materials

@@ -1,0 +1,227 @@
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/error.hpp"
+
+#include "materials.hpp"
+
+namespace breccia {
+namespace {
+
+using testing_materials::relaxing;
+using testing_materials::soft;
+using testing_materials::stiff;
+
+/// A problem at a share of its stable time step.
+DynamicProblem with_step(DynamicProblem problem, double courant = 0.9) {
+  problem.time_step =
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+  return problem;
+}
+
+/// Velocities without order, the same for the same position.
+Vector<2> scattered(const Vector<2>& position) {
+  const double phase = 1e4 * position[0] + 3e4 * position[1] * position[1];
+  return {std::sin(phase), std::cos(1.7 * phase)};
+}
+
+class BothFormulations : public testing::TestWithParam<std::tuple<Formulation, Volumetric>> {
+ protected:
+  [[nodiscard]] std::unique_ptr<DynamicSolver> solver(DynamicProblem problem, double courant = 0.9) const {
+    problem.volumetric = std::get<Volumetric>(GetParam());
+    return make_dynamic_solver(std::get<Formulation>(GetParam()), with_step(std::move(problem), courant));
+  }
+};
+
+/// Answer of one Maxwell element to a raised-cosine ramp of duration T that is over, per unit modulus (theory, Eq. 13).
+double ramped_exponential(double t, double relaxation_time, double duration) {
+  const double a = 0.5 * duration / relaxation_time;
+  const double k = std::numbers::pi;
+  return std::exp(-t / relaxation_time) * std::sinh(a) / a * k * k / (a * a + k * k);
+}
+
+TEST_P(BothFormulations, OneHomogeneousCellRelaxesExactlyInShearAndBulk) {
+  const double duration = 2e-3;
+  for (const auto& load : {PlaneStrain{.xy = 0.5}, PlaneStrain{.xx = 0.5, .yy = 0.5}}) {
+    DynamicProblem problem{Discretisation({1, 1, 1e-3}), {relaxing}};
+    problem.load = load;
+    problem.ramp = StrainRamp(duration);
+    const auto run = solver(problem, 0.5);
+    std::vector<PlaneStress> stresses;
+    while (run->time() < 5e-3) run->advance(100, stresses);
+    const double t = run->time();
+    run->advance(1, stresses);
+    const auto modulus = [&](const PronySeries& series) {
+      double sum = series.equilibrium();
+      for (const auto& [time, m] : series.terms()) sum += m * ramped_exponential(t, time, duration);
+      return sum;
+    };
+    const bool shear = load.xy != 0.0;
+    const double expected = shear ? modulus(relaxing.shear) : modulus(relaxing.bulk) + modulus(relaxing.shear) / 3.0;
+    const double found = shear ? stresses.back().xy : 0.5 * (stresses.back().xx + stresses.back().yy);
+    EXPECT_NEAR(found / expected, 1.0, 1e-6);
+  }
+}
+
+TEST_P(BothFormulations, UniformStrainIsASolutionOfAnyHomogeneousBox) {
+  DynamicProblem problem{Discretisation({8, 8, 0.125}), {soft}};
+  problem.load = {.xx = 0.3, .yy = -0.1, .xy = 0.2};
+  problem.ramp = StrainRamp(0.1);
+  problem.start = Start::affine;
+  const auto run = solver(problem);
+  std::vector<PlaneStress> stresses;
+  while (run->time() < 0.06) run->advance(1, stresses);
+  const double lambda = 3e6 - 2e6 / 3.0, twice_shear = 2e6;
+  const auto fields = run->fields();
+  for (std::size_t p = 0; p < fields.stress.size(); ++p) {
+    EXPECT_NEAR(fields.strain[p][0], 0.3, 1e-9);
+    EXPECT_NEAR(fields.strain[p][2], 0.2, 1e-9);
+    EXPECT_NEAR(fields.stress[p][0], lambda * 0.2 + twice_shear * 0.3, 1e-2);
+    EXPECT_NEAR(fields.stress[p][1], lambda * 0.2 - twice_shear * 0.1, 1e-2);
+    EXPECT_NEAR(fields.stress[p][2], lambda * 0.2, 1e-2);
+    EXPECT_NEAR(fields.stress[p][3], twice_shear * 0.2, 1e-2);
+  }
+  // The lower left point lies at (h/4, h/4).
+  EXPECT_NEAR(fields.displacement[0][0], (0.3 + 0.2) * 0.125 / 4, 1e-7);
+  EXPECT_NEAR(fields.displacement[0][1], (0.2 - 0.1) * 0.125 / 4, 1e-7);
+}
+
+TEST_P(BothFormulations, ConserveTheMomentumOfAFreeBody) {
+  DynamicProblem problem{testing_materials::disc_in_box(12), {relaxing, stiff}};
+  problem.boundary = Boundary::free;
+  const auto run = solver(problem);
+  run->set_velocities(scattered);
+  const auto before = run->momentum();
+  std::vector<PlaneStress> stresses;
+  run->advance(500, stresses);
+  const auto after = run->momentum();
+  const double scale = 1000.0;  // mass of the body times a typical velocity
+  EXPECT_NEAR(after[0], before[0], 1e-11 * scale);
+  EXPECT_NEAR(after[1], before[1], 1e-11 * scale);
+}
+
+TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
+  const bool lagrangian = std::get<Formulation>(GetParam()) == Formulation::total_lagrangian;
+  DynamicProblem problem{testing_materials::disc_in_box(12), {soft, stiff}};
+  problem.boundary = Boundary::free;
+  const auto run = solver(problem, lagrangian ? 0.99 : 0.2);
+  // Central differences conserve it for any motion; update strain average for motions that the grid resolves.
+  if (lagrangian) {
+    run->set_velocities(scattered);
+  } else {
+    run->set_velocities([](const Vector<2>& x) {
+      return Vector<2>{std::cos(std::numbers::pi * x[0]), 0.5 * std::cos(std::numbers::pi * x[1])};
+    });
+  }
+  std::vector<PlaneStress> stresses;
+  run->advance(1, stresses);
+  const auto total = [&] { return run->energy().kinetic + run->energy().strain; };
+  const double before = total();
+  run->advance(lagrangian ? 5000 : 500, stresses);
+  EXPECT_NEAR(total() / before, 1.0, lagrangian ? 1e-10 : 0.02);
+  EXPECT_GT(run->energy().strain, 0.01 * before);
+}
+
+TEST_P(BothFormulations, GiveTheSameBitsForAnyNumberOfThreads) {
+  const auto [formulation, volumetric] = GetParam();
+  DynamicProblem problem{testing_materials::disc_in_box(131), {relaxing, stiff}};
+  problem.volumetric = volumetric;
+  problem.load = {.xy = 0.5};
+  problem.ramp = StrainRamp(1e-3);
+  std::vector<PlaneStress> alone;
+  make_dynamic_solver(formulation, with_step(problem), 1)->advance(40, alone);
+  for (const int threads : {2, 3, 5}) {
+    std::vector<PlaneStress> together;
+    const auto run = make_dynamic_solver(formulation, with_step(problem), threads);
+    run->advance(13, together);
+    run->advance(27, together);
+    EXPECT_EQ(together, alone) << threads << " threads";
+  }
+}
+
+TEST_P(BothFormulations, StopWhenTheStressIsNoLongerFinite) {
+  DynamicProblem problem{Discretisation({4, 4, 0.25}), {soft}};
+  problem.boundary = Boundary::free;
+  const auto run = solver(problem);
+  run->set_velocities([](const Vector<2>& x) { return Vector<2>{x[0] > 0.5 ? 1e308 : -1e308, 0.0}; });
+  std::vector<PlaneStress> stresses;
+  EXPECT_THROW(run->advance(100, stresses), NumericalError);
+}
+
+TEST_P(BothFormulations, GiveNoEnergyOfRelaxingMaterials) {
+  EXPECT_THROW((void)solver({Discretisation({2, 2, 0.5}), {relaxing}})->energy(), InputError);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BothFormulations,
+                         testing::Combine(testing::Values(Formulation::total_lagrangian, Formulation::classical),
+                                          testing::Values(Volumetric::averaged, Volumetric::standard)),
+                         [](const auto& chosen) {
+                           return std::string(std::get<Formulation>(chosen.param) == Formulation::classical
+                                                  ? "Classical"
+                                                  : "TotalLagrangian") +
+                                  (std::get<Volumetric>(chosen.param) == Volumetric::averaged ? "Averaged"
+                                                                                              : "Standard");
+                         });
+
+TEST(TotalLagrangian, GivesTheSameBitsOnEveryInstructionSet) {
+  DynamicProblem problem{testing_materials::disc_in_box(37), {relaxing, stiff}};
+  problem.load = {.xx = 0.5, .yy = 0.5};
+  problem.ramp = StrainRamp(1e-3);
+  std::vector<PlaneStress> widest, baseline;
+  make_dynamic_solver(Formulation::total_lagrangian, with_step(problem))->advance(300, widest);
+  setenv("BRECCIA_INSTRUCTION_SET", "baseline", 1);
+  make_dynamic_solver(Formulation::total_lagrangian, with_step(problem))->advance(300, baseline);
+  unsetenv("BRECCIA_INSTRUCTION_SET");
+  EXPECT_EQ(widest, baseline);
+}
+
+TEST(TotalLagrangian, RefusesAnUnknownInstructionSet) {
+  setenv("BRECCIA_INSTRUCTION_SET", "mmx", 1);
+  EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({2, 2, 0.5}), {soft}})),
+               InputError);
+  unsetenv("BRECCIA_INSTRUCTION_SET");
+}
+
+/// Average stress per unit load in the long-time limit of a box of layers stacked in y.
+PlaneStress relaxed_laminate(int columns, const std::vector<Material>& materials, const PlaneStrain& load) {
+  constexpr int rows = 16;
+  const double h = 1.0 / rows;
+  DynamicProblem problem{Discretisation({columns, rows, h}), materials};
+  problem.discretisation.paint([](const Vector<2>& point) { return point[1] > 0.5; }, 1);
+  problem.load = load;
+  problem.ramp = StrainRamp(1.0);
+  problem.start = Start::affine;
+  const auto run = make_dynamic_solver(Formulation::total_lagrangian, with_step(problem));
+  std::vector<PlaneStress> stresses;
+  while (run->time() < 40.0) run->advance(100, stresses);
+  return stresses.back();
+}
+
+/// A solid with the given equilibrium moduli [Pa], damped by a Maxwell element.
+Material damped(double bulk, double shear) {
+  return {"damped", 1000.0, PronySeries(bulk), PronySeries(shear, {{0.03, 2.0 * shear}})};
+}
+
+TEST(Laminate, InParallelItsModuliAddUp) {
+  // Layers with the same Lame modulus K - 2 G / 3 strain uniformly along the layers: sigma_xx = sum of f (lambda + 2
+  // G).
+  const double lambda = 1e6;
+  const auto material = [&](double shear) { return damped(lambda + 2.0 / 3.0 * shear, shear); };
+  const auto stress = relaxed_laminate(32, {material(0.3e6), material(3e6)}, {.xx = 1.0});
+  EXPECT_NEAR(stress.xx / (lambda + 2.0 * 1.65e6), 1.0, 1e-3);
+}
+
+TEST(Laminate, InSeriesItsCompliancesAddUp) {
+  // The sides hold the layers back near the ends of the box; the effect falls with one over its length.
+  const std::vector<Material> materials = {damped(1e6, 0.3e6), damped(5e6, 3e6)};
+  const auto modulus = [&](int columns) { return relaxed_laminate(columns, materials, {.xy = 0.5}).xy; };
+  const double endless = 2.0 * modulus(128) - modulus(64);
+  EXPECT_NEAR(endless / (2.0 / (1.0 / 0.3e6 + 1.0 / 3e6)), 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,48 @@
+#include "breccia/report/display.hpp"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+TEST(Display, ChoosesTheEngineeringPrefix) {
+  EXPECT_EQ(display(48e-6, "m"), "48 um");
+  EXPECT_EQ(display(3.6e9, "Pa"), "3.6 GPa");
+  EXPECT_EQ(display(6e-3, "m"), "6 mm");
+  EXPECT_EQ(display(10e-9, "s"), "10 ns");
+  EXPECT_EQ(display(1.0, "s"), "1 s");
+  EXPECT_EQ(display(-2500.0, "Pa"), "-2.5 kPa");
+}
+
+TEST(Display, RoundsToSignificantDigitsWithoutAnExponent) {
+  EXPECT_EQ(display(943.87e6, "Pa"), "944 MPa");
+  EXPECT_EQ(display(943.87e6, "Pa", 1), "900 MPa");
+  EXPECT_EQ(display(943.87e6, "Pa", 5), "943.87 MPa");
+}
+
+TEST(Display, TakesTheNextPrefixWhenRoundingReachesIt) {
+  EXPECT_EQ(display(999.4e-6, "m"), "999 um");
+  EXPECT_EQ(display(999.96e-6, "m"), "1 mm");
+  EXPECT_EQ(display(999.96e-6, "m", 5), "999.96 um");
+}
+
+TEST(Display, HasAnAnswerForEveryNumber) {
+  EXPECT_EQ(display(0.0, "m"), "0 m");
+  EXPECT_EQ(display(std::numeric_limits<double>::infinity(), "s"), "inf s");
+  EXPECT_EQ(display(std::numeric_limits<double>::quiet_NaN(), "s"), "nan s");
+  EXPECT_EQ(display(1.5e-14, "s"), "15 fs");
+  EXPECT_EQ(display(1.5e-20, "s"), "1.5e-20 s");
+  EXPECT_EQ(display(2e16, "Pa"), "2e+16 Pa");
+}
+
+TEST(Display, GivesTheScaleOfThePrefix) {
+  const auto side = with_prefix(2.75e-3);
+  EXPECT_EQ(side.prefix, "m");
+  EXPECT_DOUBLE_EQ(side.number, 2.75);
+  EXPECT_DOUBLE_EQ(side.number * side.scale, 2.75e-3);
+}
+
+}  // namespace
+}  // namespace breccia

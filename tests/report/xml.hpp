@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace breccia::testing {
+
+/// What is wrong with an XML text, as far as a small check sees: tags that do not nest, attributes without quotes,
+/// stray '<' and '&'. Empty if it is well-formed.
+std::string xml_mistake(std::string_view text);
+
+/// How often a part occurs in a text.
+std::size_t count(std::string_view text, std::string_view part);
+
+}  // namespace breccia::testing
