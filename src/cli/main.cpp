@@ -4,10 +4,19 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/nearest_name.hpp"
 
 #include "command.hpp"
 
 namespace {
+
+/// `unknown command "chek", did you mean "check"?`, if that is what went wrong.
+std::string unknown_command(const CLI::App& application, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-' || !application.get_subcommands().empty()) return {};
+  std::vector<std::string> commands;
+  for (const auto* command : application.get_subcommands(nullptr)) commands.push_back(command->get_name());
+  return fmt::format("unknown command \"{}\"{}", argv[1], breccia::suggestion(argv[1], commands));
+}
 
 /// CLI11 has an exit code for every way to misuse a command line; we have one.
 int report(const CLI::App& application, const CLI::ParseError& error) {
@@ -18,12 +27,15 @@ int report(const CLI::App& application, const CLI::ParseError& error) {
 int run(int argc, char** argv) {
   CLI::App application("Relaxation moduli of highly filled composites, from their constituents.", "breccia");
   application.set_version_flag("--version", "breccia " BRECCIA_VERSION);
-  application.require_subcommand(1);
+  application.require_subcommand(0, 1);
   application.failure_message(CLI::FailureMessage::simple);
   breccia::cli::add_check(application);
   try {
     application.parse(argc, argv);
+    if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");
   } catch (const CLI::ParseError& error) {
+    const auto unknown = unknown_command(application, argc, argv);
+    if (!unknown.empty()) throw breccia::InputError(unknown);
     return report(application, error);
   }
   return static_cast<int>(breccia::ExitCode::done);

@@ -12,9 +12,15 @@ namespace breccia::cli {
 
 namespace {
 
-std::string length(double value) { return readable(value, Dimension::length); }
-std::string time(double value) { return readable(value, Dimension::time); }
-std::string pressure(double value) { return readable(value, Dimension::pressure); }
+std::string length(double value) {
+  return readable(value, Dimension::length);
+}
+std::string time(double value) {
+  return readable(value, Dimension::time);
+}
+std::string pressure(double value) {
+  return readable(value, Dimension::pressure);
+}
 
 std::string describe(const PronySeries& modulus) {
   if (modulus.is_elastic()) return pressure(modulus.equilibrium());
@@ -26,8 +32,7 @@ std::string describe(const PronySeries& modulus) {
 
 std::string describe(const Material& material) {
   return fmt::format("  {}\n    density  {}\n    bulk     {}\n    shear    {}\n", material.name,
-                     readable(material.density, Dimension::density), describe(material.bulk),
-                     describe(material.shear));
+                     readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear));
 }
 
 struct DescribeSizes {
@@ -51,8 +56,8 @@ struct DescribeSizes {
 
 struct DescribePacking {
   std::string operator()(const LubachevskyStillingerPacking& packing) const {
-    return fmt::format("Lubachevsky-Stillinger, {}, seed {}",
-                       packing.walls == Walls::hard ? "hard walls" : "periodic", packing.seed);
+    return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
+                       packing.seed);
   }
   std::string operator()(const RegularPacking& packing) const {
     return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
@@ -78,9 +83,9 @@ std::string describe(const Filler& filler, double cell_size) {
 
 std::string describe(const Stage& stage) {
   const auto points = 4LL * stage.cells * stage.cells;
-  auto text = fmt::format("  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n",
-                          stage.name, stage.matrix.name, length(stage.side), stage.cells, stage.cells,
-                          length(stage.cell_size()), points);
+  auto text = fmt::format(
+      "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
+      stage.matrix.name, length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
   return text + (stage.filler ? describe(*stage.filler, stage.cell_size()) : "    filler   none\n");
 }
 
@@ -92,7 +97,8 @@ std::string describe(const DynamicOptions& options) {
       options.formulation == Formulation::classical ? "classical" : "total Lagrangian",
       options.start == Start::affine ? "whole field" : "boundary", options.courant,
       options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric", ramp,
-      options.density_factors.empty() ? "chosen from the times" : fmt::format("{}", fmt::join(options.density_factors, ", ")));
+      options.density_factors.empty() ? "chosen from the times"
+                                      : fmt::format("{}", fmt::join(options.density_factors, ", ")));
 }
 
 std::string describe(const Tests& tests) {

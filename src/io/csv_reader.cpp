@@ -146,7 +146,9 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
   return CsvReader(path, text_columns).read();
 }
 
-bool CsvTable::has(const std::string& name) const { return std::ranges::find(names_, name) != names_.end(); }
+bool CsvTable::has(const std::string& name) const {
+  return std::ranges::find(names_, name) != names_.end();
+}
 
 const std::vector<double>& CsvTable::numbers(const std::string& name) const {
   const auto column = numbers_.find(name);
@@ -160,7 +162,9 @@ const std::vector<std::string>& CsvTable::text(const std::string& name) const {
   return column->second;
 }
 
-std::string CsvTable::place(std::size_t row) const { return fmt::format("{}:{}", path_.string(), lines_.at(row)); }
+std::string CsvTable::place(std::size_t row) const {
+  return fmt::format("{}:{}", path_.string(), lines_.at(row));
+}
 
 void CsvTable::throw_missing(const std::string& name) const {
   throw InputError(

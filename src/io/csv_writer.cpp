@@ -49,8 +49,8 @@ void write_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& 
   std::string text = commented(comment);
   for (const auto& column : columns) {
     if (rows(column) != row_count) {
-      throw InputError(fmt::format("{}: column {} has {} rows, the first {}", path.string(), column.name, rows(column),
-                                   row_count));
+      throw InputError(
+          fmt::format("{}: column {} has {} rows, the first {}", path.string(), column.name, rows(column), row_count));
     }
     if (&column != columns.data()) text += ',';
     text += escaped(column.name);

@@ -57,9 +57,13 @@ Deck::Deck(Deck&&) noexcept = default;
 Deck& Deck::operator=(Deck&&) noexcept = default;
 Deck::~Deck() = default;
 
-const std::string& Deck::text() const noexcept { return state_->text; }
+const std::string& Deck::text() const noexcept {
+  return state_->text;
+}
 
-Section Deck::root() const { return {*state_, &state_->root, ""}; }
+Section Deck::root() const {
+  return {*state_, &state_->root, ""};
+}
 
 void Deck::finish() const {
   auto mistakes = state_->mistakes;

@@ -45,7 +45,9 @@ std::string described(const Range& range, std::string_view noun) {
   return fmt::format("{} of at least {}", with_article(noun), range.lower);
 }
 
-std::string wanted(Dimension dimension) { return fmt::format("a {} such as \"{}\"", name(dimension), example(dimension)); }
+std::string wanted(Dimension dimension) {
+  return fmt::format("a {} such as \"{}\"", name(dimension), example(dimension));
+}
 
 /// The answer of a reader of one value: the value, or what was expected instead.
 template <class T>
@@ -123,7 +125,9 @@ Section::Section(detail::DeckState& state, const DeckTable* table, std::string p
   if (table_ != nullptr) state_->uses[table_].path = path_;
 }
 
-std::string Section::path_of(const std::string& key) const { return detail::joined(path_, key); }
+std::string Section::path_of(const std::string& key) const {
+  return detail::joined(path_, key);
+}
 
 const DeckValue* Section::find(const std::string& key) const {
   if (table_ == nullptr) return nullptr;
@@ -276,6 +280,7 @@ auto Section::elements(const std::string& key, const std::string& expected, cons
     report(key, expected_but_got(expected, *value));
     return all;
   }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
   for (const auto& element : array->values) {
     auto answer = read(element);
     if (answer.value) {
@@ -322,6 +327,7 @@ std::vector<Section> Section::sections(const std::string& key) const {
     report(key, expected_but_got("an array of tables", *value));
     return all;
   }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
   for (std::size_t i = 0; i < array->values.size(); ++i) {
     const auto& element = array->values[i];
     const auto* table = std::get_if<DeckTable>(&element.content);

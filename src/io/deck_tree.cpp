@@ -13,7 +13,9 @@ namespace breccia::detail {
 
 namespace {
 
-Place place_of(const toml::source_region& region) { return {{}, region.begin.line, region.begin.column}; }
+Place place_of(const toml::source_region& region) {
+  return {{}, region.begin.line, region.begin.column};
+}
 
 DeckTable convert(const toml::table& table);
 
@@ -37,9 +39,8 @@ DeckTable convert(const toml::table& table) {
   for (const auto& [key, node] : table) {
     converted.entries.push_back({std::string(key.str()), place_of(key.source()), convert(node)});
   }
-  std::ranges::sort(converted.entries, {}, [](const DeckEntry& entry) {
-    return std::tuple(entry.key_place.line, entry.key_place.column);
-  });
+  std::ranges::sort(converted.entries, {},
+                    [](const DeckEntry& entry) { return std::tuple(entry.key_place.line, entry.key_place.column); });
   return converted;
 }
 
@@ -84,13 +85,20 @@ Kind kind_of(const DeckValue& value) {
 
 std::string shown(const DeckValue& value) {
   switch (kind_of(value)) {
-    case Kind::boolean: return fmt::format("{}", std::get<bool>(value.content));
-    case Kind::integer: return fmt::format("{}", std::get<std::int64_t>(value.content));
-    case Kind::number: return fmt::format("{}", std::get<double>(value.content));
-    case Kind::text: return fmt::format("\"{}\"", std::get<std::string>(value.content));
-    case Kind::date: return "a date or time";
-    case Kind::array: return "an array";
-    default: return "a table";
+    case Kind::boolean:
+      return fmt::format("{}", std::get<bool>(value.content));
+    case Kind::integer:
+      return fmt::format("{}", std::get<std::int64_t>(value.content));
+    case Kind::number:
+      return fmt::format("{}", std::get<double>(value.content));
+    case Kind::text:
+      return fmt::format("\"{}\"", std::get<std::string>(value.content));
+    case Kind::date:
+      return "a date or time";
+    case Kind::array:
+      return "an array";
+    default:
+      return "a table";
   }
 }
 

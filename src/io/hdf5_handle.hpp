@@ -31,14 +31,30 @@ Hdf5Handle make_handle(hid_t id) {
   return {id, [](std::int64_t handle) -> int { return close(handle); }};
 }
 
-inline Hdf5Handle file_handle(hid_t id) { return make_handle<H5Fclose>(id); }
-inline Hdf5Handle group_handle(hid_t id) { return make_handle<H5Gclose>(id); }
-inline Hdf5Handle object_handle(hid_t id) { return make_handle<H5Oclose>(id); }
-inline Hdf5Handle dataset_handle(hid_t id) { return make_handle<H5Dclose>(id); }
-inline Hdf5Handle attribute_handle(hid_t id) { return make_handle<H5Aclose>(id); }
-inline Hdf5Handle space_handle(hid_t id) { return make_handle<H5Sclose>(id); }
-inline Hdf5Handle type_handle(hid_t id) { return make_handle<H5Tclose>(id); }
-inline Hdf5Handle property_handle(hid_t id) { return make_handle<H5Pclose>(id); }
+inline Hdf5Handle file_handle(hid_t id) {
+  return make_handle<H5Fclose>(id);
+}
+inline Hdf5Handle group_handle(hid_t id) {
+  return make_handle<H5Gclose>(id);
+}
+inline Hdf5Handle object_handle(hid_t id) {
+  return make_handle<H5Oclose>(id);
+}
+inline Hdf5Handle dataset_handle(hid_t id) {
+  return make_handle<H5Dclose>(id);
+}
+inline Hdf5Handle attribute_handle(hid_t id) {
+  return make_handle<H5Aclose>(id);
+}
+inline Hdf5Handle space_handle(hid_t id) {
+  return make_handle<H5Sclose>(id);
+}
+inline Hdf5Handle type_handle(hid_t id) {
+  return make_handle<H5Tclose>(id);
+}
+inline Hdf5Handle property_handle(hid_t id) {
+  return make_handle<H5Pclose>(id);
+}
 
 /// A fixed-length ASCII string, padded with zeros, as VTKHDF asks for.
 inline Hdf5Handle ascii_type(std::size_t length) {

@@ -112,10 +112,17 @@ Hdf5Attribute Hdf5Reader::read_attribute(const std::string& object, const std::s
   Hdf5Attribute value;
   bool done = false;
   switch (H5Tget_class(type.id())) {
-    case H5T_STRING: done = read_string(handle, type, value); break;
-    case H5T_FLOAT: done = read_numeric<double>(handle, H5T_NATIVE_DOUBLE, value); break;
-    case H5T_INTEGER: done = read_numeric<std::int64_t>(handle, H5T_NATIVE_INT64, value); break;
-    default: break;
+    case H5T_STRING:
+      done = read_string(handle, type, value);
+      break;
+    case H5T_FLOAT:
+      done = read_numeric<double>(handle, H5T_NATIVE_DOUBLE, value);
+      break;
+    case H5T_INTEGER:
+      done = read_numeric<std::int64_t>(handle, H5T_NATIVE_INT64, value);
+      break;
+    default:
+      break;
   }
   if (!done) fail(fmt::format("read attribute {} of", attribute), object);
   return value;

@@ -21,7 +21,9 @@ struct AttributeLayout {
   const void* data;
 };
 
-Hdf5Handle scalar() { return space_handle(H5Screate(H5S_SCALAR)); }
+Hdf5Handle scalar() {
+  return space_handle(H5Screate(H5S_SCALAR));
+}
 
 Hdf5Handle row(std::size_t length) {
   const hsize_t extent = length;
@@ -107,8 +109,8 @@ void Hdf5Writer::write_raw(const std::string& name, const void* values, std::siz
   const auto space = space_handle(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
   const auto links = property_handle(H5Pcreate(H5P_LINK_CREATE));
   H5Pset_create_intermediate_group(links.id(), 1);
-  const auto dataset = dataset_handle(
-      H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT));
+  const auto dataset =
+      dataset_handle(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT));
   if (dataset.id() < 0) fail("create dataset", name);
   if (H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail("write dataset", name);
 }

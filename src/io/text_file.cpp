@@ -17,7 +17,9 @@ namespace breccia {
 
 namespace {
 
-std::string last_system_error() { return std::generic_category().message(errno); }
+std::string last_system_error() {
+  return std::generic_category().message(errno);
+}
 
 }  // namespace
 

@@ -70,13 +70,16 @@ ut_system* unit_system() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
     ut_system* loaded = ut_read_xml(nullptr);
-    if (loaded == nullptr) throw FileError("cannot read the unit database of UDUNITS-2 (is libudunits2-data installed?)");
+    if (loaded == nullptr)
+      throw FileError("cannot read the unit database of UDUNITS-2 (is libudunits2-data installed?)");
     return loaded;
   }();
   return system;
 }
 
-Unit parse_unit(const std::string& text) { return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8)); }
+Unit parse_unit(const std::string& text) {
+  return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8));
+}
 
 /// The converter to an SI unit, if the unit has the same dimension. UDUNITS-2 alone would also turn s into 1/s.
 Converter converter_to(const Unit& unit, const Unit& si_unit) {
@@ -125,9 +128,13 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
 
 }  // namespace
 
-std::string_view name(Dimension dimension) { return facts(dimension).name; }
+std::string_view name(Dimension dimension) {
+  return facts(dimension).name;
+}
 
-std::string_view example(Dimension dimension) { return facts(dimension).example; }
+std::string_view example(Dimension dimension) {
+  return facts(dimension).example;
+}
 
 double parse_quantity(std::string_view text, Dimension dimension) {
   const auto quantity = split(text);
@@ -150,9 +157,9 @@ std::string readable(double value, Dimension dimension) {
   const auto units = facts(dimension).readable;
   auto unit = units.front();
   for (const auto& larger : units) {
-    if (std::abs(value) >= larger.size * (1.0 - 1e-9)) unit = larger;
+    const bool suits = value == 0.0 ? larger.size <= 1.0 : std::abs(value) >= larger.size * (1.0 - 1e-9);
+    if (suits) unit = larger;
   }
-  if (value == 0.0) unit = units.back();
   return fmt::format("{:.6g} {}", value / unit.size, unit.symbol);
 }
 

@@ -43,8 +43,7 @@ void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, con
   for (const auto& field : fields) {
     Hdf5Shape shape{1, lattice.ny, lattice.nx};
     if (field.components > 1) shape.push_back(field.components);
-    std::visit([&](const auto& values) { file.write("/VTKHDF/PointData/" + field.name, values, shape); },
-               field.values);
+    std::visit([&](const auto& values) { file.write("/VTKHDF/PointData/" + field.name, values, shape); }, field.values);
   }
   file.commit();
 }

@@ -77,8 +77,9 @@ void read_cuts(const Section& section, Filler& filler) {
     filler.largest = section.quantity("to", Dimension::length, Range::positive());
   }
   if (*filler.smallest >= *filler.largest) {
-    section.report("from", fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
-                                       readable(*filler.smallest, Dimension::length)));
+    section.report("from",
+                   fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
+                               readable(*filler.smallest, Dimension::length)));
   }
 }
 

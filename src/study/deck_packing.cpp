@@ -57,20 +57,23 @@ ExplicitPacking read_explicit(const Section& packing, double side) {
 
 std::optional<Packing> read_packing(const Section& stage, double side) {
   const auto packing = stage.section("packing");
-  const auto method = packing.choice<PackingMethod>("method", {
-                                                                  {"lubachevsky-stillinger",
-                                                                   PackingMethod::lubachevsky_stillinger},
-                                                                  {"regular", PackingMethod::regular},
-                                                                  {"explicit", PackingMethod::listed},
-                                                              });
+  const auto method =
+      packing.choice<PackingMethod>("method", {
+                                                  {"lubachevsky-stillinger", PackingMethod::lubachevsky_stillinger},
+                                                  {"regular", PackingMethod::regular},
+                                                  {"explicit", PackingMethod::listed},
+                                              });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;
   }
   switch (*method) {
-    case PackingMethod::regular: return read_regular(packing);
-    case PackingMethod::listed: return read_explicit(packing, side);
-    default: return read_random(packing);
+    case PackingMethod::regular:
+      return read_regular(packing);
+    case PackingMethod::listed:
+      return read_explicit(packing, side);
+    default:
+      return read_random(packing);
   }
 }
 

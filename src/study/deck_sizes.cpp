@@ -52,18 +52,7 @@ LognormalSizes read_lognormal(const Section& sizes) {
     sum += lognormal.components.back().weight;
   }
   for (auto& component : lognormal.components) component.weight /= sum;
-  if (lognormal.components.empty() && sizes.kind("lognormal") == Kind::array) {
-    sizes.report("lognormal", "expected at least one { weight, median, sigma }");
-  }
   return lognormal;
-}
-
-ListedSizes read_list(const Section& sizes) {
-  ListedSizes listed{sizes.quantities("list", Dimension::length, Range::positive())};
-  if (listed.diameters.empty() && sizes.kind("list") == Kind::array) {
-    sizes.report("list", "expected at least one diameter");
-  }
-  return listed;
 }
 
 }  // namespace
@@ -78,7 +67,7 @@ std::optional<Sizes> read_sizes(const Section& filler) {
   const auto sizes = filler.section("sizes");
   const auto kind = sizes.exactly_one({"diameter", "list", "lognormal"});
   if (kind == "diameter") return SingleSize{sizes.quantity("diameter", Dimension::length, Range::positive())};
-  if (kind == "list") return read_list(sizes);
+  if (kind == "list") return ListedSizes{sizes.quantities("list", Dimension::length, Range::positive())};
   if (kind == "lognormal") return read_lognormal(sizes);
   return std::nullopt;
 }

@@ -25,8 +25,9 @@ bool is_safe(const std::string& name) {
 std::string read_name(const Section& section, const std::vector<Stage>& earlier) {
   auto name = section.text("name");
   if (!name.empty() && !is_safe(name)) {
-    section.report("name", fmt::format("expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), got \"{}\"",
-                                       name));
+    section.report(
+        "name",
+        fmt::format("expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), got \"{}\"", name));
   }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
     section.report("name", fmt::format("another stage is called \"{}\"", name));
@@ -40,7 +41,8 @@ Material read_matrix(const Section& section, const std::vector<Stage>& earlier,
   const bool is_material = std::ranges::find(materials, name, &Material::name) != materials.end();
   const bool is_stage = std::ranges::find(earlier, name, &Stage::name) != earlier.end();
   if (is_stage && !is_material) {
-    section.report("matrix", fmt::format("\"{}\" is a stage; a stage as the matrix of another is not available yet", name));
+    section.report("matrix",
+                   fmt::format("\"{}\" is a stage; a stage as the matrix of another is not available yet", name));
     return {};
   }
   return read_material_reference(section, "matrix", materials);
@@ -77,7 +79,6 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     stage.filler = read_filler(section, stage, materials);
     stages.push_back(std::move(stage));
   }
-  if (stages.empty() && deck.kind("stages") == Kind::array) deck.report("stages", "expected at least one stage");
   return stages;
 }
 

@@ -13,8 +13,7 @@
 namespace breccia {
 
 /// The value of an HDF5 attribute. Text is stored as a fixed-length ASCII string.
-using Hdf5Attribute =
-    std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
+using Hdf5Attribute = std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
 
 /// The extents of a dataset; the last index runs fastest.
 using Hdf5Shape = std::vector<std::size_t>;
