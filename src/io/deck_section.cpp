@@ -37,8 +37,10 @@ std::string described(const Range& range, std::string_view noun) {
   const bool bounded_below = std::isfinite(range.lower);
   const bool bounded_above = std::isfinite(range.upper);
   if (bounded_below && bounded_above) {
-    const auto limits = range.excludes_upper ? "{} between {} and {}" : "{} above {} and up to {}";
-    return fmt::format(fmt::runtime(limits), with_article(noun), range.lower, range.upper);
+    const auto limits = range.excludes_upper   ? fmt::format("between {} and {}", range.lower, range.upper)
+                        : range.excludes_lower ? fmt::format("above {} and up to {}", range.lower, range.upper)
+                                               : fmt::format("from {} to {}", range.lower, range.upper);
+    return fmt::format("{} {}", with_article(noun), limits);
   }
   if (!bounded_below) return with_article(noun);
   if (range.lower == 0.0) return fmt::format("a {} {}", range.excludes_lower ? "positive" : "non-negative", noun);

@@ -114,6 +114,14 @@ std::optional<NumberAndUnit> split(std::string_view text) {
   return NumberAndUnit{number, std::string(text)};
 }
 
+/// A converted value without the rounding of the conversion: "1 g/cm^3" is 1000 kg/m^3, not 999.9999999999999.
+double as_written(double converted) {
+  const auto digits = fmt::format("{:.15g}", converted);
+  double value = converted;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
+
 /// The quantity in the SI unit of the dimension, or what is wrong with it (nothing to add: it has another dimension).
 std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
   const std::lock_guard lock(udunits_mutex);
@@ -121,9 +129,9 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
   if (!unit) return fmt::format(": unknown unit \"{}\"", quantity.unit);
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
   if (!converter) return std::string();
-  const double value = cv_convert_double(converter.get(), quantity.number);
   const bool is_difference = dimension == Dimension::temperature_difference;
-  return is_difference ? value - cv_convert_double(converter.get(), 0.0) : value;
+  const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
+  return as_written(cv_convert_double(converter.get(), quantity.number) - origin);
 }
 
 }  // namespace

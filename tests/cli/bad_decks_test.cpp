@@ -38,7 +38,7 @@ const BadDeck bad_decks[] = {
     {"name    = \"A\"", "", "stages.0.name: missing"},
     {"[[stages]]", "[stages]", "deck.toml:13:1: stages: expected an array of tables, got a table"},
     {"box     = \"6 mm\"", "box     = \"6 ms\"", "stages.A.box: expected a length, got \"6 ms\""},
-    {"cells   = 60", "cells   = 60.5", "stages.A.cells: expected an integer between 2 and 1048576, got 60.5"},
+    {"cells   = 60", "cells   = 60.5", "stages.A.cells: expected an integer from 2 to 1048576, got 60.5"},
     {"cells   = 60", "resolution = \"66\"",
      "expected a reciprocal length with its unit, such as \"12500 /mm\", got \"66\""},
     {"filler  =", "filer   =", "stages.A: unknown key \"filer\", did you mean \"filler\"?"},
@@ -77,7 +77,7 @@ TEST(BadDecks, AllMistakesComeAtOnce) {
   const auto outcome = test::run_breccia(directory.path(), {"check", "deck.toml"});
   EXPECT_EQ(outcome.errors,
             "deck.toml:5:11: materials.binder.bulk: expected a pressure, got \"3.6 um\"\n"
-            "deck.toml:17:11: stages.A.cells: expected an integer between 2 and 1048576, got 1\n"
+            "deck.toml:17:11: stages.A.cells: expected an integer from 2 to 1048576, got 1\n"
             "deck.toml:22:20: tests.times: expected a time, got \"100 m\"\n");
 }
 

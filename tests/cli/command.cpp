@@ -13,7 +13,10 @@ namespace {
 /// An argument in single quotes for the shell.
 std::string quoted(const std::string& argument) {
   std::string text(1, '\'');
-  for (const char letter : argument) text.append(letter == '\'' ? "'\\''" : std::string(1, letter));
+  for (const char letter : argument) {
+    if (letter == '\'') text += "'\\'";
+    text += letter;
+  }
   text += '\'';
   return text;
 }

@@ -114,7 +114,7 @@ TEST_F(DeckStages, TheGapMayBeCountedInMaterialPoints) {
 }
 
 TEST_F(DeckStages, MistakesInTheGrid) {
-  EXPECT_THAT(mistakes("cells = 1"), HasSubstr("a.cells: expected an integer between 2 and 1048576, got 1"));
+  EXPECT_THAT(mistakes("cells = 1"), HasSubstr("a.cells: expected an integer from 2 to 1048576, got 1"));
   EXPECT_THAT(mistakes("cells = 60\nresolution = \"66 /mm\""), HasSubstr("expected exactly one of cells, resolution"));
   EXPECT_THAT(mistakes("resolution = \"0.1 /mm\""), HasSubstr("between 2 and 1048576 cells per side, got 0"));
   EXPECT_THAT(mistakes("resolution = \"66 mm\""), HasSubstr("expected a reciprocal length, got \"66 mm\""));
@@ -136,7 +136,7 @@ TEST_F(DeckStages, AStageAsMatrixIsForeseenButNotThereYet) {
 TEST_F(DeckStages, MistakesInThePacking) {
   EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"randm\""), HasSubstr("packing.method: expected one of"));
   EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"regular\", columns = 0, rows = 2"),
-              HasSubstr("packing.columns: expected an integer between 1 and 10000, got 0"));
+              HasSubstr("packing.columns: expected an integer from 1 to 10000, got 0"));
   EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }", "\"lubachevsky-stillinger\", seed = -1"),
               HasSubstr("packing.seed: expected a non-negative integer, got -1"));
   EXPECT_THAT(mistakes("cells = 60\nfiller = { material = \"hmx\", sizes = { diameter = \"1 mm\" } }\n"),
