@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 namespace breccia::test {
@@ -31,9 +32,9 @@ std::string content(const std::filesystem::path& path) {
 Outcome run_breccia(const std::filesystem::path& directory, const std::vector<std::string>& arguments) {
   const auto output = directory / "stdout";
   const auto errors = directory / "stderr";
-  std::string command = "cd " + quoted(directory.string()) + " && " + quoted(BRECCIA_COMMAND);
-  for (const auto& argument : arguments) command += " " + quoted(argument);
-  command += " > " + quoted(output.string()) + " 2> " + quoted(errors.string());
+  auto command = fmt::format("cd {} && {}", quoted(directory.string()), quoted(BRECCIA_COMMAND));
+  for (const auto& argument : arguments) command += fmt::format(" {}", quoted(argument));
+  command += fmt::format(" > {} 2> {}", quoted(output.string()), quoted(errors.string()));
   const int status = std::system(command.c_str());  // NOLINT(cert-env33-c): the arguments are the test's own
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(output), content(errors)};
 }
