@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -270,7 +271,7 @@ std::optional<std::size_t> Section::choice_index(const std::string& key, const s
   return value == nullptr ? std::nullopt : settle(*this, key, read_choice(*value, words));
 }
 
-/// What a reader makes of each element of an array.
+/// What a reader makes of each element of an array; a bad number becomes NaN, any other bad element is left out.
 template <class Read>
 auto Section::elements(const std::string& key, const std::string& expected, const Read& read) const {
   using Element = typename decltype(read(std::declval<const DeckValue&>()).value)::value_type;
@@ -287,9 +288,10 @@ auto Section::elements(const std::string& key, const std::string& expected, cons
     auto answer = read(element);
     if (answer.value) {
       all.push_back(std::move(*answer.value));
-    } else {
-      state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), answer.mistake)});
+      continue;
     }
+    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), answer.mistake)});
+    if constexpr (std::is_same_v<Element, double>) all.push_back(not_a_number);
   }
   return all;
 }

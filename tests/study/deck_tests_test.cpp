@@ -76,7 +76,8 @@ TEST_F(DeckTests, Mistakes) {
               HasSubstr("tests.bounds: expected \"upper\" (nothing else is available), got \"lower\""));
   EXPECT_THAT(with_times("method = \"quasistatic\""),
               HasSubstr("tests.method: expected \"dynamic\" (nothing else is available), got \"quasistatic\""));
-  EXPECT_THAT(with_times("points_per_decade = 0"), HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));
+  EXPECT_THAT(with_times("points_per_decade = 0"),
+              HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));
 }
 
 TEST_F(DeckTests, MistakesInTheDynamicMethod) {

@@ -45,7 +45,7 @@ struct DeckValue;
 }  // namespace detail
 
 /// A table of a deck. A getter reports a missing key or a bad value to the deck, which gathers all mistakes; it then
-/// returns a placeholder (NaN, 0, false, empty), and Deck::finish throws. The `optional_` getters return nothing for a
+/// returns a placeholder (NaN, 0, empty), and Deck::finish throws. The `optional_` getters return nothing for a
 /// missing key. A section that is missing altogether answers with placeholders and reports nothing more. Every key that
 /// was asked for is known; Deck::finish reports all others.
 class Section {
