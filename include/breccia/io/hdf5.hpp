@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+
+/// The value of an HDF5 attribute. Text is stored as a fixed-length ASCII string.
+using Hdf5Attribute = std::variant<std::string, double, std::int64_t, std::vector<double>, std::vector<std::int64_t>>;
+
+/// The extents of a dataset; the last index runs fastest.
+using Hdf5Shape = std::vector<std::size_t>;
+
+/// A handle of the HDF5 library that closes itself.
+class Hdf5Handle {
+ public:
+  using Close = int (*)(std::int64_t);
+  Hdf5Handle(std::int64_t id, Close close) noexcept : id_(id), close_(close) {}
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+  Hdf5Handle(Hdf5Handle&& other) noexcept;
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  ~Hdf5Handle() { reset(); }
+
+  [[nodiscard]] std::int64_t id() const noexcept { return id_; }
+  /// Closes the handle. False when the library could not.
+  bool reset() noexcept;
+
+ private:
+  std::int64_t id_;
+  Close close_;
+};
+
+/// Writes an HDF5 file, which appears under its name when commit() is called. Objects have absolute names such as
+/// "/history/time"; groups on the way are created as needed. All members throw FileError with file and object.
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(const std::filesystem::path& path);
+
+  void create_group(const std::string& name);
+  /// Writes a dataset. The values fill the shape in the order of its last index.
+  void write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
+  void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
+  /// Writes a one-dimensional dataset.
+  void write(const std::string& name, std::span<const double> values);
+  void write(const std::string& name, std::span<const std::int64_t> values);
+  /// Attaches an attribute to a group or dataset that exists.
+  void write_attribute(const std::string& object, const std::string& attribute, const Hdf5Attribute& value);
+  /// Closes the file and gives it its name.
+  void commit();
+
+ private:
+  void write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
+                 const Hdf5Shape& shape);
+  [[noreturn]] void fail(std::string_view action, std::string_view object) const;
+
+  AtomicFile target_;
+  Hdf5Handle file_;
+};
+
+/// Reads an HDF5 file. All members throw FileError with file and object.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(const std::filesystem::path& path);
+
+  [[nodiscard]] bool has(const std::string& name) const;
+  /// The names of what a group holds, in alphabetical order.
+  [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
+  [[nodiscard]] Hdf5Shape shape(const std::string& name) const;
+  [[nodiscard]] std::vector<double> read_numbers(const std::string& name) const;
+  [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& name) const;
+  [[nodiscard]] Hdf5Attribute read_attribute(const std::string& object, const std::string& attribute) const;
+
+  /// An attribute of one of the types of Hdf5Attribute.
+  template <class T>
+  [[nodiscard]] T attribute(const std::string& object, const std::string& attribute_name) const {
+    const auto value = read_attribute(object, attribute_name);
+    if (const auto* typed = std::get_if<T>(&value)) return *typed;
+    fail("read", object + " (attribute " + attribute_name + " has another type)");
+  }
+
+ private:
+  void read_raw(const std::string& name, void* values, std::int64_t type) const;
+  [[noreturn]] void fail(std::string_view action, std::string_view object) const;
+
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+};
+
+}  // namespace breccia

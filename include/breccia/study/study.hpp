@@ -1,0 +1,121 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "breccia/experiment/virtual_test.hpp"
+#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// All particles of one diameter [m].
+struct SingleSize {
+  double diameter;
+};
+
+/// Exactly these particles: diameters [m].
+struct ListedSizes {
+  std::vector<double> diameters;
+};
+
+/// A mixture of lognormal distributions of the diameter, weighted by volume.
+struct LognormalSizes {
+  struct Component {
+    double weight;  ///< share of the volume [-]; the weights add up to 1
+    double median;  ///< diameter that halves the volume [m]
+    double sigma;   ///< standard deviation of the logarithm of the diameter [-]
+  };
+  std::vector<Component> components;
+};
+
+/// A table of the volume-weighted distribution of the diameter.
+struct TabulatedSizes {
+  std::filesystem::path file;
+  std::vector<double> diameters;                    ///< rising [m]
+  std::vector<double> cumulative_volume_fractions;  ///< not falling, from 0..1 up to 1 [-]
+};
+
+using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes>;
+
+/// Event-driven growth of moving particles (Lubachevsky and Stillinger, J. Stat. Phys. 60, 561, 1990).
+struct LubachevskyStillingerPacking {
+  Walls walls = Walls::hard;
+  std::uint64_t seed = 1;
+};
+
+/// Particles of one size in the middle of equal rectangles.
+struct RegularPacking {
+  int columns = 1;
+  int rows = 1;
+};
+
+/// Particles as listed in a file.
+struct ExplicitPacking {
+  std::filesystem::path file;
+  std::vector<Disc> discs;
+};
+
+using Packing = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
+
+/// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
+struct Filler {
+  Material material;
+  std::optional<double> fraction;  ///< share of the box [-]
+  std::optional<double> smallest;  ///< sizes are cut below this diameter [m]
+  std::optional<double> largest;   ///< sizes are cut above this diameter [m]
+  std::optional<Sizes> sizes;
+  double gap = 0.0;  ///< smallest distance between particles, and between a particle and a wall [m]
+  Packing packing;
+};
+
+/// A microstructure to be tested.
+struct Stage {
+  std::string name;  ///< also that of its directory
+  Material matrix;
+  double side = 0.0;  ///< of the square box [m]
+  int cells = 0;      ///< per side
+  std::optional<Filler> filler;
+
+  /// Side of a cell [m].
+  [[nodiscard]] double cell_size() const { return side / cells; }
+};
+
+/// What a test says of the modulus.
+enum class Bound {
+  upper  ///< displacement boundary and relaxation
+};
+
+/// How a test is computed.
+enum class Method {
+  dynamic  ///< explicit material point method
+};
+
+/// The virtual tests of every stage.
+struct Tests {
+  std::vector<Load> loads{Load::shear};
+  std::vector<Bound> bounds{Bound::upper};
+  Method method = Method::dynamic;
+  double first_time = 0.0;  ///< [s]
+  double last_time = 0.0;   ///< [s]
+  int points_per_decade = 20;
+  DynamicOptions dynamic;
+};
+
+/// A deck with everything resolved, in SI units.
+struct Study {
+  std::string title;
+  std::filesystem::path deck;
+  std::string deck_text;
+  std::vector<std::string> overrides;  ///< `key.path=value`
+  std::string hash;                    ///< of the deck's text and the overrides
+  std::vector<Material> materials;     ///< in the order of the deck
+  std::vector<Stage> stages;
+  Tests tests;
+};
+
+}  // namespace breccia

@@ -1,0 +1,122 @@
+#include "summary.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/io/units.hpp"
+
+namespace breccia::cli {
+
+namespace {
+
+std::string length(double value) {
+  return readable(value, Dimension::length);
+}
+std::string time(double value) {
+  return readable(value, Dimension::time);
+}
+std::string pressure(double value) {
+  return readable(value, Dimension::pressure);
+}
+
+std::string describe(const PronySeries& modulus) {
+  if (modulus.is_elastic()) return pressure(modulus.equilibrium());
+  const auto& terms = modulus.terms();
+  return fmt::format("{} relaxing to {}, {} terms from {} to {}", pressure(modulus.unrelaxed()),
+                     pressure(modulus.equilibrium()), terms.size(), time(terms.back().relaxation_time),
+                     time(terms.front().relaxation_time));
+}
+
+std::string describe(const Material& material) {
+  return fmt::format("  {}\n    density  {}\n    bulk     {}\n    shear    {}\n", material.name,
+                     readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear));
+}
+
+struct DescribeSizes {
+  std::string operator()(const SingleSize& sizes) const { return fmt::format("all of {}", length(sizes.diameter)); }
+  std::string operator()(const ListedSizes& sizes) const {
+    const auto [smallest, largest] = std::ranges::minmax(sizes.diameters);
+    return fmt::format("{} listed, {} to {}", sizes.diameters.size(), length(smallest), length(largest));
+  }
+  std::string operator()(const LognormalSizes& sizes) const {
+    std::vector<std::string> parts;
+    for (const auto& component : sizes.components) {
+      parts.push_back(fmt::format("{:.4g} x (median {}, sigma {:.4g})", component.weight, length(component.median),
+                                  component.sigma));
+    }
+    return fmt::format("lognormal, {}", fmt::join(parts, " + "));
+  }
+  std::string operator()(const TabulatedSizes& sizes) const {
+    return fmt::format("{}, {} rows", sizes.file.string(), sizes.diameters.size());
+  }
+};
+
+struct DescribePacking {
+  std::string operator()(const LubachevskyStillingerPacking& packing) const {
+    return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
+                       packing.seed);
+  }
+  std::string operator()(const RegularPacking& packing) const {
+    return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
+  }
+  std::string operator()(const ExplicitPacking& packing) const {
+    return fmt::format("{}, {} discs", packing.file.string(), packing.discs.size());
+  }
+};
+
+std::string describe(const Filler& filler, double cell_size) {
+  auto text = fmt::format("    filler   {}", filler.material.name);
+  if (filler.fraction) text += fmt::format(", {:.6g} of the box", *filler.fraction);
+  if (filler.sizes) text += fmt::format("\n    sizes    {}", std::visit(DescribeSizes(), *filler.sizes));
+  if (filler.smallest && filler.largest) {
+    text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
+  }
+  text += fmt::format("\n    packing  {}\n", std::visit(DescribePacking(), filler.packing));
+  if (std::holds_alternative<LubachevskyStillingerPacking>(filler.packing)) {
+    text += fmt::format("    gap      {} ({:.4g} cells)\n", length(filler.gap), filler.gap / cell_size);
+  }
+  return text;
+}
+
+std::string describe(const Stage& stage) {
+  const auto points = 4LL * stage.cells * stage.cells;
+  auto text = fmt::format(
+      "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
+      stage.matrix.name, length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
+  return text + (stage.filler ? describe(*stage.filler, stage.cell_size()) : "    filler   none\n");
+}
+
+std::string describe(const DynamicOptions& options) {
+  const auto ramp = options.ramp_time ? time(*options.ramp_time)
+                                      : fmt::format("{:.4g} transits of the shear wave", options.ramp_transits);
+  return fmt::format(
+      "    method   dynamic, {}, from the {}, courant {:.4g}, {} strain\n    ramp     {}\n    density  factors {}\n",
+      options.formulation == Formulation::classical ? "classical" : "total Lagrangian",
+      options.start == Start::affine ? "whole field" : "boundary", options.courant,
+      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric", ramp,
+      options.density_factors.empty() ? "chosen from the times"
+                                      : fmt::format("{}", fmt::join(options.density_factors, ", ")));
+}
+
+std::string describe(const Tests& tests) {
+  std::vector<std::string_view> loads;
+  for (const auto load : tests.loads) loads.push_back(load == Load::shear ? "shear" : "bulk");
+  return fmt::format("    loads    {}\n    bounds   upper\n    times    {} to {}, {} a decade\n{}",
+                     fmt::join(loads, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade,
+                     describe(tests.dynamic));
+}
+
+}  // namespace
+
+std::string summary(const Study& study) {
+  auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.deck.string(), study.hash);
+  for (const auto& material : study.materials) text += describe(material);
+  text += "\nstages\n";
+  for (const auto& stage : study.stages) text += describe(stage);
+  return text + "\ntests\n" + describe(study.tests);
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,347 @@
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/deck.hpp"
+#include "breccia/io/nearest_name.hpp"
+
+#include "deck_tree.hpp"
+
+namespace breccia {
+
+using detail::DeckArray;
+using detail::DeckTable;
+using detail::DeckValue;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+bool accepts(const Range& range, double value) {
+  const bool above = range.excludes_lower ? value > range.lower : value >= range.lower;
+  const bool below = range.excludes_upper ? value < range.upper : value <= range.upper;
+  return above && below && std::isfinite(value);
+}
+
+/// "a length", "an integer".
+std::string with_article(std::string_view noun) {
+  const bool vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
+/// What a range asks for: "a positive length", "a number between 0 and 1".
+std::string described(const Range& range, std::string_view noun) {
+  const bool bounded_below = std::isfinite(range.lower);
+  const bool bounded_above = std::isfinite(range.upper);
+  if (bounded_below && bounded_above) {
+    const auto limits = range.excludes_upper   ? fmt::format("between {} and {}", range.lower, range.upper)
+                        : range.excludes_lower ? fmt::format("above {} and up to {}", range.lower, range.upper)
+                                               : fmt::format("from {} to {}", range.lower, range.upper);
+    return fmt::format("{} {}", with_article(noun), limits);
+  }
+  if (!bounded_below) return with_article(noun);
+  if (range.lower == 0.0) return fmt::format("a {} {}", range.excludes_lower ? "positive" : "non-negative", noun);
+  return fmt::format("{} of at least {}", with_article(noun), range.lower);
+}
+
+std::string wanted(Dimension dimension) {
+  return fmt::format("a {} such as \"{}\"", name(dimension), example(dimension));
+}
+
+/// The answer of a reader of one value: the value, or what was expected instead.
+template <class T>
+struct Answer {
+  std::optional<T> value;
+  std::string mistake;
+};
+
+template <class T>
+Answer<T> wrong(std::string mistake) {
+  return {std::nullopt, std::move(mistake)};
+}
+
+std::string expected_but_got(std::string_view expected, const DeckValue& value) {
+  return fmt::format("expected {}, got {}", expected, shown(value));
+}
+
+Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const Range& range) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text == nullptr) {
+    return wrong<double>(expected_but_got(
+        fmt::format("a {} with its unit, such as \"{}\"", name(dimension), example(dimension)), value));
+  }
+  try {
+    const double quantity = parse_quantity(*text, dimension);
+    if (accepts(range, quantity)) return {quantity, {}};
+  } catch (const InputError& error) {
+    return wrong<double>(error.what());
+  }
+  return wrong<double>(expected_but_got(described(range, name(dimension)), value));
+}
+
+Answer<double> read_number(const DeckValue& value, const Range& range) {
+  double number = not_a_number;
+  if (const auto* floating = std::get_if<double>(&value.content)) number = *floating;
+  if (const auto* integer = std::get_if<std::int64_t>(&value.content)) number = static_cast<double>(*integer);
+  if (accepts(range, number)) return {number, {}};
+  return wrong<double>(expected_but_got(described(range, "number"), value));
+}
+
+Answer<std::int64_t> read_integer(const DeckValue& value, const Range& range) {
+  const auto* integer = std::get_if<std::int64_t>(&value.content);
+  if (integer != nullptr && accepts(range, static_cast<double>(*integer))) return {*integer, {}};
+  return wrong<std::int64_t>(expected_but_got(described(range, "integer"), value));
+}
+
+Answer<bool> read_boolean(const DeckValue& value) {
+  const auto* boolean = std::get_if<bool>(&value.content);
+  if (boolean != nullptr) return {*boolean, {}};
+  return wrong<bool>(expected_but_got("true or false", value));
+}
+
+Answer<std::string> read_string(const DeckValue& value) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text != nullptr) return {*text, {}};
+  return wrong<std::string>(expected_but_got("text in quotes", value));
+}
+
+Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
+  const auto expected = words.size() == 1 ? fmt::format("\"{}\" (nothing else is available)", words.front())
+                                          : fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text == nullptr) return wrong<std::size_t>(expected_but_got(expected, value));
+  const auto word = std::ranges::find(words, *text);
+  if (word != words.end()) return {static_cast<std::size_t>(word - words.begin()), {}};
+  const auto nearest = nearest_name(*text, words);
+  const auto hint = nearest ? fmt::format(", did you mean \"{}\"?", *nearest) : "";
+  return wrong<std::size_t>(expected_but_got(expected, value) + hint);
+}
+
+}  // namespace
+
+Section::Section(detail::DeckState& state, const DeckTable* table, std::string path)
+    : state_(&state), table_(table), path_(std::move(path)) {
+  if (table_ != nullptr) state_->uses[table_].path = path_;
+}
+
+std::string Section::path_of(const std::string& key) const {
+  return detail::joined(path_, key);
+}
+
+const DeckValue* Section::find(const std::string& key) const {
+  if (table_ == nullptr) return nullptr;
+  state_->uses[table_].asked.insert(key);
+  return detail::find(*table_, key);
+}
+
+const DeckValue* Section::require(const std::string& key, const std::string& expected) const {
+  const auto* value = find(key);
+  if (value == nullptr) report(key, fmt::format("missing, expected {}", expected));
+  return value;
+}
+
+Kind Section::kind(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? Kind::absent : kind_of(*value);
+}
+
+std::vector<std::string> Section::keys() const {
+  std::vector<std::string> all;
+  if (table_ == nullptr) return all;
+  for (const auto& entry : table_->entries) all.push_back(entry.key);
+  state_->uses[table_].asked.insert(all.begin(), all.end());
+  return all;
+}
+
+std::string Section::exactly_one(const std::vector<std::string>& keys) const {
+  std::vector<std::string> present;
+  for (const auto& key : keys) {
+    if (has(key)) present.push_back(key);
+  }
+  if (present.size() == 1) return present.front();
+  const auto expected = fmt::format("expected exactly one of {}", fmt::join(keys, ", "));
+  if (present.empty()) {
+    report("", expected);
+  } else {
+    report(present.back(), fmt::format("{}, got {}", expected, fmt::join(present, " and ")));
+  }
+  return {};
+}
+
+void Section::report(const std::string& key, const std::string& message) const {
+  if (table_ == nullptr) return;
+  const auto* value = key.empty() ? nullptr : find(key);
+  const auto& place = value != nullptr ? value->place : table_->place;
+  const auto path = key.empty() ? path_ : path_of(key);
+  state_->mistakes.push_back({place, path.empty() ? message : fmt::format("{}: {}", path, message)});
+}
+
+void Section::report_errors_of(const std::string& key, const std::function<void()>& action) const {
+  try {
+    action();
+  } catch (const InputError& error) {
+    std::string_view lines = error.what();
+    while (!lines.empty()) {
+      const auto line = lines.substr(0, lines.find('\n'));
+      report(key, std::string(line));
+      lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    }
+  }
+}
+
+void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
+  for (const auto& key : keys) {
+    if (has(key)) report(key, reason);
+  }
+}
+
+namespace {
+
+/// The value that a reader found, or nothing after a report.
+template <class T>
+std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
+  if (!answer.value) section.report(key, answer.mistake);
+  return std::move(answer.value);
+}
+
+}  // namespace
+
+double Section::quantity(const std::string& key, Dimension dimension, const Range& range) const {
+  if (require(key, wanted(dimension)) == nullptr) return not_a_number;
+  return optional_quantity(key, dimension, range).value_or(not_a_number);
+}
+
+std::optional<double> Section::optional_quantity(const std::string& key, Dimension dimension,
+                                                 const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_quantity(*value, dimension, range));
+}
+
+double Section::number(const std::string& key, const Range& range) const {
+  if (require(key, described(range, "number")) == nullptr) return not_a_number;
+  return optional_number(key, range).value_or(not_a_number);
+}
+
+std::optional<double> Section::optional_number(const std::string& key, const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_number(*value, range));
+}
+
+std::int64_t Section::integer(const std::string& key, const Range& range) const {
+  if (require(key, described(range, "integer")) == nullptr) return 0;
+  return optional_integer(key, range).value_or(0);
+}
+
+std::optional<std::int64_t> Section::optional_integer(const std::string& key, const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_integer(*value, range));
+}
+
+std::optional<bool> Section::optional_boolean(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_boolean(*value));
+}
+
+std::string Section::text(const std::string& key) const {
+  if (require(key, "text in quotes") == nullptr) return {};
+  return optional_text(key).value_or("");
+}
+
+std::optional<std::string> Section::optional_text(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
+}
+
+std::filesystem::path Section::file(const std::string& key) const {
+  const auto* value = require(key, "the name of a file");
+  const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
+  if (!name) return {};
+  auto path = (state_->path.parent_path() / *name).lexically_normal();
+  if (std::filesystem::is_regular_file(path)) return path;
+  report(key, fmt::format("no such file: {}", path.string()));
+  return {};
+}
+
+std::optional<std::size_t> Section::choice_index(const std::string& key, const std::vector<std::string>& words) const {
+  const auto* value = require(key, fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+  return value == nullptr ? std::nullopt : settle(*this, key, read_choice(*value, words));
+}
+
+/// What a reader makes of each element of an array; a bad number becomes NaN, any other bad element is left out.
+template <class Read>
+auto Section::elements(const std::string& key, const std::string& expected, const Read& read) const {
+  using Element = typename decltype(read(std::declval<const DeckValue&>()).value)::value_type;
+  std::vector<Element> all;
+  const auto* value = require(key, expected);
+  if (value == nullptr) return all;
+  const auto* array = std::get_if<DeckArray>(&value->content);
+  if (array == nullptr) {
+    report(key, expected_but_got(expected, *value));
+    return all;
+  }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
+  for (const auto& element : array->values) {
+    auto answer = read(element);
+    if (answer.value) {
+      all.push_back(std::move(*answer.value));
+      continue;
+    }
+    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), answer.mistake)});
+    if constexpr (std::is_same_v<Element, double>) all.push_back(not_a_number);
+  }
+  return all;
+}
+
+std::vector<double> Section::quantities(const std::string& key, Dimension dimension, const Range& range) const {
+  return elements(key, fmt::format("an array such as [\"{}\"]", example(dimension)),
+                  [&](const DeckValue& value) { return read_quantity(value, dimension, range); });
+}
+
+std::vector<double> Section::numbers(const std::string& key, const Range& range) const {
+  return elements(key, "an array of numbers", [&](const DeckValue& value) { return read_number(value, range); });
+}
+
+std::vector<std::size_t> Section::choice_indices(const std::string& key, const std::vector<std::string>& words) const {
+  return elements(key, fmt::format("an array such as [\"{}\"]", words.front()),
+                  [&](const DeckValue& value) { return read_choice(value, words); });
+}
+
+Section Section::section(const std::string& key) const {
+  const auto* value = require(key, "a table");
+  const auto* table = value == nullptr ? nullptr : std::get_if<DeckTable>(&value->content);
+  if (value != nullptr && table == nullptr) report(key, expected_but_got("a table", *value));
+  return {*state_, table, path_of(key)};
+}
+
+std::optional<Section> Section::optional_section(const std::string& key) const {
+  if (!has(key)) return std::nullopt;
+  return section(key);
+}
+
+std::vector<Section> Section::sections(const std::string& key) const {
+  std::vector<Section> all;
+  const auto* value = require(key, "an array of tables");
+  if (value == nullptr) return all;
+  const auto* array = std::get_if<DeckArray>(&value->content);
+  if (array == nullptr) {
+    report(key, expected_but_got("an array of tables", *value));
+    return all;
+  }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
+  for (std::size_t i = 0; i < array->values.size(); ++i) {
+    const auto& element = array->values[i];
+    const auto* table = std::get_if<DeckTable>(&element.content);
+    const auto path = detail::joined(path_of(key), element_name(element, i));
+    if (table == nullptr) {
+      state_->mistakes.push_back({element.place, fmt::format("{}: {}", path, expected_but_got("a table", element))});
+    }
+    all.push_back(Section(*state_, table, path));
+  }
+  return all;
+}
+
+}  // namespace breccia

@@ -1,0 +1,105 @@
+#include "deck_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::detail {
+
+namespace {
+
+Place place_of(const toml::source_region& region) {
+  return {{}, region.begin.line, region.begin.column};
+}
+
+DeckTable convert(const toml::table& table);
+
+DeckValue convert(const toml::node& node) {
+  const auto place = place_of(node.source());
+  if (const auto* table = node.as_table()) return {place, convert(*table)};
+  if (const auto* array = node.as_array()) {
+    DeckArray values;
+    for (const auto& element : *array) values.values.push_back(convert(element));
+    return {place, std::move(values)};
+  }
+  if (const auto* text = node.as_string()) return {place, text->get()};
+  if (const auto* integer = node.as_integer()) return {place, integer->get()};
+  if (const auto* number = node.as_floating_point()) return {place, number->get()};
+  if (const auto* boolean = node.as_boolean()) return {place, boolean->get()};
+  return {place, Date()};
+}
+
+DeckTable convert(const toml::table& table) {
+  DeckTable converted{place_of(table.source()), {}};
+  for (const auto& [key, node] : table) {
+    converted.entries.push_back({std::string(key.str()), place_of(key.source()), convert(node)});
+  }
+  std::ranges::sort(converted.entries, {},
+                    [](const DeckEntry& entry) { return std::tuple(entry.key_place.line, entry.key_place.column); });
+  return converted;
+}
+
+}  // namespace
+
+DeckTable parse_deck(const std::filesystem::path& path, const std::string& text) {
+  try {
+    return convert(toml::parse(std::string_view(text), std::string_view(path.native())));
+  } catch (const toml::parse_error& error) {
+    const auto place = place_of(error.source());
+    throw InputError(
+        fmt::format("{}:{}:{}: not TOML: {}", path.string(), place.line, place.column, error.description()));
+  }
+}
+
+const DeckValue* find(const DeckTable& table, std::string_view key) {
+  const auto entry = std::ranges::find(table.entries, key, &DeckEntry::key);
+  return entry == table.entries.end() ? nullptr : &entry->value;
+}
+
+DeckValue* find(DeckTable& table, std::string_view key) {
+  const auto entry = std::ranges::find(table.entries, key, &DeckEntry::key);
+  return entry == table.entries.end() ? nullptr : &entry->value;
+}
+
+std::string joined(const std::string& path, std::string_view key) {
+  return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
+}
+
+std::string element_name(const DeckValue& element, std::size_t index) {
+  const auto* table = std::get_if<DeckTable>(&element.content);
+  const auto* name = table != nullptr ? find(*table, "name") : nullptr;
+  const auto* text = name != nullptr ? std::get_if<std::string>(&name->content) : nullptr;
+  return text != nullptr && !text->empty() ? *text : std::to_string(index);
+}
+
+Kind kind_of(const DeckValue& value) {
+  constexpr std::array kinds{Kind::boolean, Kind::integer, Kind::number, Kind::text,
+                             Kind::date,    Kind::array,   Kind::table};
+  return kinds[value.content.index()];
+}
+
+std::string shown(const DeckValue& value) {
+  switch (kind_of(value)) {
+    case Kind::boolean:
+      return fmt::format("{}", std::get<bool>(value.content));
+    case Kind::integer:
+      return fmt::format("{}", std::get<std::int64_t>(value.content));
+    case Kind::number:
+      return fmt::format("{}", std::get<double>(value.content));
+    case Kind::text:
+      return fmt::format("\"{}\"", std::get<std::string>(value.content));
+    case Kind::date:
+      return "a date or time";
+    case Kind::array:
+      return "an array";
+    default:
+      return "a table";
+  }
+}
+
+}  // namespace breccia::detail

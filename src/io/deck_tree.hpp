@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "breccia/io/deck.hpp"
+
+namespace breccia::detail {
+
+/// Where something stands: in a line and column of the deck, or in an override.
+struct Place {
+  std::string override_text;  ///< `--set key.path=value`; empty for the deck itself
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+struct DeckEntry;
+
+/// Entries in the order of the deck.
+struct DeckTable {
+  Place place;
+  std::vector<DeckEntry> entries;
+};
+
+struct DeckArray {
+  std::vector<DeckValue> values;
+};
+
+/// A TOML date or time, which no key of a deck takes.
+struct Date {};
+
+struct DeckValue {
+  Place place;
+  std::variant<bool, std::int64_t, double, std::string, Date, DeckArray, DeckTable> content;
+};
+
+struct DeckEntry {
+  std::string key;
+  Place key_place;
+  DeckValue value;
+};
+
+/// A mistake and its place.
+struct Mistake {
+  Place place;
+  std::string message;
+};
+
+/// What is known of the keys of a table that was looked into.
+struct TableUse {
+  std::string path;
+  std::set<std::string> asked;
+};
+
+struct DeckState {
+  std::filesystem::path path;
+  std::string text;
+  DeckTable root;
+  std::map<const DeckTable*, TableUse> uses;
+  std::vector<Mistake> mistakes;
+};
+
+/// The tree of a TOML text. Throws InputError, with the place, when it is not TOML.
+DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
+
+/// Applies an override `key.path=value` to the tree, or adds a mistake.
+void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
+
+/// The value of a key, or null.
+DeckValue* find(DeckTable& table, std::string_view key);
+const DeckValue* find(const DeckTable& table, std::string_view key);
+
+/// The steps of a path, joined: `materials.binder`.
+std::string joined(const std::string& path, std::string_view key);
+
+/// The name of an element of an array in a path: that of a table with a `name`, or else its index.
+std::string element_name(const DeckValue& element, std::size_t index);
+
+Kind kind_of(const DeckValue& value);
+
+/// A value for a message, as it would stand in a deck: `"3.6 um"`, `3.6`, `a table`.
+std::string shown(const DeckValue& value);
+
+}  // namespace breccia::detail

@@ -1,0 +1,68 @@
+#include "breccia/io/text_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+namespace {
+
+std::string last_system_error() {
+  return std::generic_category().message(errno);
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path path)
+    : path_(std::move(path)), temporary_(fmt::format("{}.{}.partial", path_.string(), ::getpid())) {}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!temporary_.empty()) std::filesystem::remove(temporary_, ignored);
+}
+
+void AtomicFile::commit() {
+  std::error_code error;
+  std::filesystem::rename(temporary_, path_, error);
+  if (error) throw FileError(fmt::format("{}: cannot write: {}", path_.string(), error.message()));
+  temporary_.clear();
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  if (std::filesystem::is_directory(path)) {
+    throw FileError(fmt::format("{}: cannot read: it is a directory", path.string()));
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw FileError(fmt::format("{}: cannot read: {}", path.string(), last_system_error()));
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (file.bad()) throw FileError(fmt::format("{}: cannot read: {}", path.string(), last_system_error()));
+  return text;
+}
+
+void write_text(const std::filesystem::path& path, std::string_view text) {
+  AtomicFile file(path);
+  std::ofstream stream(file.temporary(), std::ios::binary);
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.close();
+  if (!stream) throw FileError(fmt::format("{}: cannot write: {}", path.string(), last_system_error()));
+  file.commit();
+}
+
+std::string content_hash(std::string_view bytes) {
+  return fmt::format("{:016x}", XXH64(bytes.data(), bytes.size(), 0));
+}
+
+}  // namespace breccia

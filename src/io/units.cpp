@@ -1,0 +1,174 @@
+#include "breccia/io/units.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+namespace {
+
+struct ReadableUnit {
+  double size;  ///< in the SI unit
+  std::string_view symbol;
+};
+
+struct DimensionFacts {
+  std::string_view name;
+  std::string_view example;
+  const char* si_unit;
+  std::span<const ReadableUnit> readable;  ///< rising
+};
+
+constexpr std::array<ReadableUnit, 4> lengths{{{1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1.0, "m"}}};
+constexpr std::array<ReadableUnit, 5> times{{{1e-12, "ps"}, {1e-9, "ns"}, {1e-6, "us"}, {1e-3, "ms"}, {1.0, "s"}}};
+constexpr std::array<ReadableUnit, 5> frequencies{
+    {{1.0, "Hz"}, {1e3, "kHz"}, {1e6, "MHz"}, {1e9, "GHz"}, {1e12, "THz"}}};
+constexpr std::array<ReadableUnit, 4> pressures{{{1.0, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}};
+constexpr std::array<ReadableUnit, 1> densities{{{1.0, "kg/m^3"}}};
+constexpr std::array<ReadableUnit, 1> temperatures{{{1.0, "K"}}};
+constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm"}, {1e6, "1/um"}}};
+
+const DimensionFacts& facts(Dimension dimension) {
+  static const std::array<DimensionFacts, 8> all{{
+      {"length", "48 um", "m", lengths},
+      {"time", "10 ns", "s", times},
+      {"frequency", "1 kHz", "s-1", frequencies},
+      {"pressure", "3.6 GPa", "Pa", pressures},
+      {"density", "1.48 g/cm^3", "kg m-3", densities},
+      {"temperature", "19 degC", "K", temperatures},
+      {"temperature difference", "120 K", "K", temperatures},
+      {"reciprocal length", "12500 /mm", "m-1", inverse_lengths},
+  }};
+  return all[static_cast<std::size_t>(dimension)];
+}
+
+struct FreeUnit {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+using Unit = std::unique_ptr<ut_unit, FreeUnit>;
+
+struct FreeConverter {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using Converter = std::unique_ptr<cv_converter, FreeConverter>;
+
+/// UDUNITS-2 keeps its state in globals: hold this lock while calling it.
+std::mutex udunits_mutex;
+
+ut_system* unit_system() {
+  static ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    ut_system* loaded = ut_read_xml(nullptr);
+    if (loaded == nullptr)
+      throw FileError("cannot read the unit database of UDUNITS-2 (is libudunits2-data installed?)");
+    return loaded;
+  }();
+  return system;
+}
+
+Unit parse_unit(const std::string& text) {
+  return Unit(ut_parse(unit_system(), text.c_str(), UT_UTF8));
+}
+
+/// The converter to an SI unit, if the unit has the same dimension. UDUNITS-2 alone would also turn s into 1/s.
+Converter converter_to(const Unit& unit, const Unit& si_unit) {
+  if (!unit) return nullptr;
+  const Unit ratio(ut_divide(unit.get(), si_unit.get()));
+  if (!ratio || ut_is_dimensionless(ratio.get()) == 0) return nullptr;
+  return Converter(ut_get_converter(unit.get(), si_unit.get()));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+struct NumberAndUnit {
+  double number;
+  std::string unit;
+};
+
+/// Cuts "3.6 GPa" in two. No answer without a number, or when a second number follows it (as in "3 10 um").
+std::optional<NumberAndUnit> split(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  text = trimmed(text);
+  if (text.starts_with('/')) return NumberAndUnit{number, fmt::format("1{}", text)};
+  if (text.find_first_of("0123456789+-.") == 0 && !text.starts_with("1/")) return std::nullopt;
+  return NumberAndUnit{number, std::string(text)};
+}
+
+/// A converted value without the rounding of the conversion: "1 g/cm^3" is 1000 kg/m^3, not 999.9999999999999.
+double as_written(double converted) {
+  const auto digits = fmt::format("{:.15g}", converted);
+  double value = converted;
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
+}
+
+/// The quantity in the SI unit of the dimension, or what is wrong with it (nothing to add: it has another dimension).
+std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
+  const std::lock_guard lock(udunits_mutex);
+  const auto unit = parse_unit(quantity.unit);
+  if (!unit) return fmt::format(": unknown unit \"{}\"", quantity.unit);
+  const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
+  if (!converter) return std::string();
+  const bool is_difference = dimension == Dimension::temperature_difference;
+  const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
+  return as_written(cv_convert_double(converter.get(), quantity.number) - origin);
+}
+
+}  // namespace
+
+std::string_view name(Dimension dimension) {
+  return facts(dimension).name;
+}
+
+std::string_view example(Dimension dimension) {
+  return facts(dimension).example;
+}
+
+double parse_quantity(std::string_view text, Dimension dimension) {
+  const auto quantity = split(text);
+  if (!quantity) {
+    throw InputError(fmt::format("expected a {}, a number and its unit such as \"{}\", got \"{}\"", name(dimension),
+                                 example(dimension), text));
+  }
+  if (quantity->unit.empty()) {
+    throw InputError(fmt::format("expected a {} with its unit, such as \"{}\", got \"{}\"", name(dimension),
+                                 example(dimension), text));
+  }
+  const auto value = to_si(*quantity, dimension);
+  if (const auto* si = std::get_if<double>(&value); si != nullptr && std::isfinite(*si)) return *si;
+  const auto* reason = std::get_if<std::string>(&value);
+  throw InputError(
+      fmt::format("expected a {}, got \"{}\"{}", name(dimension), text, reason != nullptr ? *reason : std::string()));
+}
+
+std::string readable(double value, Dimension dimension) {
+  const auto units = facts(dimension).readable;
+  auto unit = units.front();
+  for (const auto& larger : units) {
+    const bool suits = value == 0.0 ? larger.size <= 1.0 : std::abs(value) >= larger.size * (1.0 - 1e-9);
+    if (suits) unit = larger;
+  }
+  return fmt::format("{:.6g} {}", value / unit.size, unit.symbol);
+}
+
+}  // namespace breccia

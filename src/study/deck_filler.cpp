@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "deck_sections.hpp"
+
+namespace breccia {
+
+namespace {
+
+constexpr double default_gap_in_points = 6.0;
+
+/// A number of material points such as "6 points".
+std::optional<double> parse_points(const std::string& text) {
+  double points = 0.0;
+  const auto* const end_of_text = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), end_of_text, points);
+  const std::string unit(end, end_of_text);
+  const bool names_points = unit == " points" || unit == " point";
+  return error == std::errc{} && names_points && points >= 0.0 ? std::optional(points) : std::nullopt;
+}
+
+/// The smallest distance between particles [m], given as a length or in material points.
+double read_gap(const Section& filler, const Stage& stage, const Packing& packing) {
+  const double point_spacing = stage.cell_size() / 2.0;
+  const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(packing);
+  if (!is_random) {
+    filler.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
+    return 0.0;
+  }
+  if (!filler.has("gap")) return default_gap_in_points * point_spacing;
+  const auto text = filler.text("gap");
+  if (const auto points = parse_points(text)) return *points * point_spacing;
+  double gap = 0.0;
+  try {
+    if (!text.empty()) gap = parse_quantity(text, Dimension::length);
+  } catch (const InputError&) {
+    gap = -1.0;
+  }
+  if (gap < 0.0) {
+    filler.report("gap", fmt::format("expected a length such as \"0.5 um\" or a number of material points such as "
+                                     "\"6 points\", got \"{}\"",
+                                     text));
+  }
+  return gap;
+}
+
+bool is_distribution(const Sizes& sizes) {
+  return std::holds_alternative<LognormalSizes>(sizes) || std::holds_alternative<TabulatedSizes>(sizes);
+}
+
+/// `from` and `to`, which cut a distribution of sizes. A table ends by itself; a lognormal distribution needs them.
+void read_cuts(const Section& section, Filler& filler) {
+  if (!filler.sizes || !is_distribution(*filler.sizes)) {
+    section.refuse({"from", "to"}, "only a distribution of sizes (a file or lognormal) is cut");
+    return;
+  }
+  if (const auto* table = std::get_if<TabulatedSizes>(&*filler.sizes)) {
+    filler.smallest = table->diameters.front();
+    filler.largest = table->diameters.back();
+    if (section.has("from")) filler.smallest = section.quantity("from", Dimension::length, Range::positive());
+    if (section.has("to")) filler.largest = section.quantity("to", Dimension::length, Range::positive());
+    const bool misses = *filler.smallest >= table->diameters.back() || *filler.largest <= table->diameters.front();
+    if (misses) {
+      section.report("sizes", fmt::format("the table has no sizes from {} to {}: it covers {} to {}",
+                                          readable(*filler.smallest, Dimension::length),
+                                          readable(*filler.largest, Dimension::length),
+                                          readable(table->diameters.front(), Dimension::length),
+                                          readable(table->diameters.back(), Dimension::length)));
+    }
+  } else {
+    filler.smallest = section.quantity("from", Dimension::length, Range::positive());
+    filler.largest = section.quantity("to", Dimension::length, Range::positive());
+  }
+  if (*filler.smallest >= *filler.largest) {
+    section.report("from",
+                   fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
+                               readable(*filler.smallest, Dimension::length)));
+  }
+}
+
+/// Whether the particles can be in the box at all.
+void check_fit(const Section& section, const Filler& filler, double side) {
+  if (!filler.sizes) return;
+  double diameter = 0.0;
+  if (const auto* single = std::get_if<SingleSize>(&*filler.sizes)) diameter = single->diameter;
+  if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
+    for (const double size : listed->diameters) diameter = std::max(diameter, size);
+  }
+  if (diameter >= side) {
+    section.report("sizes", fmt::format("a particle of {} does not fit into a box of {}",
+                                        readable(diameter, Dimension::length), readable(side, Dimension::length)));
+  }
+  if (const auto* regular = std::get_if<RegularPacking>(&filler.packing)) {
+    const double spacing = side / std::max(regular->columns, regular->rows);
+    if (diameter > spacing) {
+      section.report("sizes", fmt::format("particles of {} overlap at a regular spacing of {}",
+                                          readable(diameter, Dimension::length), readable(spacing, Dimension::length)));
+    }
+  }
+}
+
+/// Which of fraction and sizes go with which packing.
+void read_amount(const Section& section, Filler& filler) {
+  if (std::holds_alternative<ExplicitPacking>(filler.packing)) {
+    section.refuse({"sizes", "fraction", "from", "to"}, "the discs of an explicit packing are all listed in its file");
+    return;
+  }
+  filler.sizes = read_sizes(section);
+  read_cuts(section, filler);
+  if (std::holds_alternative<RegularPacking>(filler.packing)) {
+    section.refuse({"fraction"}, "a regular packing has the fraction that follows from its diameter");
+    if (filler.sizes && !std::holds_alternative<SingleSize>(*filler.sizes)) {
+      section.report("sizes", "a regular packing takes { diameter = ... }");
+    }
+  } else if (filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes)) {
+    section.refuse({"fraction"}, "a list of sizes is packed as it is: its fraction follows");
+  } else {
+    filler.fraction = section.number("fraction", Range::between(0.0, 1.0));
+  }
+}
+
+}  // namespace
+
+std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
+                                  const std::vector<Material>& materials) {
+  const auto section = stage_section.optional_section("filler");
+  if (!section) {
+    stage_section.refuse({"packing"}, "there is no filler to pack");
+    return std::nullopt;
+  }
+  Filler filler;
+  filler.material = read_material_reference(*section, "material", materials);
+  const auto packing = read_packing(stage_section, stage.side);
+  if (!packing) {
+    section->accept_all_keys();
+    return std::nullopt;
+  }
+  filler.packing = *packing;
+  read_amount(*section, filler);
+  filler.gap = read_gap(*section, stage, filler.packing);
+  check_fit(*section, filler, stage.side);
+  return filler;
+}
+
+}  // namespace breccia

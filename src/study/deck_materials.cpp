@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/csv.hpp"
+#include "breccia/io/nearest_name.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+#include "deck_sections.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// A Prony series that may still lack its equilibrium modulus.
+struct Spectrum {
+  std::optional<double> equilibrium;
+  std::vector<MaxwellTerm> terms;
+};
+
+std::string modulus_column(const CsvTable& table) {
+  std::vector<std::string> found;
+  for (const auto& name : table.names()) {
+    if (name.ends_with("modulus_Pa")) found.push_back(name);
+  }
+  if (found.size() == 1) return found.front();
+  throw InputError(fmt::format("{}: expected one column whose name ends in modulus_Pa; it has \"{}\"",
+                               table.path().string(), fmt::join(table.names(), "\", \"")));
+}
+
+/// A table of Maxwell elements; an infinite relaxation time marks the equilibrium modulus.
+Spectrum read_spectrum(const std::filesystem::path& path) {
+  const auto table = read_csv(path);
+  const auto& times = table.numbers("relaxation_time_s");
+  const auto& moduli = table.numbers(modulus_column(table));
+  Spectrum spectrum;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!(times[row] > 0.0)) {
+      throw InputError(fmt::format("{}: expected a positive relaxation time, got {}", table.place(row), times[row]));
+    }
+    if (!(moduli[row] >= 0.0) || !std::isfinite(moduli[row])) {
+      throw InputError(fmt::format("{}: expected a non-negative modulus, got {}", table.place(row), moduli[row]));
+    }
+    if (std::isfinite(times[row])) {
+      spectrum.terms.push_back({times[row], moduli[row]});
+    } else if (!spectrum.equilibrium) {
+      spectrum.equilibrium = moduli[row];
+    } else {
+      throw InputError(fmt::format("{}: a second term with an infinite relaxation time", table.place(row)));
+    }
+  }
+  return spectrum;
+}
+
+std::vector<MaxwellTerm> read_terms(const Section& modulus) {
+  std::vector<MaxwellTerm> terms;
+  for (const auto& term : modulus.sections("terms")) {
+    terms.push_back({term.quantity("time", Dimension::time, Range::positive()),
+                     term.quantity("modulus", Dimension::pressure, Range::not_negative())});
+  }
+  return terms;
+}
+
+/// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
+PronySeries read_series(const Section& modulus) {
+  Spectrum spectrum;
+  const auto source = modulus.exactly_one({"prony", "terms"});
+  if (source == "prony") {
+    const auto path = modulus.file("prony");
+    if (!path.empty()) modulus.report_errors_of("prony", [&] { spectrum = read_spectrum(path); });
+  } else if (source == "terms") {
+    spectrum.terms = read_terms(modulus);
+  }
+  const auto equilibrium = modulus.optional_quantity("equilibrium", Dimension::pressure, Range::not_negative());
+  if (equilibrium && spectrum.equilibrium) {
+    modulus.report("equilibrium", "the file has an equilibrium modulus already (relaxation time inf)");
+  }
+  PronySeries series;
+  const bool complete = std::ranges::none_of(spectrum.terms, [](const MaxwellTerm& term) {
+    return std::isnan(term.relaxation_time) || std::isnan(term.modulus);
+  });
+  if (complete) series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
+  return series;
+}
+
+PronySeries read_modulus(const Section& material, const std::string& key) {
+  if (material.kind(key) != Kind::table) {
+    const double modulus = material.quantity(key, Dimension::pressure, Range::positive());
+    return std::isnan(modulus) ? PronySeries() : PronySeries(modulus);
+  }
+  return read_series(material.section(key));
+}
+
+/// The shift factor a_T of `temperature_shift`; 1 without it.
+double read_shift_factor(const Section& material) {
+  const auto shift = material.optional_section("temperature_shift");
+  if (!shift) return 1.0;
+  static_cast<void>(shift->choice<bool>("law", {{"wlf", true}}));
+  const WilliamsLandelFerry law{
+      shift->number("c1", Range::positive()),
+      shift->quantity("c2", Dimension::temperature_difference, Range::positive()),
+      shift->quantity("reference", Dimension::temperature, Range::not_negative()),
+  };
+  const double temperature = shift->quantity("temperature", Dimension::temperature, Range::not_negative());
+  double factor = 1.0;
+  if (std::isnan(law.c1 + law.c2 + law.reference_temperature + temperature)) return factor;
+  shift->report_errors_of("temperature", [&] { factor = law.shift_factor(temperature); });
+  return factor;
+}
+
+Material read_material(const Section& section, const std::string& name) {
+  const Material material{name, section.quantity("density", Dimension::density, Range::positive()),
+                          read_modulus(section, "bulk"), read_modulus(section, "shear")};
+  return shifted(material, read_shift_factor(section));
+}
+
+}  // namespace
+
+std::vector<Material> read_materials(const Section& deck) {
+  const auto section = deck.section("materials");
+  std::vector<Material> materials;
+  for (const auto& name : section.keys()) materials.push_back(read_material(section.section(name), name));
+  return materials;
+}
+
+Material read_material_reference(const Section& section, const std::string& key,
+                                 const std::vector<Material>& materials) {
+  const auto name = section.text(key);
+  if (name.empty()) return {};
+  const auto material = std::ranges::find(materials, name, &Material::name);
+  if (material != materials.end()) return *material;
+  std::vector<std::string> names;
+  for (const auto& known : materials) names.push_back(known.name);
+  section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
+  return {};
+}
+
+}  // namespace breccia

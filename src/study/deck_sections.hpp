@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// [materials]: each table is a material, named by its key.
+std::vector<Material> read_materials(const Section& deck);
+
+/// [[stages]], whose materials are among those given.
+std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);
+
+/// `filler` and `packing` of a stage whose box and cells are known; nothing when it has neither.
+std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
+                                  const std::vector<Material>& materials);
+
+/// `sizes` of a filler.
+std::optional<Sizes> read_sizes(const Section& filler);
+
+/// `packing` of a stage with a box of the given side [m].
+std::optional<Packing> read_packing(const Section& stage, double side);
+
+/// The material that a key names; a nameless one after a report.
+Material read_material_reference(const Section& section, const std::string& key,
+                                 const std::vector<Material>& materials);
+
+/// [tests].
+Tests read_tests(const Section& deck);
+
+}  // namespace breccia

@@ -1,0 +1,75 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/csv.hpp"
+
+#include "deck_sections.hpp"
+
+namespace breccia {
+
+namespace {
+
+TabulatedSizes read_size_table(const std::filesystem::path& path) {
+  const auto table = read_csv(path);
+  const auto& diameters = table.numbers("diameter_m");
+  const auto& fractions = table.numbers("cumulative_volume_fraction");
+  if (table.rows() < 2) throw InputError(fmt::format("{}: expected at least two rows", path.string()));
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double below = row == 0 ? 0.0 : diameters[row - 1];
+    if (!(diameters[row] > below) || !std::isfinite(diameters[row])) {
+      throw InputError(
+          fmt::format("{}: expected rising diameters, got {} after {}", table.place(row), diameters[row], below));
+    }
+    const double least = row == 0 ? 0.0 : fractions[row - 1];
+    if (!(fractions[row] >= least && fractions[row] <= 1.0)) {
+      throw InputError(fmt::format("{}: expected a cumulative volume fraction between {} and 1, got {}",
+                                   table.place(row), least, fractions[row]));
+    }
+  }
+  if (fractions.back() != 1.0) {
+    throw InputError(fmt::format("{}: expected the cumulative volume fraction to end at 1, got {}",
+                                 table.place(table.rows() - 1), fractions.back()));
+  }
+  return {path, diameters, fractions};
+}
+
+std::optional<Sizes> read_file(const Section& filler) {
+  const auto path = filler.file("sizes");
+  std::optional<Sizes> sizes;
+  if (!path.empty()) filler.report_errors_of("sizes", [&] { sizes = read_size_table(path); });
+  return sizes;
+}
+
+LognormalSizes read_lognormal(const Section& sizes) {
+  LognormalSizes lognormal;
+  double sum = 0.0;
+  for (const auto& component : sizes.sections("lognormal")) {
+    lognormal.components.push_back({component.optional_number("weight", Range::positive()).value_or(1.0),
+                                    component.quantity("median", Dimension::length, Range::positive()),
+                                    component.number("sigma", Range::positive())});
+    sum += lognormal.components.back().weight;
+  }
+  for (auto& component : lognormal.components) component.weight /= sum;
+  return lognormal;
+}
+
+}  // namespace
+
+std::optional<Sizes> read_sizes(const Section& filler) {
+  if (filler.kind("sizes") == Kind::text) return read_file(filler);
+  if (filler.kind("sizes") != Kind::table) {
+    const auto expected = "a file, { diameter = ... }, { list = [...] } or { lognormal = [...] }";
+    filler.report("sizes", fmt::format("{}expected {}", filler.has("sizes") ? "" : "missing, ", expected));
+    return std::nullopt;
+  }
+  const auto sizes = filler.section("sizes");
+  const auto kind = sizes.exactly_one({"diameter", "list", "lognormal"});
+  if (kind == "diameter") return SingleSize{sizes.quantity("diameter", Dimension::length, Range::positive())};
+  if (kind == "list") return ListedSizes{sizes.quantities("list", Dimension::length, Range::positive())};
+  if (kind == "lognormal") return read_lognormal(sizes);
+  return std::nullopt;
+}
+
+}  // namespace breccia

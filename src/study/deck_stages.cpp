@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "deck_sections.hpp"
+
+namespace breccia {
+
+namespace {
+
+constexpr int fewest_cells = 2;
+constexpr int most_cells = 1 << 20;
+
+/// May the name be that of a directory, on any system?
+bool is_safe(const std::string& name) {
+  const auto allowed = [](unsigned char letter) {
+    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
+  };
+  return !name.empty() && std::isalnum(static_cast<unsigned char>(name.front())) != 0 &&
+         std::ranges::all_of(name, allowed);
+}
+
+std::string read_name(const Section& section, const std::vector<Stage>& earlier) {
+  auto name = section.text("name");
+  if (!name.empty() && !is_safe(name)) {
+    section.report(
+        "name",
+        fmt::format("expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), got \"{}\"", name));
+  }
+  if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
+    section.report("name", fmt::format("another stage is called \"{}\"", name));
+  }
+  return name;
+}
+
+Material read_matrix(const Section& section, const std::vector<Stage>& earlier,
+                     const std::vector<Material>& materials) {
+  const auto name = section.kind("matrix") == Kind::text ? section.text("matrix") : "";
+  const bool is_material = std::ranges::find(materials, name, &Material::name) != materials.end();
+  const bool is_stage = std::ranges::find(earlier, name, &Stage::name) != earlier.end();
+  if (is_stage && !is_material) {
+    section.report("matrix",
+                   fmt::format("\"{}\" is a stage; a stage as the matrix of another is not available yet", name));
+    return {};
+  }
+  return read_material_reference(section, "matrix", materials);
+}
+
+/// Cells per side from `cells`, or from `resolution` in material points per length (two a cell).
+int read_cells(const Section& section, double side) {
+  const auto key = section.exactly_one({"cells", "resolution"});
+  if (key == "cells") {
+    return static_cast<int>(section.integer(key, {.lower = fewest_cells, .upper = most_cells}));
+  }
+  if (key.empty()) return 0;
+  const double points_per_length = section.quantity(key, Dimension::inverse_length, Range::positive());
+  const double cells = std::round(side * points_per_length / 2.0);
+  if (std::isnan(cells)) return 0;
+  if (cells < fewest_cells || cells > most_cells) {
+    section.report(key, fmt::format("expected a resolution that gives between {} and {} cells per side, got {:.6g}",
+                                    fewest_cells, most_cells, cells));
+    return 0;
+  }
+  return static_cast<int>(cells);
+}
+
+}  // namespace
+
+std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials) {
+  std::vector<Stage> stages;
+  for (const auto& section : deck.sections("stages")) {
+    Stage stage;
+    stage.name = read_name(section, stages);
+    stage.matrix = read_matrix(section, stages, materials);
+    stage.side = section.quantity("box", Dimension::length, Range::positive());
+    stage.cells = read_cells(section, stage.side);
+    stage.filler = read_filler(section, stage, materials);
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+}  // namespace breccia

@@ -1,0 +1,100 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/deck.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr auto deck_text = R"(
+[materials.binder]
+bulk = "3.6 GPa"
+[[stages]]
+name = "HB-1"
+cells = 300
+times = ["1 s", "2 s"]
+[[stages]]
+name = "HB-2"
+cells = 200
+)";
+
+class DeckOverride : public testing::Test {
+ protected:
+  [[nodiscard]] Deck read(const std::vector<std::string>& overrides) const {
+    return Deck(directory.write("deck.toml", deck_text), overrides);
+  }
+  [[nodiscard]] std::string mistake(const std::string& override_text) const {
+    const auto deck = read({override_text});
+    return test::message_of<InputError>([&] {
+      deck.root().accept_all_keys();
+      deck.finish();
+    });
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(DeckOverride, ReplacesValuesByNameAndByIndex) {
+  const auto deck = read({"stages.HB-1.cells=100", "stages.1.cells=50", "materials.binder.bulk=\"2 GPa\""});
+  const auto stages = deck.root().sections("stages");
+  EXPECT_EQ(stages.at(0).integer("cells"), 100);
+  EXPECT_EQ(stages.at(1).integer("cells"), 50);
+  EXPECT_EQ(deck.root().section("materials").section("binder").quantity("bulk", Dimension::pressure), 2e9);
+}
+
+TEST_F(DeckOverride, TakesTomlOrElseText) {
+  const auto deck = read({"a=3.6 GPa", "b=[1, 2]", "c={ x = 1 }", "d=true", "e=1\nf = 2"});
+  EXPECT_EQ(deck.root().quantity("a", Dimension::pressure), 3.6e9);
+  EXPECT_THAT(deck.root().numbers("b"), testing::ElementsAre(1.0, 2.0));
+  EXPECT_EQ(deck.root().section("c").integer("x"), 1);
+  EXPECT_EQ(deck.root().optional_boolean("d"), true);
+  EXPECT_EQ(deck.root().text("e"), "1\nf = 2");
+}
+
+TEST_F(DeckOverride, ReachesElementsAndQuotedKeys) {
+  const auto deck = read({"stages.HB-1.times.1=5 s", "\"a.b\".c=1"});
+  EXPECT_THAT(deck.root().sections("stages").at(0).quantities("times", Dimension::time),
+              testing::ElementsAre(1.0, 5.0));
+  EXPECT_EQ(deck.root().section("a.b").integer("c"), 1);
+}
+
+TEST_F(DeckOverride, MakesTablesOnTheWay) {
+  const auto deck = read({"tests.dynamic.courant=0.5"});
+  EXPECT_EQ(deck.root().section("tests").section("dynamic").number("courant"), 0.5);
+}
+
+TEST_F(DeckOverride, LaterOnesWin) {
+  const auto deck = read({"stages.HB-1.cells=1", "stages.HB-1.cells=2"});
+  EXPECT_EQ(deck.root().sections("stages").at(0).integer("cells"), 2);
+}
+
+TEST_F(DeckOverride, MistakesNameTheOverride) {
+  EXPECT_EQ(mistake("title"), "--set title: expected key.path=value, such as \"stages.HB-1.cells=100\"");
+  EXPECT_EQ(mistake("=3"), "--set =3: expected key.path=value, such as \"stages.HB-1.cells=100\"");
+  EXPECT_EQ(mistake("a..b=3"), "--set a..b=3: expected key.path=value, such as \"stages.HB-1.cells=100\"");
+  EXPECT_EQ(mistake("a="), "--set a=: expected key.path=value, such as \"stages.HB-1.cells=100\"");
+  EXPECT_EQ(mistake("stages.HB1.cells=3"),
+            "--set stages.HB1.cells=3: stages has no entry \"HB1\", did you mean \"HB-1\"?");
+  EXPECT_EQ(mistake("stages.7.cells=3"),
+            "--set stages.7.cells=3: stages has no entry \"7\"; known: \"HB-1\", \"HB-2\"");
+  EXPECT_EQ(
+      mistake("materials.binder.bulk.prony=x"),
+      "--set materials.binder.bulk.prony=x: materials.binder.bulk is \"3.6 GPa\", not a table: it has no \"prony\"");
+}
+
+TEST_F(DeckOverride, WrongValuesNameTheOverride) {
+  const auto deck = read({"materials.binder.bulk=3.6 um"});
+  EXPECT_TRUE(std::isnan(deck.root().section("materials").section("binder").quantity("bulk", Dimension::pressure)));
+  deck.root().accept_all_keys();
+  EXPECT_EQ(test::message_of<InputError>([&] { deck.finish(); }),
+            "--set materials.binder.bulk=3.6 um: materials.binder.bulk: expected a pressure, got \"3.6 um\"");
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,72 @@
+#include "breccia/io/text_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+std::size_t count_files(const std::filesystem::path& directory) {
+  return static_cast<std::size_t>(
+      std::distance(std::filesystem::directory_iterator(directory), std::filesystem::directory_iterator()));
+}
+
+TEST(TextFile, RoundTripKeepsEveryByte) {
+  const test::TemporaryDirectory directory;
+  const std::string text("a\r\nb\0c\n", 7);
+  write_text(directory.path() / "file", text);
+  EXPECT_EQ(read_text(directory.path() / "file"), text);
+  EXPECT_EQ(count_files(directory.path()), 1U);
+}
+
+TEST(TextFile, WritingReplacesAnOlderFile) {
+  const test::TemporaryDirectory directory;
+  const auto path = directory.write("file", "old");
+  write_text(path, "new");
+  EXPECT_EQ(read_text(path), "new");
+}
+
+TEST(TextFile, ErrorsNameTheFileAndTheReason) {
+  const test::TemporaryDirectory directory;
+  const auto missing = directory.path() / "no" / "file";
+  const auto written = test::message_of<FileError>([&] { write_text(missing, "x"); });
+  EXPECT_EQ(written, missing.string() + ": cannot write: No such file or directory");
+  const auto read = test::message_of<FileError>([&] { static_cast<void>(read_text(missing)); });
+  EXPECT_EQ(read, missing.string() + ": cannot read: No such file or directory");
+  const auto folder = test::message_of<FileError>([&] { static_cast<void>(read_text(directory.path())); });
+  EXPECT_THAT(folder, testing::HasSubstr("is a directory"));
+}
+
+TEST(TextFile, AFullDiskIsAnErrorAndLeavesTheOldFile) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
+  const test::TemporaryDirectory directory;
+  const auto path = directory.write("file", "old");
+  const AtomicFile plan(path);
+  std::filesystem::create_symlink("/dev/full", plan.temporary());
+  EXPECT_THROW(write_text(path, "new"), FileError);
+  EXPECT_EQ(read_text(path), "old");
+}
+
+TEST(AtomicFile, DisappearsWithoutCommit) {
+  const test::TemporaryDirectory directory;
+  {
+    const AtomicFile file(directory.path() / "file");
+    std::ofstream(file.temporary()) << "half";
+    EXPECT_EQ(count_files(directory.path()), 1U);
+  }
+  EXPECT_EQ(count_files(directory.path()), 0U);
+}
+
+// Reference values of XXH64 with seed 0, from the specification's own test vectors.
+TEST(ContentHash, IsXxHash64) {
+  EXPECT_EQ(content_hash(""), "ef46db3751d8e999");
+  EXPECT_EQ(content_hash("abc"), "44bc2cf5ad770999");
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,100 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class DeckMaterials : public testing::Test {
+ protected:
+  /// A deck whose only material, with density and bulk modulus, has these lines too.
+  [[nodiscard]] static std::string deck(std::string_view lines) {
+    return test::join("[materials.binder]\ndensity = \"1 g/cm^3\"\nbulk = \"3 GPa\"\n", lines,
+                      "\n[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
+  }
+  [[nodiscard]] Material material(std::string_view lines) const { return directory.study(deck(lines)).materials.at(0); }
+  [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(DeckMaterials, Elastic) {
+  const auto binder = material("shear = \"1 MPa\"");
+  EXPECT_EQ(binder, (Material{"binder", 1000.0, PronySeries(3e9), PronySeries(1e6)}));
+}
+
+TEST_F(DeckMaterials, PronySeriesFromAFile) {
+  directory.write("g.csv", "relaxation_time_s,shear_modulus_Pa\n1e-3,2e6\ninf,5e5\n1,1e6\n");
+  EXPECT_EQ(material("shear = { prony = \"g.csv\" }").shear, PronySeries(5e5, {{1.0, 1e6}, {1e-3, 2e6}}));
+}
+
+TEST_F(DeckMaterials, EquilibriumBesideAFile) {
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1e-3,2e6\n");
+  EXPECT_EQ(material("shear = { prony = \"g.csv\" }").shear.equilibrium(), 0.0);
+  EXPECT_EQ(material("shear = { prony = \"g.csv\", equilibrium = \"1 MPa\" }").shear.equilibrium(), 1e6);
+}
+
+TEST_F(DeckMaterials, PronySeriesInTheDeck) {
+  const auto binder =
+      material(R"(shear = { equilibrium = "1 MPa", terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })");
+  EXPECT_EQ(binder.shear, PronySeries(1e6, {{0.01, 0.5e6}}));
+}
+
+// log10 a_T = -6.5 (40 - 19) / (120 + 40 - 19) = -0.96808510638...
+TEST_F(DeckMaterials, TemperatureShift) {
+  const auto binder = material(R"(shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
+temperature_shift = { law = "wlf", c1 = 6.5, c2 = "120 K", reference = "19 degC", temperature = "40 degC" })");
+  EXPECT_NEAR(std::log10(binder.shear.terms().at(0).relaxation_time), -0.968085106383, 1e-11);
+}
+
+TEST_F(DeckMaterials, MistakesInAFileHaveItsLine) {
+  const auto shear = "shear = { prony = \"g.csv\" }";
+  const auto place = "deck.toml:4:19: materials.binder.shear.prony: ";
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1e-3,x\n1\n");
+  EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:2: modulus_Pa: expected a number, got \"x\"\n", place,
+                                        "g.csv:3: expected 2 values (relaxation_time_s, modulus_Pa), got 1"));
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1e-3,2\n0,1\n");
+  EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:3: expected a positive relaxation time, got 0"));
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1e-3,-2\n");
+  EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:2: expected a non-negative modulus, got -2"));
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\ninf,2\ninf,3\n");
+  EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:3: a second term with an infinite relaxation time"));
+  directory.write("g.csv", "time,modulus_Pa\n1,2\n");
+  EXPECT_EQ(mistakes(shear),
+            test::join(place, "g.csv: no column \"relaxation_time_s\"; it has \"time\", \"modulus_Pa\""));
+  directory.write("g.csv", "relaxation_time_s,G\n1,2\n");
+  EXPECT_THAT(mistakes(shear), HasSubstr("g.csv: expected one column whose name ends in modulus_Pa"));
+}
+
+TEST_F(DeckMaterials, Mistakes) {
+  EXPECT_THAT(mistakes("shear = \"0 MPa\""), HasSubstr("binder.shear: expected a positive pressure, got \"0 MPa\""));
+  EXPECT_THAT(mistakes("shear = {}"), HasSubstr("binder.shear: expected exactly one of prony, terms"));
+  EXPECT_THAT(mistakes("shear = { terms = [{ time = \"1 s\" }] }"), HasSubstr("binder.shear.terms.0.modulus: missing"));
+  EXPECT_THAT(mistakes("shear = { prony = \"g.csv\", terms = [] }"), HasSubstr("got prony and terms"));
+  EXPECT_THAT(mistakes("shaer = \"1 MPa\""), HasSubstr("unknown key \"shaer\", did you mean \"shear\"?"));
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\ninf,2\n");
+  EXPECT_THAT(mistakes("shear = { prony = \"g.csv\", equilibrium = \"1 Pa\" }"),
+              HasSubstr("equilibrium modulus already"));
+}
+
+TEST_F(DeckMaterials, MistakesInATemperatureShift) {
+  const auto shift = [](std::string_view lines) {
+    return test::join("shear = \"1 MPa\"\n[materials.binder.temperature_shift]\n", lines);
+  };
+  EXPECT_THAT(mistakes(shift(R"(law = "wlf"
+c1 = 6.5
+c2 = "120 K"
+reference = "19 degC"
+temperature = "-120 degC")")),
+              HasSubstr("temperature_shift.temperature: the WLF law has no meaning"));
+  EXPECT_THAT(mistakes(shift("law = \"arrhenius\"")), HasSubstr("expected \"wlf\" (nothing else is available)"));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,202 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class DeckStages : public testing::Test {
+ protected:
+  /// A deck with one stage of 6 mm, given by these lines.
+  [[nodiscard]] static std::string deck(std::string_view lines) {
+    return test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"6 mm\"\n", lines,
+                      test::tests);
+  }
+  [[nodiscard]] Stage stage(std::string_view lines) const { return directory.study(deck(lines)).stages.at(0); }
+  [[nodiscard]] Filler filler(std::string_view lines) const {
+    return stage(test::join("cells = 60\n", lines)).filler.value();
+  }
+  [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+  /// The mistakes in a stage with these keys of the filler and of the packing.
+  [[nodiscard]] std::string mistakes(std::string_view filler_keys, std::string_view packing_keys) const {
+    return mistakes(test::join("cells = 60\nfiller = { material = \"hmx\", ", filler_keys,
+                               " }\npacking = { method = ", packing_keys, " }\n"));
+  }
+
+  test::DeckDirectory directory;
+};
+
+constexpr auto random_packing = "\"lubachevsky-stillinger\"";
+constexpr auto regular_packing = "\"regular\", columns = 2, rows = 2";
+
+TEST_F(DeckStages, CellsFromTheResolutionInMaterialPoints) {
+  EXPECT_EQ(stage("cells = 60").cells, 60);
+  EXPECT_EQ(stage("resolution = \"66 /mm\"").cells, 198);
+  EXPECT_EQ(stage("resolution = \"66.1 /mm\"").cells, 198);
+}
+
+TEST_F(DeckStages, AStageMayBeHomogeneous) {
+  EXPECT_FALSE(stage("cells = 60").filler);
+}
+
+TEST_F(DeckStages, RegularPacking) {
+  const auto regular = filler(R"(filler = { material = "hmx", sizes = { diameter = "2 mm" } }
+packing = { method = "regular", columns = 2, rows = 3 })");
+  EXPECT_EQ(regular.material.name, "hmx");
+  EXPECT_DOUBLE_EQ(std::get<SingleSize>(regular.sizes.value()).diameter, 2e-3);
+  EXPECT_EQ(std::get<RegularPacking>(regular.packing).columns, 2);
+  EXPECT_EQ(std::get<RegularPacking>(regular.packing).rows, 3);
+  EXPECT_FALSE(regular.fraction);
+}
+
+TEST_F(DeckStages, RandomPackingOfADistribution) {
+  const auto random = filler(R"(packing = { method = "lubachevsky-stillinger", walls = false, seed = 7 }
+[stages.filler]
+material = "hmx"
+fraction = 0.5
+from = "0.1 mm"
+to = "1 mm"
+sizes = { lognormal = [{ weight = 3, median = "154 um", sigma = 0.76 }, { weight = 1, median = "12.7 um", sigma = 1.09 }] }
+)");
+  const auto& packing = std::get<LubachevskyStillingerPacking>(random.packing);
+  EXPECT_EQ(packing.walls, Walls::periodic);
+  EXPECT_EQ(packing.seed, 7U);
+  EXPECT_EQ(random.fraction, 0.5);
+  EXPECT_DOUBLE_EQ(random.smallest.value(), 1e-4);
+  EXPECT_DOUBLE_EQ(random.largest.value(), 1e-3);
+  const auto& components = std::get<LognormalSizes>(random.sizes.value()).components;
+  ASSERT_EQ(components.size(), 2U);
+  EXPECT_DOUBLE_EQ(components[0].weight, 0.75);
+  EXPECT_DOUBLE_EQ(components[0].median, 154e-6);
+  EXPECT_DOUBLE_EQ(components[1].sigma, 1.09);
+}
+
+TEST_F(DeckStages, RandomPackingOfATable) {
+  directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-4,0\n2e-4,0.4\n3e-4,1\n");
+  const auto random = filler(R"(filler = { material = "hmx", fraction = 0.5, to = "0.25 mm", sizes = "sizes.csv" }
+packing = { method = "lubachevsky-stillinger" })");
+  EXPECT_THAT(std::get<TabulatedSizes>(random.sizes.value()).diameters, ElementsAre(1e-4, 2e-4, 3e-4));
+  EXPECT_DOUBLE_EQ(random.smallest.value(), 1e-4);
+  EXPECT_DOUBLE_EQ(random.largest.value(), 2.5e-4);
+  EXPECT_EQ(std::get<LubachevskyStillingerPacking>(random.packing).walls, Walls::hard);
+}
+
+TEST_F(DeckStages, RandomPackingOfAList) {
+  const auto random = filler(R"(filler = { material = "hmx", sizes = { list = ["1 mm", "2 mm"] }, gap = "0.1 mm" }
+packing = { method = "lubachevsky-stillinger" })");
+  EXPECT_THAT(std::get<ListedSizes>(random.sizes.value()).diameters, ElementsAre(1e-3, 2e-3));
+  EXPECT_DOUBLE_EQ(random.gap, 1e-4);
+}
+
+TEST_F(DeckStages, ExplicitPacking) {
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n1e-3,2e-3,1e-3\n");
+  const auto listed =
+      filler("filler = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\" }");
+  EXPECT_THAT(std::get<ExplicitPacking>(listed.packing).discs, ElementsAre(Disc{{1e-3, 2e-3}, 1e-3}));
+  EXPECT_FALSE(listed.sizes);
+}
+
+// The box has 60 cells of 0.1 mm, so a point every 0.05 mm.
+TEST_F(DeckStages, TheGapMayBeCountedInMaterialPoints) {
+  const auto gap_of = [&](std::string_view gap) {
+    return filler(test::join("filler = { material = \"hmx\", sizes = { list = [\"1 mm\"] }", gap,
+                             " }\npacking = { method = \"lubachevsky-stillinger\" }"))
+        .gap;
+  };
+  EXPECT_DOUBLE_EQ(gap_of(""), 0.3e-3);
+  EXPECT_DOUBLE_EQ(gap_of(", gap = \"4 points\""), 0.2e-3);
+  EXPECT_DOUBLE_EQ(gap_of(", gap = \"0.5 points\""), 0.025e-3);
+  EXPECT_DOUBLE_EQ(gap_of(", gap = \"30 um\""), 30e-6);
+}
+
+TEST_F(DeckStages, MistakesInTheGrid) {
+  EXPECT_THAT(mistakes("cells = 1"), HasSubstr("a.cells: expected an integer from 2 to 1048576, got 1"));
+  EXPECT_THAT(mistakes("cells = 60\nresolution = \"66 /mm\""), HasSubstr("expected exactly one of cells, resolution"));
+  EXPECT_THAT(mistakes("resolution = \"0.1 /mm\""), HasSubstr("between 2 and 1048576 cells per side, got 0"));
+  EXPECT_THAT(mistakes("resolution = \"66 mm\""), HasSubstr("expected a reciprocal length, got \"66 mm\""));
+}
+
+TEST_F(DeckStages, StagesAreToldApart) {
+  EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, test::stage, test::tests)),
+              HasSubstr("stages.HB-1.name: another stage is called \"HB-1\""));
+}
+
+TEST_F(DeckStages, AStageAsMatrixIsForeseenButNotThereYet) {
+  const auto text = test::join(test::materials, test::stage,
+                               "[[stages]]\nname = \"b\"\nmatrix = \"HB-1\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
+  EXPECT_THAT(directory.mistakes(text),
+              HasSubstr("stages.b.matrix: \"HB-1\" is a stage; a stage as the matrix of another "
+                        "is not available yet"));
+}
+
+TEST_F(DeckStages, MistakesInThePacking) {
+  EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"randm\""), HasSubstr("packing.method: expected one of"));
+  EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"regular\", columns = 0, rows = 2"),
+              HasSubstr("packing.columns: expected an integer from 1 to 10000, got 0"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }", "\"lubachevsky-stillinger\", seed = -1"),
+              HasSubstr("packing.seed: expected a non-negative integer, got -1"));
+  EXPECT_THAT(mistakes("cells = 60\nfiller = { material = \"hmx\", sizes = { diameter = \"1 mm\" } }\n"),
+              HasSubstr("a.packing: missing, expected a table"));
+  EXPECT_THAT(mistakes("cells = 60\npacking = { method = \"regular\" }\n"), HasSubstr("a.packing: there is no filler"));
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n1,2e-3,1e-3\n");
+  EXPECT_THAT(mistakes("gap = \"1 um\"", "\"explicit\", discs = \"discs.csv\""),
+              HasSubstr("discs.csv:2: expected a centre in the box"));
+  EXPECT_THAT(mistakes("gap = \"1 um\"", "\"explicit\", discs = \"discs.csv\""), HasSubstr("filler.gap: only"));
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n1e-3,2e-3,0\n");
+  EXPECT_THAT(mistakes("fraction = 0.5", "\"explicit\", discs = \"discs.csv\""),
+              HasSubstr("filler.fraction: the discs"));
+  EXPECT_THAT(mistakes("fraction = 0.5", "\"explicit\", discs = \"discs.csv\""),
+              HasSubstr("expected a positive diameter"));
+}
+
+TEST_F(DeckStages, MistakesInTheAmount) {
+  EXPECT_THAT(mistakes("fraction = 1.2, sizes = { diameter = \"1 mm\" }", random_packing),
+              HasSubstr("filler.fraction: expected a number between 0 and 1, got 1.2"));
+  EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", random_packing), HasSubstr("filler.fraction: missing"));
+  EXPECT_THAT(mistakes("fraction = 0.5, sizes = { list = [\"1 mm\"] }", random_packing),
+              HasSubstr("filler.fraction: a list of sizes is packed as it is"));
+  EXPECT_THAT(mistakes("fraction = 0.5, sizes = { diameter = \"1 mm\" }", regular_packing),
+              HasSubstr("filler.fraction: a regular packing has the fraction that follows"));
+  EXPECT_THAT(mistakes("fraction = 0.5, gap = \"1 s\", sizes = { diameter = \"1 mm\" }", random_packing),
+              HasSubstr("filler.gap: expected a length such as \"0.5 um\" or a number of material points"));
+}
+
+TEST_F(DeckStages, MistakesInTheSizes) {
+  const auto lognormal = "sizes = { lognormal = [{ median = \"1 mm\", sigma = 1 }] }, fraction = 0.5, ";
+  EXPECT_THAT(mistakes("fraction = 0.5", random_packing), HasSubstr("filler.sizes: missing, expected a file"));
+  EXPECT_THAT(mistakes("fraction = 0.5, sizes = 3", random_packing), HasSubstr("filler.sizes: expected a file"));
+  EXPECT_THAT(mistakes("fraction = 0.5, sizes = {}", random_packing),
+              HasSubstr("exactly one of diameter, list, lognormal"));
+  EXPECT_THAT(mistakes(test::join(lognormal, "from = \"2 mm\", to = \"1 mm\""), random_packing),
+              HasSubstr("filler.from: expected less than 1 mm (to), got 2 mm"));
+  EXPECT_THAT(mistakes(test::join(lognormal, "from = \"2 mm\""), random_packing), HasSubstr("filler.to: missing"));
+  EXPECT_THAT(mistakes("from = \"1 um\", sizes = { diameter = \"1 mm\" }", regular_packing),
+              HasSubstr("filler.from: only a distribution"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }", regular_packing), HasSubstr("a regular packing takes"));
+  EXPECT_THAT(mistakes("sizes = { diameter = \"3.5 mm\" }", regular_packing),
+              HasSubstr("particles of 3.5 mm overlap at a regular spacing of 3 mm"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\", \"7 mm\"] }", random_packing),
+              HasSubstr("a particle of 7 mm does not fit into a box of 6 mm"));
+}
+
+TEST_F(DeckStages, MistakesInATableOfSizes) {
+  const auto mistake_of = [&](std::string_view rows, std::string_view keys = "") {
+    directory.write("sizes.csv", test::join("diameter_m,cumulative_volume_fraction\n", rows));
+    return mistakes(test::join("fraction = 0.5, sizes = \"sizes.csv\"", keys), random_packing);
+  };
+  EXPECT_THAT(mistake_of("1e-4,0\n"), HasSubstr("sizes.csv: expected at least two rows"));
+  EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"), HasSubstr("sizes.csv:3: expected rising diameters"));
+  EXPECT_THAT(mistake_of("1e-4,0.5\n2e-4,0.2\n"),
+              HasSubstr("sizes.csv:3: expected a cumulative volume fraction between"));
+  EXPECT_THAT(mistake_of("1e-4,0\n2e-4,0.9\n"),
+              HasSubstr("sizes.csv:3: expected the cumulative volume fraction to end"));
+  EXPECT_THAT(mistake_of("1e-4,0\n2e-4,1\n", ", from = \"1 mm\", to = \"2 mm\""),
+              HasSubstr("the table has no sizes from 1 mm to 2 mm: it covers 100 um to 200 um"));
+}
+
+}  // namespace
+}  // namespace breccia

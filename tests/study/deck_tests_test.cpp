@@ -1,0 +1,96 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr auto times = "times = [\"10 ns\", \"10 ms\"]\n";
+
+class DeckTests : public testing::Test {
+ protected:
+  [[nodiscard]] static std::string deck(std::string_view lines) {
+    return test::join(test::materials, test::stage, "[tests]\n", lines);
+  }
+  [[nodiscard]] Tests tests(std::string_view lines) const { return directory.study(deck(lines)).tests; }
+  [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(DeckTests, Defaults) {
+  const auto defaults = tests(times);
+  EXPECT_THAT(defaults.loads, ElementsAre(Load::shear));
+  EXPECT_THAT(defaults.bounds, ElementsAre(Bound::upper));
+  EXPECT_EQ(defaults.method, Method::dynamic);
+  EXPECT_EQ(defaults.first_time, 1e-8);
+  EXPECT_EQ(defaults.last_time, 1e-2);
+  EXPECT_EQ(defaults.points_per_decade, 20);
+  EXPECT_EQ(defaults.dynamic.volumetric, Volumetric::averaged);
+  EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
+  EXPECT_THAT(defaults.dynamic.density_factors, IsEmpty());
+}
+
+TEST_F(DeckTests, EverythingGiven) {
+  const auto given = tests(test::join(times, R"(loads = ["bulk", "shear"]
+bounds = ["upper"]
+method = "dynamic"
+volumetric = "standard"
+points_per_decade = 10
+[tests.dynamic]
+formulation = "classical"
+start = "affine"
+courant = 1
+ramp = "0.1 ms"
+density_factors = [1, 4, 100]
+reduction_tolerance = 1e-4
+)"));
+  EXPECT_THAT(given.loads, ElementsAre(Load::bulk, Load::shear));
+  EXPECT_EQ(given.points_per_decade, 10);
+  EXPECT_EQ(given.dynamic.volumetric, Volumetric::standard);
+  EXPECT_EQ(given.dynamic.formulation, Formulation::classical);
+  EXPECT_EQ(given.dynamic.start, Start::affine);
+  EXPECT_EQ(given.dynamic.courant, 1.0);
+  EXPECT_DOUBLE_EQ(given.dynamic.ramp_time.value(), 1e-4);
+  EXPECT_THAT(given.dynamic.density_factors, ElementsAre(1.0, 4.0, 100.0));
+  EXPECT_EQ(given.dynamic.reduction_tolerance, 1e-4);
+}
+
+TEST_F(DeckTests, DensityFactorsMayBeLeftToTheProgram) {
+  EXPECT_THAT(tests(test::join(times, "dynamic = { density_factors = \"auto\" }")).dynamic.density_factors, IsEmpty());
+}
+
+TEST_F(DeckTests, Mistakes) {
+  const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
+  EXPECT_THAT(mistakes(""), HasSubstr("tests.times: missing, expected an array such as [\"10 ns\"]"));
+  EXPECT_THAT(mistakes("times = [\"1 s\"]"), HasSubstr("tests.times: expected two rising times"));
+  EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
+  EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
+  EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
+  EXPECT_THAT(with_times("bounds = [\"lower\"]"),
+              HasSubstr("tests.bounds: expected \"upper\" (nothing else is available), got \"lower\""));
+  EXPECT_THAT(with_times("method = \"quasistatic\""),
+              HasSubstr("tests.method: expected \"dynamic\" (nothing else is available), got \"quasistatic\""));
+  EXPECT_THAT(with_times("points_per_decade = 0"),
+              HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));
+}
+
+TEST_F(DeckTests, MistakesInTheDynamicMethod) {
+  const auto with = [&](std::string_view keys) { return mistakes(test::join(times, "dynamic = { ", keys, " }")); };
+  EXPECT_THAT(with("courant = 1.5"),
+              HasSubstr("tests.dynamic.courant: expected a number above 0 and up to 1, got 1.5"));
+  EXPECT_THAT(with("ramp = \"1 s\", ramp_transits = 2"),
+              HasSubstr("dynamic.ramp_transits: the ramp is given as a time"));
+  EXPECT_THAT(with("density_factors = [4, 1]"), HasSubstr("dynamic.density_factors: expected rising numbers"));
+  EXPECT_THAT(with("density_factors = [0]"), HasSubstr("dynamic.density_factors: expected a positive number, got 0"));
+  EXPECT_THAT(with("density_factors = \"all\""), HasSubstr("dynamic.density_factors: expected \"auto\""));
+  EXPECT_THAT(with("damping = 1"), HasSubstr("tests.dynamic: unknown key \"damping\""));
+}
+
+}  // namespace
+}  // namespace breccia
