@@ -11,4 +11,18 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
       ->allow_extra_args(false);
 }
 
+void add_run_arguments(CLI::App& command, RunArguments& arguments) {
+  add_deck_arguments(command, arguments.deck);
+  command.add_option("--out", arguments.directory, "where the results go (default: results/<name of the deck>)")
+      ->type_name("DIR");
+  command.add_option("--threads", arguments.threads, "threads to use (default: one for each core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+}
+
+std::filesystem::path RunArguments::results() const {
+  return directory.empty() ? std::filesystem::path("results") / deck.deck.stem() : directory;
+}
+
 }  // namespace breccia::cli

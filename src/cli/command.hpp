@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "breccia/study/study.hpp"
+
 namespace breccia::cli {
 
 /// What every subcommand that reads a deck takes.
@@ -17,7 +19,22 @@ struct DeckArguments {
 /// Adds DECK and --set to a subcommand. The arguments must live as long as the application.
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 
+/// What every subcommand that computes takes besides.
+struct RunArguments {
+  DeckArguments deck;
+  std::filesystem::path directory;  ///< empty: results/<deck name>
+  int threads = 0;                  ///< 0: all
+  bool quiet = false;
+
+  [[nodiscard]] std::filesystem::path results() const;
+};
+
+/// Adds DECK, --set, --out, --threads and --quiet.
+void add_run_arguments(CLI::App& command, RunArguments& arguments);
+
 /// The subcommands: each adds itself to the application, and does its work in a callback.
 void add_check(CLI::App& application);
+void add_pack(CLI::App& application);
+void add_run(CLI::App& application);
 
 }  // namespace breccia::cli

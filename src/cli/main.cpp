@@ -29,7 +29,9 @@ int run(int argc, char** argv) {
   application.set_version_flag("--version", "breccia " BRECCIA_VERSION);
   application.require_subcommand(0, 1);
   application.failure_message(CLI::FailureMessage::simple);
+  breccia::cli::add_run(application);
   breccia::cli::add_check(application);
+  breccia::cli::add_pack(application);
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");

@@ -184,7 +184,20 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
   }
 }
 
-DynamicTestResult run_dynamic_test(const DynamicTest& test, const ReportProgress& report) {
+double trial_speed(const DynamicTest& test) {
+  require_complete(test);
+  const DomainSequence sequence(rules_of(test), estimated_shear_modulus(test, test.times.begin));
+  auto preparation = prepare(test, sequence);
+  const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
+  std::vector<PlaneStress> stresses;
+  constexpr double trial_seconds = 0.2;
+  const auto start = Clock::now();
+  while (seconds_since(start) < trial_seconds) solver->advance(10, stresses);
+  return static_cast<double>(test.discretisation.points()) * static_cast<double>(solver->steps_taken()) /
+         seconds_since(start);
+}
+
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer) {
   require_complete(test);
   const auto rules = rules_of(test);
   DomainSequence sequence(rules, estimated_shear_modulus(test, test.times.begin));
@@ -195,17 +208,18 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const ReportProgress
     auto [problem, domain] = prepare(test, sequence);
     const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
     run_domain(test, sequence, *solver, domain, [&](const TimeDomain& running) {
-      if (!report) return;
+      if (!observer.progress) return;
       const double time = running.history.back().time;
       const double done = std::log(std::max(time, test.times.begin) / test.times.begin);
-      report({.domain = result.domains.size(),
-              .density_factor = running.density_factor,
-              .time = time,
-              .share = decades > 0.0 ? std::min(1.0, done / decades) : 0.0,
-              .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+      observer.progress({.domain = result.domains.size(),
+                         .density_factor = running.density_factor,
+                         .time = time,
+                         .share = decades > 0.0 ? std::min(1.0, done / decades) : 0.0,
+                         .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
     });
     cut(domain, sequence, result.domains.empty());
     result.domains.push_back(std::move(domain));
+    if (observer.finished) observer.finished(result.domains.back());
     if (sequence.is_complete()) {
       result.fields = solver->fields();
       break;

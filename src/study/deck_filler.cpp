@@ -25,7 +25,7 @@ std::optional<double> parse_points(const std::string& text) {
 }
 
 /// The smallest distance between particles [m], given as a length or in material points.
-double read_gap(const Section& filler, const Stage& stage, const Packing& packing) {
+double read_gap(const Section& filler, const Stage& stage, const PackingMethod& packing) {
   const double point_spacing = stage.cell_size() / 2.0;
   const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(packing);
   if (!is_random) {

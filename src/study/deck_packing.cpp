@@ -11,7 +11,7 @@ namespace breccia {
 
 namespace {
 
-enum class PackingMethod { lubachevsky_stillinger, regular, listed };
+enum class MethodName { lubachevsky_stillinger, regular, listed };
 
 constexpr double most_rows = 1e4;
 
@@ -55,22 +55,22 @@ ExplicitPacking read_explicit(const Section& packing, double side) {
 
 }  // namespace
 
-std::optional<Packing> read_packing(const Section& stage, double side) {
+std::optional<PackingMethod> read_packing(const Section& stage, double side) {
   const auto packing = stage.section("packing");
   const auto method =
-      packing.choice<PackingMethod>("method", {
-                                                  {"lubachevsky-stillinger", PackingMethod::lubachevsky_stillinger},
-                                                  {"regular", PackingMethod::regular},
-                                                  {"explicit", PackingMethod::listed},
-                                              });
+      packing.choice<MethodName>("method", {
+                                               {"lubachevsky-stillinger", MethodName::lubachevsky_stillinger},
+                                               {"regular", MethodName::regular},
+                                               {"explicit", MethodName::listed},
+                                           });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;
   }
   switch (*method) {
-    case PackingMethod::regular:
+    case MethodName::regular:
       return read_regular(packing);
-    case PackingMethod::listed:
+    case MethodName::listed:
       return read_explicit(packing, side);
     default:
       return read_random(packing);

@@ -21,7 +21,7 @@ std::optional<Filler> read_filler(const Section& stage_section, const Stage& sta
 std::optional<Sizes> read_sizes(const Section& filler);
 
 /// `packing` of a stage with a box of the given side [m].
-std::optional<Packing> read_packing(const Section& stage, double side);
+std::optional<PackingMethod> read_packing(const Section& stage, double side);
 
 /// The material that a key names; a nameless one after a report.
 Material read_material_reference(const Section& section, const std::string& key,

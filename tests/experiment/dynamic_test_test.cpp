@@ -110,7 +110,7 @@ TEST(RunDynamicTest, ProgressMayInterrupt) {
     EXPECT_GE(progress.share, 0.0);
     if (++calls == 10) throw Interrupted("stop");
   };
-  EXPECT_THROW(run_dynamic_test(test, stop), Interrupted);
+  EXPECT_THROW(run_dynamic_test(test, {.progress = stop}), Interrupted);
 }
 
 TEST(RunDynamicTest, FieldsAverageToTheModulus) {

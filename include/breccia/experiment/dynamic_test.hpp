@@ -61,8 +61,12 @@ struct DynamicProgress {
   double share = 0.0;  ///< of the whole test, estimated on the logarithmic time axis, 0 to 1
   double point_steps_per_second = 0.0;
 };
-/// Called now and then; may throw Interrupted.
-using ReportProgress = std::function<void(const DynamicProgress&)>;
+
+/// Those who follow a running test. What they throw ends it.
+struct DynamicObserver {
+  std::function<void(const DynamicProgress&)> progress = {};  ///< now and then
+  std::function<void(const TimeDomain&)> finished = {};       ///< each domain, as soon as it is done
+};
 
 /// What a test will take, from an estimate of the composite's modulus (the lower bound of Hashin).
 struct DynamicPlan {
@@ -73,7 +77,10 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test);
 
 /// Runs the time domains that the test needs and stitches them.
 /// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
-DynamicTestResult run_dynamic_test(const DynamicTest& test, const ReportProgress& report = {});
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {});
+
+/// Material points x steps per second that a run of this test does on this machine, from a short trial.
+double trial_speed(const DynamicTest& test);
 
 /// Joins the valid windows of the domains, in order, at logarithmic times: cut by validity, blended in log time where
 /// two are valid. Throws NumericalError where the domains leave a gap.

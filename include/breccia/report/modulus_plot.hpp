@@ -18,8 +18,8 @@ enum class PlotStyle {
 /// One curve of modulus against time.
 struct PlotCurve {
   std::string label;
-  std::vector<double> times;   ///< [s]
-  std::vector<double> moduli;  ///< [Pa], as many as times
+  std::vector<double> times = {};   ///< [s]
+  std::vector<double> moduli = {};  ///< [Pa], as many as times
   PlotStyle style = PlotStyle::line;
   std::optional<std::size_t> colour = {};  ///< place in the palette, for curves to share one; by default the next
 };

@@ -60,7 +60,7 @@ struct ExplicitPacking {
   std::vector<Disc> discs;
 };
 
-using Packing = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
+using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
 
 /// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
 struct Filler {
@@ -70,7 +70,7 @@ struct Filler {
   std::optional<double> largest;   ///< sizes are cut above this diameter [m]
   std::optional<Sizes> sizes;
   double gap = 0.0;  ///< smallest distance between particles, and between a particle and a wall [m]
-  Packing packing;
+  PackingMethod packing;
 };
 
 /// A microstructure to be tested.

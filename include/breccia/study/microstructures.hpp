@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/microstructure/packing.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// The particles of a stage, and how well they are what the deck asks for.
+struct StageMicrostructure {
+  Microstructure microstructure;
+  double fraction = 0.0;                 ///< area of the particles per area of the box [-]
+  double interface_per_area = 0.0;       ///< S/A [1/m]
+  double gap = 0.0;                      ///< smallest between surfaces [m]; infinite without two particles
+  std::optional<double> size_deviation;  ///< largest between the size distributions drawn and asked for, by area [-]
+  std::uint64_t events = 0;              ///< of the packing
+  double seconds = 0.0;                  ///< wall time of the packing
+  std::vector<std::string> warnings;     ///< what makes the results doubtful
+};
+
+/// Packs, arranges or takes over the particles of a stage.
+/// Throws InputError when the particles cannot be where the deck puts them, NumericalError when the packing is
+/// impossible, Interrupted when `watch` returns false.
+StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch = {});
+
+}  // namespace breccia

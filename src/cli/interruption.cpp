@@ -1,0 +1,32 @@
+#include "interruption.hpp"
+
+#include <csignal>
+
+#include "breccia/error.hpp"
+
+namespace breccia::cli {
+namespace {
+
+volatile std::sig_atomic_t requested = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+extern "C" void request_stop(int /*signal*/) {
+  requested = 1;
+}
+
+}  // namespace
+
+void watch_for_interruption() {
+  // A handler can be set for these two signals on every system.
+  (void)std::signal(SIGINT, request_stop);
+  (void)std::signal(SIGTERM, request_stop);
+}
+
+bool interruption_requested() {
+  return requested != 0;
+}
+
+void stop_if_interrupted() {
+  if (interruption_requested()) throw Interrupted("interrupted; what was finished stays in the results");
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,109 @@
+#include "breccia/study/microstructures.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/microstructure/regular_array.hpp"
+#include "breccia/microstructure/size_distribution.hpp"
+#include "breccia/microstructure/statistics.hpp"
+#include "breccia/microstructure/validity.hpp"
+
+namespace breccia {
+namespace {
+
+template <class... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+/// The distribution that a random packing is drawn from; none for a list of particles.
+std::optional<SizeDistribution> distribution_of(const Filler& filler) {
+  if (!filler.sizes) return std::nullopt;
+  auto distribution = std::visit(
+      Overloaded{[](const SingleSize& sizes) { return std::optional(SizeDistribution::monodisperse(sizes.diameter)); },
+                 [](const ListedSizes&) { return std::optional<SizeDistribution>(); },
+                 [](const LognormalSizes& sizes) {
+                   std::vector<LognormalComponent> components;
+                   for (const auto& [weight, median, sigma] : sizes.components)
+                     components.push_back({weight, median, sigma});
+                   return std::optional(SizeDistribution::lognormal_mixture(std::move(components)));
+                 },
+                 [](const TabulatedSizes& sizes) {
+                   return std::optional(
+                       SizeDistribution::tabulated(sizes.diameters, sizes.cumulative_volume_fractions));
+                 }},
+      *filler.sizes);
+  if (distribution && (filler.smallest || filler.largest)) {
+    distribution = distribution->truncated(filler.smallest.value_or(distribution->smallest()),
+                                           filler.largest.value_or(distribution->largest()));
+  }
+  return distribution;
+}
+
+Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, const PackingWatch& watch,
+                              StageMicrostructure& result) {
+  const auto& filler = *stage.filler;
+  PackingRequest request;
+  request.side = stage.side;
+  request.walls = method.walls;
+  request.minimum_gap = filler.gap;
+  request.seed = method.seed;
+  if (const auto distribution = distribution_of(filler)) {
+    request.diameters = draw_diameters(*distribution, filler.fraction.value(), stage.side);
+    result.size_deviation = largest_deviation(*distribution, request.diameters);
+  } else {
+    request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
+  }
+  auto packing = pack<2>(request, watch);
+  result.events = packing.events;
+  return {stage.side, method.walls, std::move(packing.balls)};
+}
+
+void describe(const Stage& stage, StageMicrostructure& result) {
+  result.fraction = area_fraction(result.microstructure);
+  result.interface_per_area = interface_per_area(result.microstructure);
+  result.gap = smallest_gap(result.microstructure);
+  constexpr double cells_per_gap = 3.0;
+  if (result.gap < cells_per_gap * stage.cell_size() * (1.0 - 1e-9)) {
+    const double needed = std::ceil(cells_per_gap * stage.side / result.gap);
+    result.warnings.push_back(
+        fmt::format("{}: the smallest gap between particles, {}, is {:.2g} cells wide; below {:g} the modulus at long "
+                    "times comes out "
+                    "too high, by several times below 1{}",
+                    stage.name, readable(result.gap, Dimension::length), result.gap / stage.cell_size(), cells_per_gap,
+                    result.gap > 0.0 ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : ""));
+  }
+}
+
+}  // namespace
+
+StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch) {
+  StageMicrostructure result;
+  result.microstructure.side = stage.side;
+  const auto start = std::chrono::steady_clock::now();
+  if (stage.filler) {
+    result.microstructure = std::visit(
+        Overloaded{
+            [&](const LubachevskyStillingerPacking& method) { return pack_at_random(stage, method, watch, result); },
+            [&](const RegularPacking& array) {
+              const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
+              return regular_array(stage.side, array.columns, array.rows, size.diameter);
+            },
+            [&](const ExplicitPacking& listed) {
+              Microstructure microstructure = {stage.side, Walls::hard, listed.discs};
+              require_valid(microstructure);
+              return microstructure;
+            }},
+        stage.filler->packing);
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  describe(stage, result);
+  return result;
+}
+
+}  // namespace breccia

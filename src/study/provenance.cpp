@@ -1,0 +1,118 @@
+#include <cmath>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/text_file.hpp"
+
+#include "results.hpp"
+
+namespace breccia {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PronySeries& series) {
+  Json terms = Json::array();
+  for (const auto& [relaxation_time, modulus] : series.terms()) {
+    terms.push_back({{"relaxation_time_s", relaxation_time}, {"modulus_Pa", modulus}});
+  }
+  return {{"equilibrium_Pa", series.equilibrium()}, {"terms", std::move(terms)}};
+}
+
+Json json_of(const Material& material) {
+  return {{"name", material.name},
+          {"density_kg_per_m3", material.density},
+          {"bulk", json_of(material.bulk)},
+          {"shear", json_of(material.shear)}};
+}
+
+Json json_of(const TimeWindow& window) {
+  return {window.begin, window.end};
+}
+
+/// JSON has no infinity: a gap without two particles is null.
+Json finite_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json json_of(const TimeDomain& domain, std::size_t points) {
+  return {{"density_factor", domain.density_factor},
+          {"time_step_s", domain.time_step},
+          {"ramp_s", domain.ramp},
+          {"valid_s", json_of(domain.window)},
+          {"steps", domain.steps},
+          {"active_terms", domain.terms},
+          {"reduction_error", domain.reduction_error},
+          {"wall_time_s", domain.seconds},
+          {"points_x_steps_per_s", domain.point_steps_per_second(points)}};
+}
+
+Json json_of(const TestResult& test, const Study& study, std::size_t points) {
+  const auto& options = study.tests.dynamic;
+  Json domains = Json::array(), overlaps = Json::array();
+  for (const auto& domain : test.dynamic.domains) domains.push_back(json_of(domain, points));
+  for (const auto& [window, mismatch] : test.dynamic.overlaps) {
+    overlaps.push_back({{"window_s", json_of(window)}, {"mismatch", mismatch}});
+  }
+  return {{"load", name_of(test.load)},
+          {"boundary", "displacement"},
+          {"method", "dynamic"},
+          {"formulation", options.formulation == Formulation::classical ? "classical" : "total-lagrangian"},
+          {"start", options.start == Start::affine ? "affine" : "boundary"},
+          {"volumetric", options.volumetric == Volumetric::averaged ? "averaged" : "standard"},
+          {"courant", options.courant},
+          {"time_domains", std::move(domains)},
+          {"overlaps", std::move(overlaps)}};
+}
+
+Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
+  const auto& packing = result.microstructure;
+  Json microstructure = {{"particles", packing.microstructure.discs.size()},
+                         {"fraction", packing.fraction},
+                         {"interface_per_area_1_per_m", packing.interface_per_area},
+                         {"smallest_gap_m", finite_or_null(packing.gap)},
+                         {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
+                         {"wall_time_s", packing.seconds}};
+  if (packing.size_deviation) microstructure["size_distribution_deviation"] = *packing.size_deviation;
+  if (stage.filler && std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing)) {
+    microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.filler->packing).seed;
+    microstructure["events"] = packing.events;
+  }
+  Json tests = Json::array();
+  for (const auto& test : result.tests) tests.push_back(json_of(test, study, result.points));
+  Json json = {{"name", stage.name},
+               {"matrix", stage.matrix.name},
+               {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
+               {"box_m", stage.side},
+               {"cells", stage.cells},
+               {"points", result.points},
+               {"filler_point_fraction", result.point_fraction},
+               {"microstructure", std::move(microstructure)},
+               {"tests", std::move(tests)},
+               {"warnings", packing.warnings}};
+  return json;
+}
+
+}  // namespace
+
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result) {
+  Json materials = Json::array(), stages = Json::array();
+  for (const auto& material : study.materials) materials.push_back(json_of(material));
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    stages.push_back(json_of(study.stages[i], result.stages[i], study));
+  }
+  const Json json = {{"program", "breccia"},
+                     {"version", BRECCIA_VERSION},
+                     {"title", study.title},
+                     {"deck", study.deck.string()},
+                     {"overrides", study.overrides},
+                     {"hash", study.hash},
+                     {"deck_text", study.deck_text},
+                     {"times_s", {study.tests.first_time, study.tests.last_time}},
+                     {"materials", std::move(materials)},
+                     {"stages", std::move(stages)}};
+  write_text(directory / "study.json", json.dump(2) + "\n");
+}
+
+}  // namespace breccia

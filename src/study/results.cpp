@@ -1,0 +1,124 @@
+#include "results.hpp"
+
+#include <cstdint>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/hdf5.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/io/vtkhdf.hpp"
+#include "breccia/report/microstructure_picture.hpp"
+#include "breccia/report/modulus_plot.hpp"
+
+namespace breccia {
+
+void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
+                          const StageMicrostructure& microstructure) {
+  std::vector<double> x, y, diameters;
+  for (const auto& [centre, diameter] : microstructure.microstructure.discs) {
+    x.push_back(centre[0]);
+    y.push_back(centre[1]);
+    diameters.push_back(diameter);
+  }
+  write_csv(directory / "microstructure.csv", {{"x_m", x}, {"y_m", y}, {"diameter_m", diameters}},
+            fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
+  write_text(directory / "microstructure.svg", microstructure_picture(microstructure.microstructure));
+}
+
+void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage, Load load,
+                   std::size_t number, const TimeDomain& domain) {
+  std::vector<double> times, moduli;
+  for (const auto& [time, modulus] : domain.history) {
+    times.push_back(time);
+    moduli.push_back(modulus);
+  }
+  Hdf5Writer file(directory / fmt::format("{}-displacement-dynamic-{}.h5", name_of(load), number));
+  file.write("/history/time_s", times);
+  file.write("/history/modulus_Pa", moduli);
+  const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
+      {"deck_hash", study.hash},
+      {"stage", stage.name},
+      {"load", name_of(load)},
+      {"cells", std::int64_t{stage.cells}},
+      {"density_factor", domain.density_factor},
+      {"time_step_s", domain.time_step},
+      {"ramp_s", domain.ramp},
+      {"steps", domain.steps},
+      {"valid_s", std::vector<double>{domain.window.begin, domain.window.end}},
+      {"active_terms", static_cast<std::int64_t>(domain.terms)},
+      {"reduction_error", domain.reduction_error}};
+  for (const auto& [name, value] : attributes) file.write_attribute("/history", name, value);
+  file.commit();
+}
+
+void write_fields(const std::filesystem::path& directory, const Stage& stage, const PointFields& fields) {
+  const double spacing = 0.5 * stage.cell_size();
+  const auto side = 2 * static_cast<std::size_t>(stage.cells);
+  std::vector<std::int64_t> material(fields.material.begin(), fields.material.end());
+  std::vector<double> displacement, strain, stress;
+  for (const auto& u : fields.displacement) displacement.insert(displacement.end(), {u[0], u[1], 0.0});
+  for (const auto& e : fields.strain) strain.insert(strain.end(), {e[0], e[1], 0.0, e[2], 0.0, 0.0});
+  for (const auto& s : fields.stress) stress.insert(stress.end(), {s[0], s[1], s[2], s[3], 0.0, 0.0});
+  write_vtkhdf(directory / "fields.vtkhdf", {side, side, {0.5 * spacing, 0.5 * spacing}, spacing},
+               {{"material", 1, std::move(material)},
+                {"displacement_m", 3, std::move(displacement)},
+                {"strain", 6, std::move(strain)},
+                {"stress_Pa", 6, std::move(stress)}});
+}
+
+void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                const StageResult& result) {
+  ModulusPlot plot;
+  plot.title = fmt::format("{}: {}", study.title, stage.name);
+  for (const auto& test : result.tests) {
+    PlotCurve curve{.label = test.load == Load::shear ? "G(t), upper bound" : "K(t) + G(t)/3, upper bound"};
+    for (const auto& [time, modulus] : test.dynamic.curve) {
+      curve.times.push_back(time);
+      curve.moduli.push_back(modulus);
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  PlotCurve matrix{.label = "G(t) of the matrix", .style = PlotStyle::dashed};
+  for (const auto& [time, modulus] : result.tests.front().dynamic.curve) {
+    matrix.times.push_back(time);
+    matrix.moduli.push_back(stage.matrix.shear.at(time));
+  }
+  plot.curves.push_back(std::move(matrix));
+  for (const auto& domain : result.tests.front().dynamic.domains) {
+    plot.windows.push_back(
+        {fmt::format("density x {:.3g}", domain.density_factor), domain.window.begin, domain.window.end});
+  }
+  write_text(directory / "modulus.svg", modulus_plot(plot));
+}
+
+void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
+  std::vector<std::string> stages, loads, boundaries, methods, cells;
+  std::vector<double> times, moduli;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      for (const auto& [time, modulus] : test.dynamic.curve) {
+        stages.push_back(stage.name);
+        loads.push_back(name_of(test.load));
+        boundaries.emplace_back("displacement");
+        methods.emplace_back("dynamic");
+        cells.push_back(std::to_string(stage.cells));
+        times.push_back(time);
+        moduli.push_back(modulus);
+      }
+    }
+  }
+  write_csv(directory / "curves.csv", {{"stage", stages},
+                                       {"load", loads},
+                                       {"boundary", boundaries},
+                                       {"method", methods},
+                                       {"cells", cells},
+                                       {"time_s", times},
+                                       {"modulus_Pa", moduli}});
+}
+
+}  // namespace breccia

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+/// Writes `microstructure.csv` and `microstructure.svg` of a stage.
+void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
+                          const StageMicrostructure& microstructure);
+
+/// Writes the history of one time domain as `<load>-displacement-dynamic-<number>.h5`.
+void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage, Load load,
+                   std::size_t number, const TimeDomain& domain);
+
+/// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
+void write_fields(const std::filesystem::path& directory, const Stage& stage, const PointFields& fields);
+
+/// Writes `modulus.svg` of a stage: all its tests, the matrix for comparison, and the windows of the time domains.
+void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                const StageResult& result);
+
+/// Writes `curves.csv`: all tests of all stages.
+void write_curves(const std::filesystem::path& directory, const StudyResult& result);
+
+/// Writes `study.json`: how every number was made.
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result);
+
+}  // namespace breccia

@@ -1,0 +1,105 @@
+#include "breccia/study/run.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/report/modulus_plot.hpp"
+
+#include "results.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_directory(const fs::path& directory) {
+  std::error_code error;
+  fs::create_directories(directory, error);
+  if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
+}
+
+StageResult pack_stage(const Stage& stage, const fs::path& directory, const StudyObserver& observer) {
+  const PackingWatch watch = [&](const PackingProgress& progress) {
+    return !observer.packing || observer.packing(stage, progress);
+  };
+  StageResult result;
+  result.name = stage.name;
+  result.cells = stage.cells;
+  result.microstructure = make_microstructure(stage, watch);
+  const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
+  result.points = discretisation.points();
+  result.point_fraction = discretisation.fractions(2)[1];
+  make_directory(directory);
+  write_microstructure(directory, stage, result.microstructure);
+  if (observer.packed) observer.packed(result);
+  return result;
+}
+
+TestResult run_test(const Study& study, const Stage& stage, const fs::path& directory, const DynamicTest& test,
+                    const StudyObserver& observer) {
+  std::size_t number = 0;
+  DynamicObserver follow;
+  follow.progress = [&](const DynamicProgress& progress) {
+    if (observer.progress) observer.progress(stage, test.load, progress);
+  };
+  follow.finished = [&](const TimeDomain& domain) {
+    write_history(directory, study, stage, test.load, ++number, domain);
+    if (observer.domain_finished) observer.domain_finished(stage, test.load, domain);
+  };
+  return {test.load, run_dynamic_test(test, follow)};
+}
+
+}  // namespace
+
+std::string name_of(Load load) {
+  return load == Load::shear ? "shear" : "bulk";
+}
+
+DynamicTest make_test(const Study& study, const Stage& stage, const Microstructure& microstructure, Load load,
+                      int threads) {
+  std::vector<Material> materials = {stage.matrix};
+  if (stage.filler) materials.push_back(stage.filler->material);
+  return {.discretisation = discretise(microstructure, stage.cells),
+          .materials = std::move(materials),
+          .load = load,
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .options = study.tests.dynamic,
+          .threads = threads};
+}
+
+StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
+  make_directory(directory);
+  StudyResult result;
+  for (const auto& stage : study.stages) {
+    result.stages.push_back(pack_stage(stage, directory / stage.name, observer));
+    write_provenance(directory, study, result);
+  }
+  return result;
+}
+
+StudyResult run_study(const Study& study, const fs::path& directory, int threads, const StudyObserver& observer) {
+  // Not after an hour of work.
+  require_gnuplot();
+  make_directory(directory);
+  StudyResult result;
+  for (const auto& stage : study.stages) {
+    const auto stage_directory = directory / stage.name;
+    result.stages.push_back(pack_stage(stage, stage_directory, observer));
+    auto& done = result.stages.back();
+    for (const auto load : study.tests.loads) {
+      const auto test = make_test(study, stage, done.microstructure.microstructure, load, threads);
+      done.tests.push_back(run_test(study, stage, stage_directory, test, observer));
+      write_curves(directory, result);
+      write_provenance(directory, study, result);
+    }
+    write_fields(stage_directory, stage, done.tests.front().dynamic.fields);
+    write_plot(stage_directory, study, stage, done);
+  }
+  return result;
+}
+
+}  // namespace breccia
