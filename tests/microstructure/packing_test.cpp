@@ -179,13 +179,10 @@ class PackDensest : public ::testing::TestWithParam<DensestPacking> {};
 
 TEST_P(PackDensest, IsReachedAndNotPassed) {
   const auto& [discs, walls, diameter] = GetParam();
-  EXPECT_EQ(pack<2>({1.0, walls, std::vector<double>(discs, 0.9999 * diameter)}).balls.size(), discs);
-  // 1 / 1.01 = 0.990099
-  expect_error<NumericalError>(
-      [&] {
-        return pack<2>({1.0, walls, std::vector<double>(discs, 1.01 * diameter)});
-      },
-      "jam at 99.01 %");
+  const PackingRequest smaller{1.0, walls, std::vector<double>(discs, 0.9999 * diameter)};
+  EXPECT_EQ(pack<2>(smaller).balls.size(), discs);
+  const PackingRequest larger{1.0, walls, std::vector<double>(discs, 1.01 * diameter)};
+  expect_error<NumericalError>([&] { return pack<2>(larger); }, "jam at 99.01 %");  // 1 / 1.01
 }
 
 /// From the largest smallest distance of points in a unit square to the largest diameter of discs in one.

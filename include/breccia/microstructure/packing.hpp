@@ -23,7 +23,7 @@ struct PackingRequest {
 /// How far a packing has come.
 struct PackingProgress {
   std::uint64_t events;      ///< collisions and other events so far
-  double fraction;           ///< volume fraction of the particles at their present size
+  double fraction;           ///< volume fraction of the particles at their present size; falls when a jam is loosened
   double fraction_to_reach;  ///< and at their final size
 };
 /// Called now and then; packing goes on while it returns true.
