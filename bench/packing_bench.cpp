@@ -59,7 +59,7 @@ std::vector<Case> cases() {
       counted("lognormal 10:1, periodic", lognormal(3e-6, 30e-6), 0.85, 10000, Walls::periodic),
       counted("lognormal 100:1, walls", lognormal(1e-6, 100e-6), 0.85, 10000, Walls::hard),
       counted("lognormal 10:1, walls", lognormal(3e-6, 30e-6), 0.80, 100000, Walls::hard),
-      counted("impossible: equal, periodic", equal, 0.89, 1000, Walls::periodic),
+      counted("equal, walls, impossible", equal, 0.90, 1000, Walls::hard),
   };
 }
 

@@ -12,6 +12,8 @@ namespace breccia {
 
 namespace {
 constexpr std::uint64_t events_per_ball_and_epoch = 20;
+// Balls part at least this fast, or roundoff could make them touch again at once and for ever.
+constexpr double least_parting_speed = 1e-9;
 
 /// Uniform in [0, 1), the same on every platform.
 double uniform(std::mt19937_64& engine) {
@@ -152,7 +154,8 @@ void GrowingBalls<dim>::collide(Body& body, Body& partner, Image image) noexcept
   for (double& n : normal) n /= distance;
   const double parting = dot(difference(partner.velocity, body.velocity), normal);
   const double growth = rate_ * (body.radius + partner.radius);
-  const double change = 2.0 * std::max(0.0, growth - parting);
+  const double meeting = growth - parting;
+  const double change = meeting + std::max(meeting, least_parting_speed);
   const double share = partner.mass / (body.mass + partner.mass);
   body.velocity = displaced(body.velocity, -change * share, normal);
   partner.velocity = displaced(partner.velocity, change * (1.0 - share), normal);

@@ -13,7 +13,7 @@
 namespace breccia {
 
 /// Hard balls that move freely, collide, and grow in proportion to their final size: the molecular dynamics of
-/// Lubachevsky and Stillinger (1990), event by event. Lengths are in any one unit; speeds are of order one.
+/// Lubachevsky and Stillinger (1990), event by event. Lengths are in mean final diameters; speeds are of order one.
 ///
 /// Time passes in epochs. Between two epochs all balls are at one time, the clock is set back to zero (so it loses no
 /// digits), the heat of the growth is taken out, and the neighbour lists are made for the growth to come.
@@ -28,8 +28,8 @@ class GrowingBalls {
   [[nodiscard]] std::uint64_t events() const noexcept { return events_; }
   [[nodiscard]] const Vector<dim>& centre(std::size_t ball) const noexcept { return bodies_[ball].position; }
 
-  /// One epoch: the scale grows at `rate` (per time) until it is exactly 1 or some twenty events have come to each
-  /// ball.
+  /// One epoch: the scale grows at `rate` (per time) until it is exactly 1, or has grown by more than a tenth, or some
+  /// twenty events have come to each ball.
   void grow(double rate);
   /// Makes the balls smaller by a factor.
   void shrink(double factor) noexcept { scale_ *= factor; }

@@ -21,9 +21,9 @@ namespace {
 
 // Balls are packed larger by this share, so that the gap is kept in spite of roundoff.
 constexpr double margin = 1e-9;
-// A jammed packing is loosened a little and grown again at these shares of the growth rate asked for.
-constexpr std::array slower = {1.0, 0.2, 0.04};
-constexpr double loosening = 0.97;
+// A jammed packing is shrunk until it is a fluid, and grown again at these shares of the growth rate asked for.
+constexpr std::array growth_rate_shares = {1.0, 0.2, 0.04};
+constexpr double shrinkage = 0.7;
 
 void require_meaning(const PackingRequest& request) {
   if (!(request.side > 0.0) || !std::isfinite(request.side)) {
@@ -38,9 +38,9 @@ void require_meaning(const PackingRequest& request) {
   if (!(request.minimum_gap >= 0.0) || !std::isfinite(request.minimum_gap)) {
     throw InputError(fmt::format("packing: the gap must be finite and not negative, got {} m", request.minimum_gap));
   }
-  if (!(request.growth_rate > 0.0 && request.growth_rate <= 10.0)) {
+  if (!(request.growth_rate > 0.0 && request.growth_rate <= 1.0)) {
     throw InputError(
-        fmt::format("packing: the growth rate must be above 0 and at most 10, got {}", request.growth_rate));
+        fmt::format("packing: the growth rate must be above 0 and at most 1, got {}", request.growth_rate));
   }
 }
 
@@ -102,10 +102,10 @@ template <int dim>
 void grow(GrowingBalls<dim>& balls, const PackingRequest& request, const PackingWatch& watch) {
   const double final_fraction = fraction<dim>(request, 0.0);
   double largest_scale = 0.0;
-  for (const double share : slower) {
+  for (const double share : growth_rate_shares) {
     if (grow_until_jammed(balls, share * request.growth_rate, final_fraction, watch)) return;
     largest_scale = std::max(largest_scale, balls.scale());
-    balls.shrink(loosening);
+    balls.shrink(shrinkage);
   }
   throw NumericalError(fmt::format(
       "packing: {} particles jam at {:.2f} % of their diameters, at a fraction of {:.4g} and a gap of {:.4g} m "

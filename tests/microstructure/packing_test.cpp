@@ -164,15 +164,42 @@ TEST(Packing, RefusesWhatIsKnownToBeImpossible) {
 }
 
 TEST(Packing, ImpossibleRequestsEndWithWhatWasReached) {
-  // no two discs in a square have more than 2 pi / (2 + sqrt 2)^2 = 0.5390
-  expect_error<NumericalError>([] { return pack<2>(equal(2, 0.545, Walls::hard)); }, "2 particles jam at 99.4");
   expect_error<NumericalError>([] { return pack<2>(equal(100, 0.905, Walls::hard)); }, "100 particles jam at 9",
                                "0.905");
 }
 
-TEST(Packing, ReachesTheDensestPackingOfTwoDiscs) {
-  EXPECT_EQ(pack<2>(equal(2, 0.5389, Walls::hard)).balls.size(), 2U);
+/// The largest diameter [sides of the box] that a few equal discs can have, as proven.
+struct DensestPacking {
+  std::size_t discs;
+  Walls walls;
+  double diameter;
+};
+
+class PackDensest : public ::testing::TestWithParam<DensestPacking> {};
+
+TEST_P(PackDensest, IsReachedAndNotPassed) {
+  const auto& [discs, walls, diameter] = GetParam();
+  const PackingRequest smaller{1.0, walls, std::vector<double>(discs, 0.9999 * diameter)};
+  EXPECT_EQ(pack<2>(smaller).balls.size(), discs);
+  const PackingRequest larger{1.0, walls, std::vector<double>(discs, 1.01 * diameter)};
+  expect_error<NumericalError>([&] { return pack<2>(larger); }, "jam at 99.01 %");  // 1 / 1.01
 }
+
+/// From the largest smallest distance of points in a unit square to the largest diameter of discs in one.
+double in_square(double distance) {
+  return distance / (1.0 + distance);
+}
+
+INSTANTIATE_TEST_SUITE_P(Square, PackDensest,
+                         ::testing::Values(DensestPacking{2, Walls::hard, in_square(std::sqrt(2.0))},
+                                           DensestPacking{3, Walls::hard, in_square(std::sqrt(6.0) - std::sqrt(2.0))},
+                                           DensestPacking{4, Walls::hard, in_square(1.0)},
+                                           DensestPacking{5, Walls::hard, in_square(std::sqrt(0.5))}));
+INSTANTIATE_TEST_SUITE_P(Torus, PackDensest,
+                         ::testing::Values(DensestPacking{2, Walls::periodic, std::sqrt(0.5)},
+                                           DensestPacking{3, Walls::periodic, 0.5 * (std::sqrt(6.0) - std::sqrt(2.0))},
+                                           DensestPacking{4, Walls::periodic,
+                                                          0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}));
 
 TEST(Packing, BadArguments) {
   const std::vector<double> one = {1e-4};

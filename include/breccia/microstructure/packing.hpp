@@ -15,15 +15,15 @@ struct PackingRequest {
   std::vector<double> diameters;  ///< [m]
   double minimum_gap = 0.0;       ///< between surfaces [m]; half of it to a hard wall
   std::uint64_t seed = 1;         ///< the same seed gives the same packing
-  /// Speed at which particles of mean diameter grow in diameter, in units of the speed at which they move. A packing
-  /// that jams early is tried again, more slowly. Slow growth packs denser and takes longer.
+  /// Speed at which particles of mean diameter grow in diameter, in units of the speed at which they move; at most 1. A
+  /// packing that jams early is tried again, more slowly. Slow growth packs denser and takes longer.
   double growth_rate = 0.1;
 };
 
 /// How far a packing has come.
 struct PackingProgress {
   std::uint64_t events;      ///< collisions and other events so far
-  double fraction;           ///< volume fraction of the particles at their present size
+  double fraction;           ///< volume fraction of the particles at their present size; falls when a jam is loosened
   double fraction_to_reach;  ///< and at their final size
 };
 /// Called now and then; packing goes on while it returns true.
