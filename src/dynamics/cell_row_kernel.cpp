@@ -89,7 +89,7 @@ BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Mod
 /// Sums over the four points of a cell of one material in closed form (theory, Eq. 7).
 template <bool averaged>
 BRECCIA_INLINE Modes uniform_forces(const Modes& s, const VolumeModes& p) {
-  Modes force;
+  Modes force{};
   force.xx = 4.0 * (p.centre + (4.0 / 3.0) * s.xx - (2.0 / 3.0) * s.yy);
   force.yy = 4.0 * (p.centre + (4.0 / 3.0) * s.yy - (2.0 / 3.0) * s.xx);
   force.xy = 4.0 * s.xy;
@@ -113,7 +113,9 @@ BRECCIA_INLINE void add_shared_forces(Modes& force, const Share& share, const Mo
   Bits points;
   for (int lane = 0; lane < lanes; ++lane) points[lane] = share.points[lane];
   for (int point = 0; point < 4; ++point) {
-    const Bits mask = (points & (1LL << point)) != 0;
+    Bits bit{};
+    for (int lane = 0; lane < lanes; ++lane) bit[lane] = 1LL << point;
+    const Bits mask = (points & bit) != Bits{};
     const double x = (point & 1) != 0 ? 0.25 : -0.25;
     const double y = (point & 2) != 0 ? 0.25 : -0.25;
     const Pack exx = s.xx + y * s.qu;

@@ -36,8 +36,8 @@ struct MaterialStep {
 /// The points of a block that are of one material; bit p of points[lane] stands for point p of that cell.
 struct Share {
   const MaterialStep* material;
-  double* history;  ///< terms x modes x lanes, or nullptr where the material is elastic
-  std::uint8_t points[lanes];
+  double* history;             ///< terms x modes x lanes, or nullptr where the material is elastic
+  std::uint8_t points[lanes];  // NOLINT(modernize-avoid-c-arrays): see above
 };
 
 /// Eight neighbouring cells of a row.

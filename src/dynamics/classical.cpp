@@ -64,7 +64,7 @@ Classical::Classical(DynamicProblem given, int threads)
         point.material = material;
         point.cell = row * grid.columns + column;
         point.history = history;
-        point.lattice = static_cast<std::size_t>((2 * row + p / 2) * 2 * grid.columns + 2 * column + p % 2);
+        point.lattice = grid.point_index(column, row, p);
         history += 3 * materials_[material].shear_terms.size() + materials_[material].bulk_terms.size();
         points_.push_back(point);
       }
@@ -72,7 +72,7 @@ Classical::Classical(DynamicProblem given, int threads)
   }
   initial_area_ = point_area * static_cast<double>(points_.size());
   history_.assign(history, 0.0);
-  nodes_.resize(static_cast<std::size_t>(grid.columns + 1) * static_cast<std::size_t>(grid.rows + 1));
+  nodes_.resize(grid.nodes());
   cell_pressure_.resize(grid.cells());
   sort_points();
 }
@@ -136,7 +136,7 @@ void Classical::for_nodes(Action&& action) {
 #pragma omp parallel for num_threads(threads_)
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column) {
-      action(nodes_[static_cast<std::size_t>(row * (grid.columns + 1) + column)], column, row);
+      action(nodes_[grid.node_index(column, row)], column, row);
     }
   }
 }
@@ -147,7 +147,7 @@ void Classical::for_points_around(int node_column, int node_row, Visit&& visit) 
   for (int node = 3; node >= 0; --node) {
     const int column = node_column - (node & 1), row = node_row - (node >> 1);
     if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
-    const auto cell = static_cast<std::size_t>(row * grid.columns + column);
+    const auto cell = grid.cell_index(column, row);
     for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
       visit(points_[p], shape(static_cast<std::size_t>(node), points_[p].local));
     }

@@ -9,13 +9,12 @@ namespace breccia::dynamics {
 
 std::vector<double> nodal_masses(const DynamicProblem& problem) {
   const auto& grid = problem.discretisation.grid();
-  const auto width = static_cast<std::size_t>(grid.columns) + 1;
   const double point_area = 0.25 * grid.cell_side * grid.cell_side;
-  std::vector<double> masses(width * (static_cast<std::size_t>(grid.rows) + 1), 0.0);
+  std::vector<double> masses(grid.nodes(), 0.0);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
-      const auto corner = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-      const std::array<std::size_t, 4> nodes = {corner, corner + 1, corner + width, corner + width + 1};
+      const std::array<std::size_t, 4> nodes = {grid.node_index(column, row), grid.node_index(column + 1, row),
+                                                grid.node_index(column, row + 1), grid.node_index(column + 1, row + 1)};
       for (int p = 0; p < points_per_cell; ++p) {
         const auto material = problem.discretisation.cell(column, row)[static_cast<std::size_t>(p)];
         if (material == no_material) continue;

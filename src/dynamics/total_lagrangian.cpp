@@ -192,10 +192,12 @@ Vector<2> TotalLagrangian::momentum() const {
 }
 
 CellVector TotalLagrangian::cell_values(int column, int row, int first_field) const {
-  const double* x[2] = {field(row, first_field) + column, field(row + 1, first_field) + column};
-  const double* y[2] = {field(row, first_field + 1) + column, field(row + 1, first_field + 1) + column};
+  const double* x0 = field(row, first_field) + column;
+  const double* y0 = field(row, first_field + 1) + column;
+  const double* x1 = field(row + 1, first_field) + column;
+  const double* y1 = field(row + 1, first_field + 1) + column;
   CellVector values;
-  values << x[0][0], y[0][0], x[0][1], y[0][1], x[1][0], y[1][0], x[1][1], y[1][1];
+  values << x0[0], y0[0], x0[1], y0[1], x1[0], y1[0], x1[1], y1[1];
   return values;
 }
 
@@ -229,7 +231,6 @@ Energy TotalLagrangian::energy() const {
 PointFields TotalLagrangian::fields() const {
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();
-  const auto width = 2 * static_cast<std::size_t>(grid.columns);
   PointFields fields;
   fields.material.resize(discretisation.points());
   fields.displacement.resize(discretisation.points());
@@ -240,8 +241,7 @@ PointFields TotalLagrangian::fields() const {
       const CellVector u = cell_values(column, row, 0);
       for (int p = 0; p < points_per_cell; ++p) {
         const auto material = discretisation.cell(column, row)[static_cast<std::size_t>(p)];
-        const auto point = (2 * static_cast<std::size_t>(row) + static_cast<std::size_t>(p / 2)) * width +
-                           2 * static_cast<std::size_t>(column) + static_cast<std::size_t>(p % 2);
+        const auto point = grid.point_index(column, row, p);
         fields.material[point] = material;
         if (material == no_material) continue;
         const auto weights = node_weights(p);

@@ -41,8 +41,8 @@ class TotalLagrangian final : public DynamicSolver {
   };
   /// A thread's rows of cells, [first, end), and its forces.
   struct Band {
-    int first;
-    int end;
+    int first = 0;
+    int end = 0;
     ForceRow lowest;   ///< of the first row of cells on the nodes below it
     ForceRow bottom;   ///< of the present row of cells on the nodes below it
     ForceRow top;      ///< of the present row of cells on the nodes above it

@@ -23,6 +23,13 @@ double modulus_at(const TimeDomain& domain, double time, int points_per_decade) 
 }  // namespace
 
 Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, int points_per_decade) {
+  for (std::size_t i = 0; i + 1 < domains.size(); ++i) {
+    if (domains[i + 1].window.begin > domains[i].window.end) {
+      throw NumericalError(fmt::format(
+          "time domains: none is valid between {:.3e} and {:.3e} s; give density factors whose windows overlap",
+          domains[i].window.end, domains[i + 1].window.begin));
+    }
+  }
   Curve curve;
   for (const double time : logarithmic_times(times, points_per_decade)) {
     const auto valid = [&](const TimeDomain& domain) { return contains(domain.window, time); };

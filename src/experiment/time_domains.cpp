@@ -1,5 +1,6 @@
 #include "breccia/experiment/time_domains.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -29,6 +30,11 @@ DomainSequence::DomainSequence(DomainRules rules, double modulus)
   }
 }
 
+double DomainSequence::last_time() const {
+  if (!rules_.density_factors.empty()) return rules_.times.end;
+  return std::min(rules_.times.end, rules_.longest * expected_begin_);
+}
+
 std::optional<double> DomainSequence::next_factor() const {
   if (rules_.density_factors.empty()) return rising_ ? factor_ * rules_.factor_ratio : factor_ / rules_.factor_ratio;
   if (given_ + 1 < rules_.density_factors.size()) return rules_.density_factors[given_ + 1];
@@ -55,7 +61,7 @@ bool DomainSequence::observe(double time, double modulus) {
     return time < rules_.overlap * *next_admissible_;
   }
   next_admissible_.reset();
-  return time < rules_.longest * window_->begin || !rules_.density_factors.empty();
+  return time < last_time();
 }
 
 void DomainSequence::advance() {

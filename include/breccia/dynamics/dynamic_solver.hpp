@@ -35,6 +35,8 @@ class DynamicSolver {
   virtual ~DynamicSolver() = default;
   DynamicSolver(const DynamicSolver&) = delete;
   DynamicSolver& operator=(const DynamicSolver&) = delete;
+  DynamicSolver(DynamicSolver&&) = delete;
+  DynamicSolver& operator=(DynamicSolver&&) = delete;
 
   /// Takes steps and appends, for each, the volume-averaged stress [Pa per unit load] at the time where the step
   /// begins. Throws NumericalError when the stress is no longer finite.

@@ -19,7 +19,7 @@ struct DynamicTest {
   Load load = Load::shear;
   TimeWindow times;            ///< wanted [s]
   int points_per_decade = 20;  ///< of the stitched curve
-  DynamicOptions options;
+  DynamicOptions options = {};
   int threads = 0;  ///< 0: all
 };
 
@@ -64,7 +64,7 @@ struct DynamicProgress {
 /// Called now and then; may throw Interrupted.
 using ReportProgress = std::function<void(const DynamicProgress&)>;
 
-/// What a test will take, from an estimate of the composite's modulus (the lower bound of Hashin and Shtrikman).
+/// What a test will take, from an estimate of the composite's modulus (the lower bound of Hashin).
 struct DynamicPlan {
   std::vector<TimeDomain> domains;  ///< without histories and wall times
   std::size_t bytes = 0;            ///< memory of the largest run, about

@@ -19,7 +19,7 @@ struct DomainRules {
   std::vector<double> density_factors;  ///< given, rising; empty: chosen
   double factor_ratio = 10.0;           ///< of neighbouring factors where they are chosen
   double overlap = 1.5;                 ///< ratio of times that neighbouring windows share
-  double longest = 100.0;               ///< largest ratio of times within one window
+  double longest = 100.0;               ///< largest ratio of times in one domain, from where it is expected to be valid
 
   /// Largest density factor with which a run is valid at a time when the composite's shear modulus is `modulus` [Pa]:
   /// s = (t / 6 L)^2 G(t) / density (theory, Eq. 14).
@@ -41,6 +41,8 @@ class DomainSequence {
   [[nodiscard]] double density_factor() const noexcept { return factor_; }
   /// Where the present domain is expected to become valid [s].
   [[nodiscard]] double expected_begin() const noexcept { return expected_begin_; }
+  /// Time [s] that the present domain will not go beyond.
+  [[nodiscard]] double last_time() const;
   /// Where the present domain has been found valid so far; empty before.
   [[nodiscard]] std::optional<TimeWindow> window() const noexcept { return window_; }
 

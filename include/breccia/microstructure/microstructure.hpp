@@ -7,11 +7,11 @@
 namespace breccia {
 
 /// A position or displacement in `dim` dimensions [m].
-template <std::size_t dim>
-using Vector = std::array<double, dim>;
+template <int dim>
+using Vector = std::array<double, static_cast<std::size_t>(dim)>;
 
 /// A ball: a disc in 2D, a sphere in 3D.
-template <std::size_t dim>
+template <int dim>
 struct Ball {
   Vector<dim> centre;  ///< [m]
   double diameter;     ///< [m]
@@ -19,7 +19,7 @@ struct Ball {
   /// Is the point inside or on the surface?
   [[nodiscard]] bool contains(const Vector<dim>& point) const noexcept {
     double squared_distance = 0.0;
-    for (std::size_t d = 0; d < dim; ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
+    for (std::size_t d = 0; d < centre.size(); ++d) squared_distance += (point[d] - centre[d]) * (point[d] - centre[d]);
     return 4.0 * squared_distance <= diameter * diameter;
   }
 

@@ -19,6 +19,22 @@ struct Grid {
   [[nodiscard]] std::size_t cells() const noexcept {
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   }
+  [[nodiscard]] std::size_t nodes() const noexcept {
+    return (static_cast<std::size_t>(columns) + 1) * (static_cast<std::size_t>(rows) + 1);
+  }
+  /// Indices in lists that hold cells or nodes row by row, from the lower left corner.
+  [[nodiscard]] std::size_t cell_index(int column, int row) const noexcept {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] std::size_t node_index(int column, int row) const noexcept {
+    return static_cast<std::size_t>(row) * (static_cast<std::size_t>(columns) + 1) + static_cast<std::size_t>(column);
+  }
+  /// Index of a point in lists that hold the rows of the lattice of points, two to a row of cells.
+  [[nodiscard]] std::size_t point_index(int column, int row, int point) const noexcept {
+    const auto lattice_row = 2 * static_cast<std::size_t>(row) + static_cast<std::size_t>(point / 2);
+    const auto lattice_column = 2 * static_cast<std::size_t>(column) + static_cast<std::size_t>(point % 2);
+    return lattice_row * 2 * static_cast<std::size_t>(columns) + lattice_column;
+  }
   [[nodiscard]] double area() const noexcept { return static_cast<double>(cells()) * cell_side * cell_side; }
 
   friend bool operator==(const Grid&, const Grid&) = default;
@@ -50,7 +66,9 @@ class Discretisation {
   [[nodiscard]] const Grid& grid() const noexcept { return grid_; }
   [[nodiscard]] std::size_t points() const noexcept { return cells_.size() * points_per_cell; }
 
-  [[nodiscard]] const CellMaterials& cell(int column, int row) const noexcept { return cells_[index(column, row)]; }
+  [[nodiscard]] const CellMaterials& cell(int column, int row) const noexcept {
+    return cells_[grid_.cell_index(column, row)];
+  }
   [[nodiscard]] const std::vector<CellMaterials>& cells() const noexcept { return cells_; }
 
   /// Position of a point of a cell [m].
@@ -74,15 +92,11 @@ class Discretisation {
     int end;
   };
 
-  [[nodiscard]] std::size_t index(int column, int row) const noexcept {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(grid_.columns) + static_cast<std::size_t>(column);
-  }
-
   template <class Inside>
   void paint_range(Range columns, Range rows, Inside&& inside, MaterialIndex material) {
     for (int row = rows.begin; row < rows.end; ++row) {
       for (int column = columns.begin; column < columns.end; ++column) {
-        auto& cell = cells_[index(column, row)];
+        auto& cell = cells_[grid_.cell_index(column, row)];
         for (std::size_t p = 0; p < points_per_cell; ++p) {
           if (inside(position(column, row, static_cast<int>(p)))) cell[p] = material;
         }

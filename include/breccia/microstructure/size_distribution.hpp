@@ -1,0 +1,67 @@
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace breccia {
+
+/// One part of a mixture of lognormal distributions.
+struct LognormalComponent {
+  double weight;  ///< its share of the volume, relative to the other weights
+  double median;  ///< [m]
+  double sigma;   ///< standard deviation of the logarithm of the diameter [-]
+};
+
+/// Distribution of particle diameters by volume (in 2D: by area): F(d) is the share of the volume that is in particles
+/// of diameter d and less. All functions throw InputError on arguments that make no distribution.
+class SizeDistribution {
+ public:
+  /// All particles have one diameter [m].
+  [[nodiscard]] static SizeDistribution monodisperse(double diameter);
+  /// A sum of lognormal distributions, its weights made to sum to 1.
+  [[nodiscard]] static SizeDistribution lognormal_mixture(std::vector<LognormalComponent> components);
+  /// Points of F: strictly rising diameters [m], and F there, rising from 0 to 1. Between them F is linear in log d.
+  [[nodiscard]] static SizeDistribution tabulated(std::vector<double> diameters, std::vector<double> cumulative);
+
+  /// The particles of diameter `from` to `to` [m] alone, their volume scaled to 1.
+  [[nodiscard]] SizeDistribution truncated(double from, double to) const;
+
+  /// F(d), d in [m].
+  [[nodiscard]] double cumulative(double diameter) const;
+  /// The smallest d [m] with F(d) >= p, 0 <= p <= 1. Infinite for the largest of a lognormal that is not truncated.
+  [[nodiscard]] double quantile(double p) const;
+  /// Bounds of the diameters [m]: 0 and infinity for a lognormal that is not truncated.
+  [[nodiscard]] double smallest() const noexcept { return smallest_; }
+  [[nodiscard]] double largest() const noexcept { return largest_; }
+
+ private:
+  struct Single {
+    double diameter;
+  };
+  using Mixture = std::vector<LognormalComponent>;
+  struct Table {
+    std::vector<double> diameters, cumulative;
+  };
+  using Law = std::variant<Single, Mixture, Table>;
+
+  SizeDistribution(Law law, double smallest, double largest);
+  [[nodiscard]] double untruncated(double diameter) const;
+
+  Law law_;
+  double smallest_;
+  double largest_;
+  double below_ = 0.0;   // share of the law below `smallest_`
+  double within_ = 1.0;  // share of the law from `smallest_` to `largest_`
+};
+
+/// Diameters [m], from the largest down, of discs that fill `fraction` of a square of this side [m] and follow the
+/// distribution as closely as whole discs can: each sits at the middle of its own slice of the cumulative area, so the
+/// drawn distribution and the total area agree with what was asked within one disc. Uses no random numbers.
+/// Throws InputError if a bound of the distribution is 0 or infinite, or if not even one disc is to be drawn.
+[[nodiscard]] std::vector<double> draw_diameters(const SizeDistribution& distribution, double fraction, double side);
+
+/// Largest difference between the distribution and that of discs with these diameters [m], both by area.
+[[nodiscard]] double largest_deviation(const SizeDistribution& distribution, std::span<const double> diameters);
+
+}  // namespace breccia

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact_time.hpp"
+
+namespace breccia {
+
+/// The next event of every ball, and the first of them: a four-ary heap of (time, ball) that knows where each ball is.
+class EventQueue {
+ public:
+  explicit EventQueue(std::size_t balls) : heap_(balls), place_(balls) {
+    for (std::uint32_t ball = 0; ball < balls; ++ball) {
+      heap_[ball] = {never, ball};
+      place_[ball] = ball;
+    }
+  }
+
+  [[nodiscard]] std::uint32_t first() const noexcept { return heap_.front().ball; }
+
+  void set(std::uint32_t ball, double time) noexcept {
+    const std::size_t place = place_[ball];
+    if (time < heap_[place].time) {
+      rise(place, {time, ball});
+    } else {
+      sink(place, {time, ball});
+    }
+  }
+
+ private:
+  static constexpr std::size_t arity = 4;
+  struct Item {
+    double time;
+    std::uint32_t ball;
+  };
+
+  void put(std::size_t place, const Item& item) noexcept {
+    heap_[place] = item;
+    place_[item.ball] = static_cast<std::uint32_t>(place);
+  }
+
+  void rise(std::size_t place, const Item& item) noexcept {
+    while (place > 0) {
+      const std::size_t parent = (place - 1) / arity;
+      if (!(item.time < heap_[parent].time)) break;
+      put(place, heap_[parent]);
+      place = parent;
+    }
+    put(place, item);
+  }
+
+  void sink(std::size_t place, const Item& item) noexcept {
+    for (std::size_t child = arity * place + 1; child < heap_.size(); child = arity * place + 1) {
+      const std::size_t end = child + arity < heap_.size() ? child + arity : heap_.size();
+      std::size_t earliest = child;
+      for (++child; child < end; ++child) {
+        if (heap_[child].time < heap_[earliest].time) earliest = child;
+      }
+      if (!(heap_[earliest].time < item.time)) break;
+      put(place, heap_[earliest]);
+      place = earliest;
+    }
+    put(place, item);
+  }
+
+  std::vector<Item> heap_;
+  std::vector<std::uint32_t> place_;  // of each ball in the heap
+};
+
+}  // namespace breccia

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "breccia/microstructure/microstructure.hpp"
+
+#include "event_queue.hpp"
+#include "neighbour_lists.hpp"
+#include "periodic_images.hpp"
+
+namespace breccia {
+
+/// Hard balls that move freely, collide, and grow in proportion to their final size: the molecular dynamics of
+/// Lubachevsky and Stillinger (1990), event by event. Lengths are in any one unit; speeds are of order one.
+///
+/// Time passes in epochs. Between two epochs all balls are at one time, the clock is set back to zero (so it loses no
+/// digits), the heat of the growth is taken out, and the neighbour lists are made for the growth to come.
+template <int dim>
+class GrowingBalls {
+ public:
+  /// Points at random places with random velocities. `diameters` are the final ones, at scale 1.
+  GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed);
+
+  /// Present size of the balls, as a share of the final one.
+  [[nodiscard]] double scale() const noexcept { return scale_; }
+  [[nodiscard]] std::uint64_t events() const noexcept { return events_; }
+  [[nodiscard]] const Vector<dim>& centre(std::size_t ball) const noexcept { return bodies_[ball].position; }
+
+  /// One epoch: the scale grows at `rate` (per time) until it is exactly 1 or some twenty events have come to each
+  /// ball.
+  void grow(double rate);
+  /// Makes the balls smaller by a factor.
+  void shrink(double factor) noexcept { scale_ *= factor; }
+
+ private:
+  using Image = typename PeriodicImages<dim>::Image;
+  struct Body {  // one cache line in 2D
+    Vector<dim> position;
+    Vector<dim> velocity;
+    double time;    // at which the ball is at `position`
+    double radius;  // at scale 1
+    double mass;
+    double next_event;  // time
+  };
+  enum class EventKind : std::uint8_t {
+    none,       // the partner has found another: look again
+    contact,    // with another ball
+    low_wall,   // at 0
+    high_wall,  // at the side
+    leave       // its domain
+  };
+  struct Event {
+    EventKind kind = EventKind::none;
+    std::uint32_t partner = 0;  // ball or axis
+    Image image = 0;            // in which the partner is seen
+  };
+
+  void cool();
+  void make_lists(double largest_scale);
+  void predict_all();
+  void synchronise(double time);
+  void handle(std::uint32_t ball);
+  Event take_event(std::uint32_t ball) noexcept;
+  void advance(Body& body) noexcept;
+  void collide(Body& body, Body& partner, Image image) noexcept;
+  void bounce(Body& body, const Event& event) noexcept;
+  void wrap(Vector<dim>& position) const noexcept;
+  void predict(std::uint32_t ball);
+  void predict_walls(const Body& body, Event& event, double& time) const noexcept;
+  void schedule(std::uint32_t ball, const Event& event, double time);
+
+  double side_;
+  Walls walls_;
+  PeriodicImages<dim> images_;
+  std::vector<Body> bodies_;
+  std::vector<Event> next_;
+  EventQueue queue_;
+  NeighbourLists<dim> lists_;
+  double now_ = 0.0;
+  double skin_ = 0.0;   // how far a ball may go from the anchor of its domain
+  double scale_ = 0.0;  // at time 0
+  double rate_ = 0.0;   // of the scale
+  std::uint64_t events_ = 0;
+  std::uint64_t events_per_epoch_;
+};
+
+}  // namespace breccia

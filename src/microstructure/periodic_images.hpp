@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "breccia/microstructure/microstructure.hpp"
+
+namespace breccia {
+
+/// The 3^dim copies of a periodic box around and including itself. An image is a number: its digits in base 3 say, axis
+/// by axis, whether the copy lies one side below (0), in place (1) or one side above (2).
+template <int dim>
+class PeriodicImages {
+ public:
+  using Image = std::uint32_t;
+  static constexpr Image count = dim == 2 ? 9 : 27;
+  static constexpr Image in_place = (count - 1) / 2;
+  [[nodiscard]] static constexpr Image opposite(Image image) noexcept { return count - 1 - image; }
+
+  explicit PeriodicImages(double side) {
+    for (Image image = 0; image < count; ++image) {
+      Image digits = image;
+      for (double& shift : shifts_[image]) {
+        shift = (static_cast<double>(digits % 3) - 1.0) * side;
+        digits /= 3;
+      }
+    }
+  }
+
+  /// From a point to its image [m].
+  [[nodiscard]] const Vector<dim>& shift(Image image) const noexcept { return shifts_[image]; }
+
+ private:
+  std::array<Vector<dim>, count> shifts_;
+};
+
+/// The coordinate of the image inside [0, side).
+[[nodiscard]] inline double wrapped(double coordinate, double side) noexcept {
+  const double inside = coordinate - side * std::floor(coordinate / side);
+  return inside < side ? inside : 0.0;
+}
+
+}  // namespace breccia

@@ -1,0 +1,162 @@
+#include "breccia/experiment/dynamic_test.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+// Table 1 of the paper.
+const Material binder = {"binder", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})};
+const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
+
+/// The paper's Fig. 2: a box of 6 mm with four discs of 2 mm.
+Discretisation model_composite(int cells) {
+  Microstructure four_discs = {6e-3, Walls::hard, {}};
+  for (const double x : {1.5e-3, 4.5e-3}) {
+    for (const double y : {1.5e-3, 4.5e-3}) four_discs.discs.push_back({{x, y}, 2e-3});
+  }
+  return discretise(four_discs, cells);
+}
+
+DynamicTest relaxation(Discretisation discretisation, std::vector<Material> materials, TimeWindow times) {
+  return {.discretisation = std::move(discretisation), .materials = std::move(materials), .times = times};
+}
+
+double at(const Curve& curve, double time) {
+  return smoothed_at(curve, time, 20);
+}
+
+TEST(RunDynamicTest, HomogeneousBoxRelaxesAsItsMaterial) {
+  for (const auto start : {Start::boundary, Start::affine}) {
+    auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.05});
+    test.options.start = start;
+    const auto result = run_dynamic_test(test);
+    for (const auto& [time, modulus] : result.curve) {
+      EXPECT_NEAR(modulus / (0.5e6 * std::exp(-time / 0.01)), 1.0, 1e-3) << "at " << time;
+    }
+  }
+}
+
+TEST(RunDynamicTest, BulkLoadGivesThePlaneStrainBulkModulus) {
+  const Material relaxing_bulk = {"m", 1000.0, PronySeries(1e6, {{0.02, 3e6}}), PronySeries(0.1e6, {{0.01, 0.5e6}})};
+  auto test = relaxation(Discretisation({24, 24, 6e-3 / 24}), {relaxing_bulk}, {1e-3, 0.05});
+  test.load = Load::bulk;
+  for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
+    EXPECT_NEAR(modulus / (relaxing_bulk.bulk.at(time) + relaxing_bulk.shear.at(time) / 3.0), 1.0, 1e-3);
+  }
+}
+
+/// Quasi-static values of the model composite from an independent computation, standard points, 48 cells a side.
+struct Known {
+  double time;
+  double modulus;
+};
+constexpr std::array<Known, 5> known_standard_48 = {
+    {{1e-3, 0.841164e6}, {3e-3, 0.705966e6}, {1e-2, 0.392194e6}, {3e-2, 0.102588e6}, {5e-2, 0.0491607e6}}};
+
+class ModelComposite : public testing::TestWithParam<Start> {};
+
+TEST_P(ModelComposite, AgreesWithTheQuasiStaticLimit) {
+  auto test = relaxation(model_composite(48), {binder, particle}, {1e-3, 0.05});
+  test.options.volumetric = Volumetric::standard;
+  test.options.start = GetParam();
+  const auto result = run_dynamic_test(test);
+  for (const auto& [time, modulus] : known_standard_48) {
+    EXPECT_NEAR(at(result.curve, time) / modulus, 1.0, 0.01) << "at " << time;
+  }
+  EXPECT_GE(result.domains.size(), 2U);
+  for (const auto& overlap : result.overlaps) EXPECT_LT(overlap.mismatch, 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(BothStarts, ModelComposite, testing::Values(Start::boundary, Start::affine),
+                         [](const auto& chosen) {
+                           return std::string(chosen.param == Start::affine ? "Affine" : "Boundary");
+                         });
+
+TEST(RunDynamicTest, AveragedPointsAgreeWithTheQuasiStaticLimit) {
+  const auto result = run_dynamic_test(relaxation(model_composite(48), {binder, particle}, {1e-3, 0.05}));
+  constexpr std::array<Known, 3> known = {{{1e-3, 0.841293e6}, {1e-2, 0.390748e6}, {5e-2, 0.0457392e6}}};
+  for (const auto& [time, modulus] : known) EXPECT_NEAR(at(result.curve, time) / modulus, 1.0, 0.01) << "at " << time;
+}
+
+TEST(RunDynamicTest, GivenDensityFactorsAreUsed) {
+  auto test = relaxation(model_composite(24), {binder, particle}, {2e-3, 0.02});
+  test.options.density_factors = {1.0, 5.0};
+  const auto result = run_dynamic_test(test);
+  ASSERT_EQ(result.domains.size(), 2U);
+  EXPECT_EQ(result.domains[0].density_factor, 1.0);
+  EXPECT_EQ(result.domains[1].density_factor, 5.0);
+}
+
+TEST(RunDynamicTest, DensityFactorsThatStartTooLateAreRefused) {
+  auto test = relaxation(model_composite(24), {binder, particle}, {1e-4, 0.02});
+  test.options.density_factors = {1.0};
+  EXPECT_THROW(run_dynamic_test(test), NumericalError);
+}
+
+TEST(RunDynamicTest, ProgressMayInterrupt) {
+  const auto test = relaxation(model_composite(24), {binder, particle}, {1e-3, 0.05});
+  int calls = 0;
+  const auto stop = [&](const DynamicProgress& progress) {
+    EXPECT_GE(progress.share, 0.0);
+    if (++calls == 10) throw Interrupted("stop");
+  };
+  EXPECT_THROW(run_dynamic_test(test, stop), Interrupted);
+}
+
+TEST(RunDynamicTest, FieldsAverageToTheModulus) {
+  const auto result = run_dynamic_test(relaxation(model_composite(24), {binder, particle}, {1e-3, 4e-3}));
+  double stress = 0.0, strain = 0.0;
+  for (std::size_t p = 0; p < result.fields.stress.size(); ++p) {
+    stress += result.fields.stress[p][3] / static_cast<double>(result.fields.stress.size());
+    strain += 2.0 * result.fields.strain[p][2] / static_cast<double>(result.fields.stress.size());
+  }
+  EXPECT_NEAR(strain, 1.0, 1e-12);
+  EXPECT_NEAR(stress / result.domains.back().history.back().modulus, 1.0, 1e-3);
+}
+
+TEST(RunDynamicTest, RefusesWhatMakesNoSense) {
+  auto test = relaxation(model_composite(12), {binder, particle}, {1e-2, 1e-3});
+  EXPECT_THROW(run_dynamic_test(test), InputError);
+  test.times = {1e-3, 1e-2};
+  test.options.courant = 1.5;
+  EXPECT_THROW(run_dynamic_test(test), InputError);
+}
+
+TEST(PlanDynamicTest, HomogeneousPlanIsWhatIsRun) {
+  const auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.02});
+  const auto plan = plan_dynamic_test(test);
+  const auto result = run_dynamic_test(test);
+  ASSERT_EQ(plan.domains.size(), result.domains.size());
+  for (std::size_t i = 0; i < plan.domains.size(); ++i) {
+    EXPECT_DOUBLE_EQ(plan.domains[i].density_factor, result.domains[i].density_factor);
+    EXPECT_NEAR(static_cast<double>(plan.domains[i].steps) / static_cast<double>(result.domains[i].steps), 1.0, 0.05);
+  }
+  EXPECT_GT(plan.bytes, 0U);
+}
+
+TEST(EstimatedShearModulus, IsTheBoundOfHashinForTheModelComposite) {
+  const auto box = model_composite(200);
+  const double f = box.fractions(2)[1];
+  // Hashin (1965): G = Gm + f / (1 / (Gf - Gm) + (1 - f)(km + 2 Gm) / (2 Gm (km + Gm))).
+  const double gm = 0.5e6, gf = 18.8e6, km = 1e6 + gm / 3.0;
+  const double hashin = gm + f / (1.0 / (gf - gm) + (1.0 - f) * (km + 2.0 * gm) / (2.0 * gm * (km + gm)));
+  EXPECT_NEAR(estimated_shear_modulus(box, {binder, particle}, 0.0) / hashin, 1.0, 1e-9);
+}
+
+TEST(MeanDensity, CountsPoints) {
+  const auto box = model_composite(120);
+  EXPECT_NEAR(mean_density(box, {binder, particle}), 1000.0 + 500.0 * std::numbers::pi / 9.0, 3.0);
+}
+
+}  // namespace
+}  // namespace breccia

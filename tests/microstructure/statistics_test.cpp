@@ -1,0 +1,84 @@
+#include "breccia/microstructure/statistics.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "breccia/error.hpp"
+
+#include "expect_error.hpp"
+
+namespace breccia {
+namespace {
+
+using test::expect_error;
+using ::testing::DoubleEq;
+using ::testing::ElementsAre;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Discs of diameter 2 and 4 in a box of 10; their surfaces are 2 apart inside it and 1 apart across the sides x =
+/// 0, 10.
+Microstructure two_discs(Walls walls) {
+  return {10.0, walls, {{{1.5, 5.0}, 2.0}, {{6.5, 5.0}, 4.0}}};
+}
+
+TEST(Statistics, FractionAndInterface) {
+  EXPECT_DOUBLE_EQ(area_fraction(two_discs(Walls::hard)), 5.0 * std::numbers::pi / 100.0);
+  EXPECT_DOUBLE_EQ(interface_per_area(two_discs(Walls::hard)), 6.0 * std::numbers::pi / 100.0);
+}
+
+TEST(Statistics, GapsBetweenDiscs) {
+  EXPECT_DOUBLE_EQ(smallest_gap(two_discs(Walls::hard)), 2.0);
+  auto periodic = two_discs(Walls::periodic);
+  EXPECT_DOUBLE_EQ(smallest_gap(periodic), 2.0);
+  periodic.discs[1].centre[0] = 7.5;
+  EXPECT_DOUBLE_EQ(smallest_gap(periodic), 1.0);
+  periodic.discs[1].centre = {9.5, 9.0};
+  periodic.discs[0].centre = {1.5, 2.0};
+  EXPECT_NEAR(smallest_gap(periodic), std::sqrt(4.0 + 9.0) - 3.0, 1e-14);
+}
+
+TEST(Statistics, OverlapIsANegativeGap) {
+  auto discs = two_discs(Walls::hard);
+  discs.discs[0].centre[0] = 4.0;
+  EXPECT_DOUBLE_EQ(smallest_gap(discs), -0.5);
+}
+
+TEST(Statistics, OneDiscHasAGapOnlyToItsPeriodicImage) {
+  EXPECT_EQ(smallest_gap(Microstructure{10.0, Walls::hard, {{{5.0, 5.0}, 4.0}}}), infinity);
+  EXPECT_DOUBLE_EQ(smallest_gap(Microstructure{10.0, Walls::periodic, {{{5.0, 5.0}, 4.0}}}), 6.0);
+  EXPECT_EQ(smallest_gap(Microstructure{10.0, Walls::periodic, {}}), infinity);
+}
+
+TEST(Statistics, FarApartDiscsAreFoundToo) {
+  const Microstructure corners{10.0, Walls::hard, {{{0.1, 0.1}, 0.2}, {{9.9, 9.9}, 0.002}}};
+  EXPECT_NEAR(smallest_gap(corners), 9.8 * std::numbers::sqrt2 - 0.101, 1e-13);
+}
+
+TEST(Statistics, GapsToTheWalls) {
+  EXPECT_DOUBLE_EQ(smallest_wall_gap(two_discs(Walls::hard)), 0.5);
+  EXPECT_EQ(smallest_wall_gap(two_discs(Walls::periodic)), infinity);
+  EXPECT_DOUBLE_EQ(smallest_wall_gap({10.0, Walls::hard, {{{5.0, 9.5}, 2.0}}}), -0.5);
+}
+
+TEST(Statistics, HistogramIsByArea) {
+  const auto discs = two_discs(Walls::hard);
+  EXPECT_THAT(size_histogram(discs, std::array{1.0, 3.0, 5.0}), ElementsAre(DoubleEq(0.2), DoubleEq(0.8)));
+  EXPECT_THAT(size_histogram(discs, std::array{2.0, 4.0}), ElementsAre(DoubleEq(1.0)));
+  EXPECT_THAT(size_histogram(discs, std::array{1.0, 2.0, 4.0}), ElementsAre(DoubleEq(0.0), DoubleEq(1.0)));
+  EXPECT_THAT(size_histogram(discs, std::array{3.0, 3.5}), ElementsAre(DoubleEq(0.0)));
+}
+
+TEST(Statistics, BadEdges) {
+  const auto discs = two_discs(Walls::hard);
+  expect_error<InputError>([&] { return size_histogram(discs, std::array{1.0}); }, "two or more bin edges");
+  expect_error<InputError>([&] { return size_histogram(discs, std::array{1.0, 1.0}); }, "rise strictly");
+}
+
+}  // namespace
+}  // namespace breccia
