@@ -28,11 +28,14 @@ class TemporaryDirectory {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+  /// Writes a file of the directory.
+  void write(const std::string& name, std::string_view text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+  }
   /// Writes a file of the directory and returns its path.
-  std::filesystem::path write(const std::string& name, std::string_view text) const {
-    const auto path = path_ / name;
-    std::ofstream(path, std::ios::binary) << text;
-    return path;
+  [[nodiscard]] std::filesystem::path written(const std::string& name, std::string_view text) const {
+    write(name, text);
+    return path_ / name;
   }
 
  private:

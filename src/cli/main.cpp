@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -51,6 +52,9 @@ int main(int argc, char** argv) {
   } catch (const breccia::Error& error) {
     fmt::print(stderr, "{}\n", error.what());
     return static_cast<int>(error.exit_code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "breccia: {}\n", error.what());
+    return static_cast<int>(breccia::ExitCode::file_failure);
   } catch (const std::exception& error) {
     fmt::print(stderr, "breccia: {}\n", error.what());
     return static_cast<int>(breccia::ExitCode::numerical_failure);

@@ -168,7 +168,7 @@ std::string CsvTable::place(std::size_t row) const {
 
 void CsvTable::throw_missing(const std::string& name) const {
   throw InputError(
-      fmt::format("{}: no column \"{}\"; it has \"{}\"", path_.string(), name, fmt::join(names_, "\", \"")));
+      fmt::format(R"({}: no column "{}"; it has "{}")", path_.string(), name, fmt::join(names_, "\", \"")));
 }
 
 }  // namespace breccia

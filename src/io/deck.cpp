@@ -16,7 +16,6 @@
 namespace breccia {
 
 using detail::DeckState;
-using detail::DeckTable;
 using detail::Mistake;
 
 namespace {

@@ -147,11 +147,11 @@ std::string_view example(Dimension dimension) {
 double parse_quantity(std::string_view text, Dimension dimension) {
   const auto quantity = split(text);
   if (!quantity) {
-    throw InputError(fmt::format("expected a {}, a number and its unit such as \"{}\", got \"{}\"", name(dimension),
+    throw InputError(fmt::format(R"(expected a {}, a number and its unit such as "{}", got "{}")", name(dimension),
                                  example(dimension), text));
   }
   if (quantity->unit.empty()) {
-    throw InputError(fmt::format("expected a {} with its unit, such as \"{}\", got \"{}\"", name(dimension),
+    throw InputError(fmt::format(R"(expected a {} with its unit, such as "{}", got "{}")", name(dimension),
                                  example(dimension), text));
   }
   const auto value = to_si(*quantity, dimension);

@@ -134,6 +134,7 @@ Material read_material_reference(const Section& section, const std::string& key,
   const auto material = std::ranges::find(materials, name, &Material::name);
   if (material != materials.end()) return *material;
   std::vector<std::string> names;
+  names.reserve(materials.size());
   for (const auto& known : materials) names.push_back(known.name);
   section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
   return {};

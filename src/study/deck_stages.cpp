@@ -25,9 +25,8 @@ bool is_safe(const std::string& name) {
 std::string read_name(const Section& section, const std::vector<Stage>& earlier) {
   auto name = section.text("name");
   if (!name.empty() && !is_safe(name)) {
-    section.report(
-        "name",
-        fmt::format("expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), got \"{}\"", name));
+    section.report("name",
+                   fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
     section.report("name", fmt::format("another stage is called \"{}\"", name));

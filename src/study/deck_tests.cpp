@@ -20,7 +20,7 @@ void read_times(const Section& section, Tests& tests) {
   const auto times = section.quantities("times", Dimension::time, Range::positive());
   if (times.empty()) return;
   if (times.size() != 2 || times[0] >= times[1]) {
-    section.report("times", "expected two rising times, such as [\"10 ns\", \"10 ms\"]");
+    section.report("times", R"(expected two rising times, such as ["10 ns", "10 ms"])");
     return;
   }
   tests.first_time = times[0];

@@ -24,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 class Csv : public testing::Test {
  protected:
   [[nodiscard]] CsvTable read(std::string_view text, const std::vector<std::string>& text_columns = {}) const {
-    return read_csv(directory.write("table.csv", text), text_columns);
+    return read_csv(directory.written("table.csv", text), text_columns);
   }
   /// The mistakes in a table, without the directory.
   [[nodiscard]] std::string mistakes(std::string_view text) const {

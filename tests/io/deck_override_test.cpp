@@ -27,7 +27,7 @@ cells = 200
 class DeckOverride : public testing::Test {
  protected:
   [[nodiscard]] Deck read(const std::vector<std::string>& overrides) const {
-    return Deck(directory.write("deck.toml", deck_text), overrides);
+    return Deck(directory.written("deck.toml", deck_text), overrides);
   }
   [[nodiscard]] std::string mistake(const std::string& override_text) const {
     const auto deck = read({override_text});

@@ -1,6 +1,7 @@
 #include "breccia/io/deck.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ using testing::IsNan;
 
 class DeckTest : public testing::Test {
  protected:
-  [[nodiscard]] Deck read(std::string_view text) const { return Deck(directory.write("deck.toml", text)); }
+  [[nodiscard]] Deck read(std::string_view text) const { return Deck(directory.written("deck.toml", text)); }
   [[nodiscard]] std::string without_directory(const std::string& message) const {
     return test::replaced(message, directory.path().string() + "/", "");
   }
@@ -107,7 +108,7 @@ struct WrongValue {
 };
 
 TEST_F(DeckTest, SaysWhatItExpected) {
-  const WrongValue cases[] = {
+  const std::vector<WrongValue> cases{
       {"x = \"1\"", [](const Section& s) { static_cast<void>(s.number("x")); }, "expected a number, got \"1\""},
       {"x = nan", [](const Section& s) { static_cast<void>(s.number("x")); }, "expected a number, got nan"},
       {"x = inf", [](const Section& s) { static_cast<void>(s.number("x")); }, "expected a number, got inf"},
@@ -131,14 +132,14 @@ TEST_F(DeckTest, SaysWhatItExpected) {
        [](const Section& s) {
          static_cast<void>(s.choice<int>("x", {{"red", 1}, {"blue", 2}}));
        },
-       "expected one of \"red\", \"blue\", got \"rde\", did you mean \"red\"?"},
+       R"(expected one of "red", "blue", got "rde", did you mean "red"?)"},
       {"x = 3",
        [](const Section& s) {
          static_cast<void>(s.choice<int>("x", {{"red", 1}}));
        },
        "expected \"red\" (nothing else is available), got 3"},
       {"x = \"1 s\"", [](const Section& s) { static_cast<void>(s.quantities("x", Dimension::time)); },
-       "expected an array such as [\"10 ns\"], got \"1 s\""},
+       R"(expected an array such as ["10 ns"], got "1 s")"},
       {"x = []", [](const Section& s) { static_cast<void>(s.numbers("x")); },
        "expected at least one, got an empty array"},
       {"x = 1", [](const Section& s) { static_cast<void>(s.section("x")); }, "expected a table, got 1"},

@@ -104,7 +104,7 @@ TEST_F(Hdf5, DamagedFilesAreRefused) {
   writer.commit();
   testing::internal::CaptureStderr();
   EXPECT_THROW(Hdf5Reader(directory.path() / "none.h5"), FileError);
-  EXPECT_THROW(Hdf5Reader(directory.write("text.h5", "not HDF5")), FileError);
+  EXPECT_THROW(Hdf5Reader(directory.written("text.h5", "not HDF5")), FileError);
   std::filesystem::resize_file(path, 3000);
   EXPECT_THROW(static_cast<void>(Hdf5Reader(path).read_numbers("/x")), FileError);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "the library prints nothing of its own";

@@ -26,7 +26,7 @@ TEST(TextFile, RoundTripKeepsEveryByte) {
 
 TEST(TextFile, WritingReplacesAnOlderFile) {
   const test::TemporaryDirectory directory;
-  const auto path = directory.write("file", "old");
+  const auto path = directory.written("file", "old");
   write_text(path, "new");
   EXPECT_EQ(read_text(path), "new");
 }
@@ -45,7 +45,7 @@ TEST(TextFile, ErrorsNameTheFileAndTheReason) {
 TEST(TextFile, AFullDiskIsAnErrorAndLeavesTheOldFile) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP();
   const test::TemporaryDirectory directory;
-  const auto path = directory.write("file", "old");
+  const auto path = directory.written("file", "old");
   const AtomicFile plan(path);
   std::filesystem::create_symlink("/dev/full", plan.temporary());
   EXPECT_THROW(write_text(path, "new"), FileError);

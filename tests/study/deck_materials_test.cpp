@@ -8,7 +8,6 @@
 namespace breccia {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 class DeckMaterials : public testing::Test {

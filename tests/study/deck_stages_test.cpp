@@ -103,7 +103,7 @@ TEST_F(DeckStages, ExplicitPacking) {
 // The box has 60 cells of 0.1 mm, so a point every 0.05 mm.
 TEST_F(DeckStages, TheGapMayBeCountedInMaterialPoints) {
   const auto gap_of = [&](std::string_view gap) {
-    return filler(test::join("filler = { material = \"hmx\", sizes = { list = [\"1 mm\"] }", gap,
+    return filler(test::join(R"(filler = { material = "hmx", sizes = { list = ["1 mm"] })", gap,
                              " }\npacking = { method = \"lubachevsky-stillinger\" }"))
         .gap;
   };

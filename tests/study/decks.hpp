@@ -41,7 +41,7 @@ times = ["10 ns", "10 ms"]
 class DeckDirectory : public TemporaryDirectory {
  public:
   [[nodiscard]] Study study(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-    return read_study(write("deck.toml", text), overrides);
+    return read_study(written("deck.toml", text), overrides);
   }
   /// The mistakes in a deck, without the directory.
   [[nodiscard]] std::string mistakes(const std::string& text) const {

@@ -109,6 +109,7 @@ class Section {
   template <class T>
   static std::vector<std::string> words(const std::vector<Choice<T>>& choices) {
     std::vector<std::string> all;
+    all.reserve(choices.size());
     for (const auto& [word, meaning] : choices) all.emplace_back(word);
     return all;
   }
