@@ -43,7 +43,8 @@ BlockLayout::BlockLayout(const DynamicProblem& problem)
                                              share.material->bulk_term_count * bulk_modes_) *
                     lanes;
   }
-  history_.assign(history_size, 0.0);
+  // One block more, so that shares without history point at something.
+  history_.assign(history_size + lanes, 0.0);
   double* history = history_.data();
   const Share* share = shares_.data();
   for (auto& block : blocks_) {

@@ -1,14 +1,17 @@
-// Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills. Everything here has
-// internal linkage and nothing of the standard library is used, so that no code for a newer processor leaks into
-// others.
+// Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills and
+// BRECCIA_REGISTER_LANES the doubles that a register holds. Everything here has internal linkage and nothing of the
+// standard library is used, so that no code for a newer processor leaks into others.
 
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 namespace {
 
-typedef double Pack __attribute__((vector_size(lanes * sizeof(double))));        // NOLINT(modernize-use-using)
-typedef long long Bits __attribute__((vector_size(lanes * sizeof(long long))));  // NOLINT(modernize-use-using)
+constexpr int width = BRECCIA_REGISTER_LANES;  ///< cells in a register; a block takes lanes / width of them
+constexpr int parts = lanes / width;
+
+typedef double Pack __attribute__((vector_size(width * sizeof(double))));        // NOLINT(modernize-use-using)
+typedef long long Bits __attribute__((vector_size(width * sizeof(long long))));  // NOLINT(modernize-use-using)
 
 #define BRECCIA_INLINE inline __attribute__((always_inline))
 
@@ -22,13 +25,13 @@ BRECCIA_INLINE void store(double* to, const Pack& pack) {
   __builtin_memcpy(to, &pack, sizeof(pack));
 }
 
-/// Strain modes of eight cells, times the cell side.
+/// Strain modes of the cells of a register, times the cell side.
 struct Modes {
   Pack xx, yy, xy;  ///< of the centre; xy is the engineering shear
   Pack qu, qv;      ///< hourglass modes
 };
 
-/// Volumetric strain modes of eight cells, times the cell side.
+/// Volumetric strain modes of the cells of a register, times the cell side.
 struct VolumeModes {
   Pack centre, qu, qv;
 };
@@ -109,12 +112,13 @@ BRECCIA_INLINE Pack masked(const Bits& mask, const Pack& value) {
 
 /// Adds the sums over the points that belong to a share.
 template <bool averaged>
-BRECCIA_INLINE void add_shared_forces(Modes& force, const Share& share, const Modes& s, const VolumeModes& p) {
-  Bits points;
-  for (int lane = 0; lane < lanes; ++lane) points[lane] = share.points[lane];
+BRECCIA_INLINE void add_shared_forces(Modes& force, const std::uint8_t* points_of_cells, const Modes& s,
+                                      const VolumeModes& p) {
+  Bits points{};
+  for (int lane = 0; lane < width; ++lane) points[lane] = points_of_cells[lane];
   for (int point = 0; point < 4; ++point) {
     Bits bit{};
-    for (int lane = 0; lane < lanes; ++lane) bit[lane] = 1LL << point;
+    for (int lane = 0; lane < width; ++lane) bit[lane] = 1LL << point;
     const Bits mask = (points & bit) != Bits{};
     const double x = (point & 1) != 0 ? 0.25 : -0.25;
     const double y = (point & 2) != 0 ? 0.25 : -0.25;
@@ -148,40 +152,56 @@ BRECCIA_INLINE void store_forces(const Modes& f, const CellRow& row, int cell) {
   store(row.above.right_y + cell + 1, -(yy + xy) - qv);
 }
 
-BRECCIA_INLINE double sum(const Pack& pack) {
-  return ((pack[0] + pack[1]) + (pack[2] + pack[3])) + ((pack[4] + pack[5]) + (pack[6] + pack[7]));
+/// Forces of the cells of one register, times the cell side.
+template <bool averaged>
+BRECCIA_INLINE Modes forces(const CellRow& row, const Block& block, int cell, int first_lane) {
+  const Modes strain = strain_modes(row.displacement_below, row.displacement_above, cell);
+  Modes increment{};
+  if (block.relaxes) increment = strain_modes(row.increment_below, row.increment_above, cell);
+  Modes force{};
+  for (int i = 0; i < block.share_count; ++i) {
+    const Share& share = block.shares[i];
+    const MaterialStep& material = *share.material;
+    double* shear_history = share.history + first_lane;
+    double* bulk_history = shear_history + material.shear_term_count * shear_modes * lanes;
+    const Modes s = shear_response(material, strain, increment, shear_history);
+    const VolumeModes p = bulk_response<averaged>(material, strain, increment, bulk_history);
+    if (block.uniform) {
+      force = uniform_forces<averaged>(s, p);
+    } else {
+      add_shared_forces<averaged>(force, share.points + first_lane, s, p);
+    }
+  }
+  return force;
 }
+
+/// Sums over the lanes of a block, in an order that does not depend on the width of a register.
+struct LaneSums {
+  Pack values[parts] = {};  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
+
+  BRECCIA_INLINE void add(int part, const Pack& value) { values[part] += value; }
+  [[nodiscard]] BRECCIA_INLINE double lane(int i) const { return values[i / width][i % width]; }
+  [[nodiscard]] BRECCIA_INLINE double total() const {
+    return ((lane(0) + lane(1)) + (lane(2) + lane(3))) + ((lane(4) + lane(5)) + (lane(6) + lane(7)));
+  }
+};
 
 template <bool averaged>
 void cell_row(const CellRow& row) {
-  Pack stress_xx{}, stress_yy{}, stress_xy{};
+  LaneSums stress_xx, stress_yy, stress_xy;
   for (int b = 0; b < row.block_count; ++b) {
-    const Block& block = row.blocks[b];
-    const int cell = b * lanes;
-    const Modes strain = strain_modes(row.displacement_below, row.displacement_above, cell);
-    Modes increment{};
-    if (block.relaxes) increment = strain_modes(row.increment_below, row.increment_above, cell);
-    Modes force{};
-    for (int i = 0; i < block.share_count; ++i) {
-      const Share& share = block.shares[i];
-      const MaterialStep& material = *share.material;
-      const Modes s = shear_response(material, strain, increment, share.history);
-      const VolumeModes p = bulk_response<averaged>(material, strain, increment,
-                                                    share.history + material.shear_term_count * shear_modes * lanes);
-      if (block.uniform) {
-        force = uniform_forces<averaged>(s, p);
-      } else {
-        add_shared_forces<averaged>(force, share, s, p);
-      }
+    for (int part = 0; part < parts; ++part) {
+      const int cell = b * lanes + part * width;
+      const Modes force = forces<averaged>(row, row.blocks[b], cell, part * width);
+      stress_xx.add(part, force.xx);
+      stress_yy.add(part, force.yy);
+      stress_xy.add(part, force.xy);
+      store_forces(force, row, cell);
     }
-    stress_xx += force.xx;
-    stress_yy += force.yy;
-    stress_xy += force.xy;
-    store_forces(force, row, cell);
   }
-  row.stress[0] = sum(stress_xx);
-  row.stress[1] = sum(stress_yy);
-  row.stress[2] = sum(stress_xy);
+  row.stress[0] = stress_xx.total();
+  row.stress[1] = stress_yy.total();
+  row.stress[2] = stress_xy.total();
 }
 
 BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacement, double* increment,
@@ -197,7 +217,7 @@ BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacemen
 void node_row(const NodeRow& row) {
   const RowForces& below = row.from_cells_below;
   const RowForces& above = row.from_cells_above;
-  for (int node = 0; node < row.count; node += lanes) {
+  for (int node = 0; node < row.count; node += width) {
     move_nodes(row, node, row.displacement_x, row.increment_x, below.left_x, below.right_x, above.left_x,
                above.right_x);
     move_nodes(row, node, row.displacement_y, row.increment_y, below.left_y, below.right_y, above.left_y,

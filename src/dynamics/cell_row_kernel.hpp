@@ -7,7 +7,7 @@
 // so do their histories, since a hereditary stress is linear in the strain: a Maxwell term needs five numbers a cell
 // and material, whatever the number of points.
 //
-// Cells are handled eight at a time (a block); the arithmetic of a block is the same on every instruction set.
+// Cells come in blocks of eight, whatever the width of a register; the arithmetic is the same on every instruction set.
 // This header is compiled for several instruction sets: it defines plain data only.
 
 #include <cstddef>
