@@ -1,8 +1,10 @@
 #include "command.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -22,7 +24,7 @@ namespace {
 pid_t start(const std::filesystem::path& directory, std::vector<std::string> words) {
   words.insert(words.begin(), BRECCIA_COMMAND);
   std::vector<char*> pointers;
-  for (auto& word : words) pointers.push_back(word.data());
+  std::ranges::transform(words, std::back_inserter(pointers), [](std::string& word) { return word.data(); });
   pointers.push_back(nullptr);
 
   posix_spawn_file_actions_t actions;

@@ -43,6 +43,18 @@ TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
   EXPECT_THAT(study.results(), Not(Contains(HasSubstr("partial"))));
 }
 
+TEST(RunFailure, NoRoomForStandardOutput) {
+  const StudyDirectory study(model_deck);
+  fs::create_symlink("/dev/full", study.path() / "stdout");
+  test::RunningCommand check(study.path(), StudyDirectory::arguments("check"));
+  EXPECT_FALSE(check.reaches([] { return false; }));
+  fs::remove(study.path() / "stdout");  // reading it would not end
+  study.write("stdout", "");
+  const auto outcome = check.wait();
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, "standard output: cannot write\n");
+}
+
 TEST(RunFailure, WithoutGnuplotNothingIsComputed) {
   const StudyDirectory study(model_deck);
   const test::ScopedPath path("/nonexistent");
@@ -60,7 +72,8 @@ TEST(RunFailure, ParticlesJam) {
   const auto pack = study.breccia("pack", {"--set", "stages.A.filler.gap=0 m"});
   EXPECT_EQ(pack.exit_code, 3);
   EXPECT_THAT(pack.errors,
-              testing::ContainsRegex("particles jam at [0-9.]+ % of their diameters, at a fraction of 0.[678]"));
+              testing::ContainsRegex(
+                  "A: packing: [0-9]+ particles jam at [0-9.]+ % of their diameters, at a fraction of 0.[678]"));
   EXPECT_THAT(study.results(), IsEmpty());
 }
 
@@ -68,7 +81,7 @@ TEST(RunFailure, ParticlesCannotKeepTheirGap) {
   const StudyDirectory study(test::replaced(good_deck, "fraction = 0.5", "fraction = 0.85"));
   const auto pack = study.breccia("pack");
   EXPECT_EQ(pack.exit_code, 3);
-  EXPECT_THAT(pack.errors, HasSubstr("cannot keep a gap of 0.0001 m"));
+  EXPECT_THAT(pack.errors, AllOf(testing::StartsWith("A: "), HasSubstr("cannot keep a gap of 0.0001 m")));
 }
 
 TEST(RunFailure, ExplicitDiscsOverlap) {
@@ -105,7 +118,7 @@ TEST(RunFailure, DensityFactorsDoNotCoverTheTimes) {
     const auto run = study.breccia("run", {"--set", fmt::format("tests.times={}", times), "--set",
                                            fmt::format("tests.dynamic.density_factors={}", factors)});
     EXPECT_EQ(run.exit_code, 3) << factors;
-    EXPECT_THAT(run.errors, HasSubstr(message)) << factors;
+    EXPECT_THAT(run.errors, AllOf(testing::StartsWith("A shear: "), HasSubstr(message))) << factors;
     EXPECT_THAT(study.results(), Not(Contains("curves.csv"))) << factors;
   }
 }

@@ -14,10 +14,6 @@ namespace breccia {
 namespace {
 
 using test::StudyDirectory;
-using testing::AllOf;
-using testing::Contains;
-using testing::HasSubstr;
-using testing::Not;
 
 class Interruption : public testing::TestWithParam<int> {};
 
