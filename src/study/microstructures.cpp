@@ -21,6 +21,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
 
 /// The distribution that a random packing is drawn from; none for a list of particles.
 std::optional<SizeDistribution> distribution_of(const Filler& filler) {
