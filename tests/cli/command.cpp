@@ -20,7 +20,7 @@ namespace breccia::test {
 
 namespace {
 
-/// Starts the command; its streams are the files stdout and stderr of the directory.
+/// Starts the command in a process group of its own; its streams are the files stdout and stderr of the directory.
 pid_t start(const std::filesystem::path& directory, std::vector<std::string> words) {
   words.insert(words.begin(), BRECCIA_COMMAND);
   std::vector<char*> pointers;
@@ -33,9 +33,14 @@ pid_t start(const std::filesystem::path& directory, std::vector<std::string> wor
   posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "stdout", flags, 0644);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "stderr", flags, 0644);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  posix_spawnattr_setpgroup(&attributes, 0);
   pid_t process = 0;
-  const int failure = posix_spawn(&process, BRECCIA_COMMAND, &actions, nullptr, pointers.data(), environ);
+  const int failure = posix_spawn(&process, BRECCIA_COMMAND, &actions, &attributes, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
   if (failure != 0) throw std::runtime_error("cannot run " BRECCIA_COMMAND);
   return process;
 }
@@ -65,7 +70,7 @@ bool RunningCommand::reaches(const std::function<bool()>& condition) {
 }
 
 void RunningCommand::send(int signal) const {
-  kill(process_, signal);
+  kill(-process_, signal);
 }
 
 Outcome RunningCommand::wait() {

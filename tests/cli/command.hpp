@@ -11,7 +11,7 @@ namespace breccia::test {
 
 /// What a run of the `breccia` command left.
 struct Outcome {
-  int exit_code;       ///< -1 when a signal ended it
+  int exit_code = -1;  ///< -1 when a signal ended it
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };
@@ -29,6 +29,7 @@ class RunningCommand {
 
   /// Waits until the condition holds. False when the command ends before.
   [[nodiscard]] bool reaches(const std::function<bool()>& condition);
+  /// Signals it and what it has started, as a terminal does.
   void send(int signal) const;
   /// Waits for its end.
   Outcome wait();

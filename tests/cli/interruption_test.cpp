@@ -1,4 +1,5 @@
 #include <csignal>
+#include <cstdlib>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "good_deck.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
+#include "scoped_path.hpp"
 #include "study_directory.hpp"
 
 namespace breccia {
@@ -37,7 +39,7 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
 
 TEST_P(Interruption, EndsAPacking) {
   // So many particles that packing takes a while.
-  const StudyDirectory study(test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"10 um\""));
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"20 um\""));
   test::RunningCommand pack(study.path(), StudyDirectory::arguments("pack", {"--set", "stages.A.filler.gap=0 m"}));
   ASSERT_TRUE(pack.reaches([&] { return std::filesystem::exists(study.path() / "out"); })) << pack.wait().errors;
   pack.send(GetParam());
@@ -45,6 +47,29 @@ TEST_P(Interruption, EndsAPacking) {
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_THAT(outcome.errors, testing::StartsWith("packing interrupted at a fraction of "));
   EXPECT_THAT(study.results(), testing::IsEmpty());
+}
+
+TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {
+  const StudyDirectory study(test::homogeneous_deck);
+  const std::string path = std::getenv("PATH");
+  study.write("gnuplot",
+              "#!/bin/sh\n"
+              "if [ -e out/A/fields.vtkhdf ]; then\n"
+              "  touch drawing\n"
+              "  while [ ! -e signalled ]; do sleep 0.01; done\n"
+              "fi\n"
+              "PATH='" +
+                  path + "' exec gnuplot \"$@\"\n");
+  std::filesystem::permissions(study.path() / "gnuplot", std::filesystem::perms::owner_all);
+  const test::ScopedPath with_slow_gnuplot(study.path().string() + ":" + path);
+  test::RunningCommand run(study.path(), StudyDirectory::arguments("run", {"--set", "stages.A.cells=8"}));
+  ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(study.path() / "drawing"); })) << run.wait().errors;
+  run.send(GetParam());
+  study.write("signalled", "");
+  const auto outcome = run.wait();
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_EQ(outcome.exit_code, 0) << "nothing was left to interrupt";
+  EXPECT_TRUE(std::filesystem::exists(study.result("A/modulus.svg")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM), [](const auto& chosen) {

@@ -40,28 +40,29 @@ std::vector<std::string> data_lines(const std::string& text) {
 }
 
 double mean(const std::vector<double>& values, std::size_t component, std::size_t components) {
+  const std::size_t points = values.size() / components;
   double sum = 0.0;
-  for (std::size_t i = component; i < values.size(); i += components) sum += values[i];
-  return sum / static_cast<double>(values.size() / components);
+  for (std::size_t point = 0; point < points; ++point) sum += values[components * point + component];
+  return sum / static_cast<double>(points);
 }
 
 /// The results of one run of the model composite under shear, then bulk, up to 10 ms.
 class Results : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    study_ = std::make_unique<StudyDirectory>(test::model_deck);
-    run_ = study_->breccia("run", {"--set", R"(tests.loads=["shear", "bulk"])", "--set", "tests.times.1=10 ms"});
+    study = std::make_unique<StudyDirectory>(test::model_deck);
+    run = study->breccia("run", {"--set", R"(tests.loads=["shear", "bulk"])", "--set", "tests.times.1=10 ms"});
   }
-  static void TearDownTestSuite() { study_.reset(); }
+  static void TearDownTestSuite() { study.reset(); }
 
-  void SetUp() override { ASSERT_EQ(run_.exit_code, 0) << run_.errors; }
-  [[nodiscard]] static std::filesystem::path path(const std::string& name) { return study_->result(name); }
+  void SetUp() override { ASSERT_EQ(run.exit_code, 0) << run.errors; }
+  [[nodiscard]] static std::filesystem::path path(const std::string& name) { return study->result(name); }
   [[nodiscard]] static Json provenance() { return Json::parse(read_text(path("study.json"))); }
-  [[nodiscard]] static std::vector<std::string> names() { return study_->results(); }
+  [[nodiscard]] static std::vector<std::string> names() { return study->results(); }
 
  private:
-  static inline std::unique_ptr<StudyDirectory> study_;
-  static inline test::Outcome run_;
+  static inline std::unique_ptr<StudyDirectory> study;
+  static inline test::Outcome run;
 };
 
 TEST_F(Results, AreTheseFiles) {
