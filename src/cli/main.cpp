@@ -19,6 +19,11 @@ std::string unknown_command(const CLI::App& application, int argc, char** argv) 
   return fmt::format("unknown command \"{}\"{}", argv[1], breccia::suggestion(argv[1], commands));
 }
 
+/// What was printed may still be on its way, to a disk that is full.
+void flush_output() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw breccia::FileError("standard output: cannot write");
+}
+
 /// CLI11 has an exit code for every way to misuse a command line; we have one.
 int report(const CLI::App& application, const CLI::ParseError& error) {
   const bool is_mistake = application.exit(error) != 0;
@@ -41,6 +46,7 @@ int run(int argc, char** argv) {
     if (!unknown.empty()) throw breccia::InputError(unknown);
     return report(application, error);
   }
+  flush_output();
   return static_cast<int>(breccia::ExitCode::done);
 }
 

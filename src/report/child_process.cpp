@@ -68,6 +68,26 @@ class Redirections {
   posix_spawn_file_actions_t actions_{};
 };
 
+/// A process group of its own: an interrupt from the terminal is for this program to handle, not for the child.
+class OwnProcessGroup {
+ public:
+  OwnProcessGroup() {
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+  }
+  ~OwnProcessGroup() { posix_spawnattr_destroy(&attributes_); }
+  OwnProcessGroup(const OwnProcessGroup&) = delete;
+  OwnProcessGroup& operator=(const OwnProcessGroup&) = delete;
+  OwnProcessGroup(OwnProcessGroup&&) = delete;
+  OwnProcessGroup& operator=(OwnProcessGroup&&) = delete;
+
+  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_{};
+};
+
 int wait_for(pid_t process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0) {
@@ -94,8 +114,9 @@ ProcessResult run_program(const std::vector<std::string>& command, const std::st
   std::ranges::transform(words, std::back_inserter(arguments), [](std::string& word) { return word.data(); });
   arguments.push_back(nullptr);
 
+  const OwnProcessGroup group;
   pid_t process = 0;
-  const int failure = posix_spawnp(&process, arguments[0], streams.get(), nullptr, arguments.data(), environ);
+  const int failure = posix_spawnp(&process, arguments[0], streams.get(), group.get(), arguments.data(), environ);
   if (failure != 0) throw FileError(fmt::format("cannot run {}: {}", command[0], std::strerror(failure)));
   const int exit_status = wait_for(process);
   return {exit_status, standard_output.read(), standard_error.read()};

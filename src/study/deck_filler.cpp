@@ -97,8 +97,8 @@ void check_fit(const Section& section, const Filler& filler, double side) {
   }
   if (const auto* regular = std::get_if<RegularPacking>(&filler.packing)) {
     const double spacing = side / std::max(regular->columns, regular->rows);
-    if (diameter > spacing) {
-      section.report("sizes", fmt::format("particles of {} overlap at a regular spacing of {}",
+    if (diameter >= spacing) {
+      section.report("sizes", fmt::format("particles of {} touch at a regular spacing of {}",
                                           readable(diameter, Dimension::length), readable(spacing, Dimension::length)));
     }
   }

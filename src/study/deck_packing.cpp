@@ -4,6 +4,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
+#include "breccia/microstructure/validity.hpp"
 
 #include "deck_sections.hpp"
 
@@ -36,6 +37,15 @@ std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
   return discs;
 }
 
+/// Throws InputError where discs overlap or cross a wall.
+void require_room(const std::filesystem::path& path, const std::vector<Disc>& discs, double side) {
+  try {
+    require_valid({side, Walls::hard, discs});
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
 LubachevskyStillingerPacking read_random(const Section& packing) {
   const bool has_walls = packing.optional_boolean("walls").value_or(true);
   const auto seed = packing.optional_integer("seed", Range::not_negative()).value_or(1);
@@ -49,7 +59,12 @@ RegularPacking read_regular(const Section& packing) {
 
 ExplicitPacking read_explicit(const Section& packing, double side) {
   ExplicitPacking listed{packing.file("discs"), {}};
-  if (!listed.file.empty()) packing.report_errors_of("discs", [&] { listed.discs = read_discs(listed.file, side); });
+  if (listed.file.empty()) return listed;
+  packing.report_errors_of("discs", [&] {
+    listed.discs = read_discs(listed.file, side);
+    const bool box_is_known = side > 0.0;
+    if (box_is_known) require_room(listed.file, listed.discs, side);
+  });
   return listed;
 }
 

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/size_distribution.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
+
+#include "named_errors.hpp"
 
 namespace breccia {
 namespace {
@@ -20,6 +21,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
 
 /// The distribution that a random packing is drawn from; none for a list of particles.
 std::optional<SizeDistribution> distribution_of(const Filler& filler) {
@@ -64,6 +67,23 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   return {stage.side, method.walls, std::move(packing.balls)};
 }
 
+Microstructure place_particles(const Stage& stage, const PackingWatch& watch, StageMicrostructure& result) {
+  if (!stage.filler) return {stage.side, Walls::hard, {}};
+  return std::visit(Overloaded{[&](const LubachevskyStillingerPacking& method) {
+                                 return pack_at_random(stage, method, watch, result);
+                               },
+                               [&](const RegularPacking& array) {
+                                 const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
+                                 return regular_array(stage.side, array.columns, array.rows, size.diameter);
+                               },
+                               [&](const ExplicitPacking& listed) {
+                                 Microstructure microstructure = {stage.side, Walls::hard, listed.discs};
+                                 require_valid(microstructure);
+                                 return microstructure;
+                               }},
+                    stage.filler->packing);
+}
+
 void describe(const Stage& stage, StageMicrostructure& result) {
   result.fraction = area_fraction(result.microstructure);
   result.interface_per_area = interface_per_area(result.microstructure);
@@ -84,23 +104,8 @@ void describe(const Stage& stage, StageMicrostructure& result) {
 
 StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch) {
   StageMicrostructure result;
-  result.microstructure.side = stage.side;
   const auto start = std::chrono::steady_clock::now();
-  if (stage.filler) {
-    result.microstructure = std::visit(
-        Overloaded{
-            [&](const LubachevskyStillingerPacking& method) { return pack_at_random(stage, method, watch, result); },
-            [&](const RegularPacking& array) {
-              const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
-              return regular_array(stage.side, array.columns, array.rows, size.diameter);
-            },
-            [&](const ExplicitPacking& listed) {
-              Microstructure microstructure = {stage.side, Walls::hard, listed.discs};
-              require_valid(microstructure);
-              return microstructure;
-            }},
-        stage.filler->packing);
-  }
+  result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, watch, result); });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   describe(stage, result);
   return result;

@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
+#include "named_errors.hpp"
 #include "results.hpp"
 
 namespace breccia {
@@ -49,7 +50,8 @@ TestResult run_test(const Study& study, const Stage& stage, const fs::path& dire
     write_history(directory, study, stage, test.load, ++number, domain);
     if (observer.domain_finished) observer.domain_finished(stage, test.load, domain);
   };
-  return {test.load, run_dynamic_test(test, follow)};
+  const auto name = fmt::format("{} {}", stage.name, name_of(test.load));
+  return {test.load, name_errors(name, [&] { return run_dynamic_test(test, follow); })};
 }
 
 }  // namespace

@@ -1,16 +1,46 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace breccia::test {
 
 /// What a run of the `breccia` command left.
 struct Outcome {
-  int exit_code;
+  int exit_code = -1;  ///< -1 when a signal ended it
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
+};
+
+/// `breccia` while it runs in a directory. Its standard streams go to files there.
+class RunningCommand {
+ public:
+  RunningCommand(std::filesystem::path directory, const std::vector<std::string>& arguments);
+  /// Kills it if it still runs.
+  ~RunningCommand();
+  RunningCommand(const RunningCommand&) = delete;
+  RunningCommand& operator=(const RunningCommand&) = delete;
+  RunningCommand(RunningCommand&&) = delete;
+  RunningCommand& operator=(RunningCommand&&) = delete;
+
+  /// Waits until the condition holds. False when the command ends before.
+  [[nodiscard]] bool reaches(const std::function<bool()>& condition);
+  /// Signals it and what it has started, as a terminal does.
+  void send(int signal) const;
+  /// Waits for its end.
+  Outcome wait();
+
+ private:
+  [[nodiscard]] bool has_ended();
+
+  std::filesystem::path directory_;
+  pid_t process_ = 0;
+  int status_ = 0;
+  bool ended_ = false;
 };
 
 /// Runs `breccia` with these arguments in a directory.

@@ -1,7 +1,6 @@
 #include "breccia/report/modulus_plot.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -13,31 +12,16 @@
 #include "breccia/error.hpp"
 
 #include "report/xml.hpp"
+#include "scoped_path.hpp"
 
 namespace breccia {
 namespace {
 
+using test::ScopedPath;
 using testing::count;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::xml_mistake;
-
-/// Sets the PATH for one test.
-class ScopedPath {
- public:
-  explicit ScopedPath(const std::string& path) {
-    if (const char* before = std::getenv("PATH")) before_ = before;
-    setenv("PATH", path.c_str(), 1);
-  }
-  ~ScopedPath() { setenv("PATH", before_.c_str(), 1); }
-  ScopedPath(const ScopedPath&) = delete;
-  ScopedPath& operator=(const ScopedPath&) = delete;
-  ScopedPath(ScopedPath&&) = delete;
-  ScopedPath& operator=(ScopedPath&&) = delete;
-
- private:
-  std::string before_;
-};
 
 PlotCurve relaxation(const std::string& label, double modulus, PlotStyle style = PlotStyle::line) {
   PlotCurve curve{label, {}, {}, style, {}};

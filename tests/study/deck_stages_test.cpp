@@ -44,10 +44,10 @@ TEST_F(DeckStages, AStageMayBeHomogeneous) {
 }
 
 TEST_F(DeckStages, RegularPacking) {
-  const auto regular = filler(R"(filler = { material = "hmx", sizes = { diameter = "2 mm" } }
+  const auto regular = filler(R"(filler = { material = "hmx", sizes = { diameter = "1.5 mm" } }
 packing = { method = "regular", columns = 2, rows = 3 })");
   EXPECT_EQ(regular.material.name, "hmx");
-  EXPECT_DOUBLE_EQ(std::get<SingleSize>(regular.sizes.value()).diameter, 2e-3);
+  EXPECT_DOUBLE_EQ(std::get<SingleSize>(regular.sizes.value()).diameter, 1.5e-3);
   EXPECT_EQ(std::get<RegularPacking>(regular.packing).columns, 2);
   EXPECT_EQ(std::get<RegularPacking>(regular.packing).rows, 3);
   EXPECT_FALSE(regular.fraction);
@@ -178,7 +178,9 @@ TEST_F(DeckStages, MistakesInTheSizes) {
               HasSubstr("filler.from: only a distribution"));
   EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }", regular_packing), HasSubstr("a regular packing takes"));
   EXPECT_THAT(mistakes("sizes = { diameter = \"3.5 mm\" }", regular_packing),
-              HasSubstr("particles of 3.5 mm overlap at a regular spacing of 3 mm"));
+              HasSubstr("particles of 3.5 mm touch at a regular spacing of 3 mm"));
+  EXPECT_THAT(mistakes("sizes = { diameter = \"3 mm\" }", regular_packing),
+              HasSubstr("particles of 3 mm touch at a regular spacing of 3 mm"));
   EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\", \"7 mm\"] }", random_packing),
               HasSubstr("a particle of 7 mm does not fit into a box of 6 mm"));
 }

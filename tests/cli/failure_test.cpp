@@ -1,0 +1,135 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "good_deck.hpp"
+#include "messages.hpp"
+#include "model_deck.hpp"
+#include "scoped_path.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::model_deck;
+using test::StudyDirectory;
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+namespace fs = std::filesystem;
+
+const std::string good_deck(test::good_deck);
+
+TEST(RunFailure, OutputDirectoryUnderAFile) {
+  const StudyDirectory study(model_deck);
+  study.write("out", "not a directory");
+  for (const auto* command : {"run", "pack"}) {
+    const auto outcome = test::run_breccia(study.path(), {command, "deck.toml", "--out", "out/put"});
+    EXPECT_EQ(outcome.exit_code, 4) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("out/put: cannot make this directory: Not a directory")) << command;
+    EXPECT_EQ(outcome.output, "") << command;
+  }
+}
+
+TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
+  const StudyDirectory study(model_deck);
+  fs::create_directories(study.result("curves.csv/in-the-way"));
+  const auto run = study.breccia("run", {"--set", "stages.A.cells=8"});
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_THAT(run.errors, HasSubstr("out/curves.csv: cannot write: "));
+  EXPECT_THAT(study.results(), Not(Contains(HasSubstr("partial"))));
+}
+
+TEST(RunFailure, NoRoomForStandardOutput) {
+  const StudyDirectory study(model_deck);
+  fs::create_symlink("/dev/full", study.path() / "stdout");
+  test::RunningCommand check(study.path(), StudyDirectory::arguments("check"));
+  EXPECT_FALSE(check.reaches([] { return false; }));
+  fs::remove(study.path() / "stdout");  // reading it would not end
+  study.write("stdout", "");
+  const auto outcome = check.wait();
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_EQ(outcome.errors, "standard output: cannot write\n");
+}
+
+TEST(RunFailure, WithoutGnuplotNothingIsComputed) {
+  const StudyDirectory study(model_deck);
+  const test::ScopedPath path("/nonexistent");
+  const auto run = study.breccia("run");
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_THAT(run.errors, AllOf(HasSubstr("cannot run gnuplot"), HasSubstr("apt-get install gnuplot-nox")));
+  EXPECT_EQ(run.output, "");
+  EXPECT_FALSE(fs::exists(study.path() / "out"));
+  EXPECT_EQ(study.breccia("check").exit_code, 0) << "plots nothing";
+  EXPECT_EQ(study.breccia("pack").exit_code, 0) << "plots nothing";
+}
+
+TEST(RunFailure, ParticlesJam) {
+  const StudyDirectory study(test::replaced(good_deck, "fraction = 0.5", "fraction = 0.85"));
+  const auto pack = study.breccia("pack", {"--set", "stages.A.filler.gap=0 m"});
+  EXPECT_EQ(pack.exit_code, 3);
+  EXPECT_THAT(pack.errors,
+              testing::ContainsRegex(
+                  "A: packing: [0-9]+ particles jam at [0-9.]+ % of their diameters, at a fraction of 0.[678]"));
+  EXPECT_THAT(study.results(), IsEmpty());
+}
+
+TEST(RunFailure, ParticlesCannotKeepTheirGap) {
+  const StudyDirectory study(test::replaced(good_deck, "fraction = 0.5", "fraction = 0.85"));
+  const auto pack = study.breccia("pack");
+  EXPECT_EQ(pack.exit_code, 3);
+  EXPECT_THAT(pack.errors, AllOf(testing::StartsWith("A: "), HasSubstr("cannot keep a gap of 0.0001 m")));
+}
+
+TEST(RunFailure, ExplicitDiscsOverlap) {
+  auto deck = test::replaced(std::string(model_deck), R"(, sizes = { diameter = "2 mm" })", "");
+  deck = test::replaced(deck, R"("regular", columns = 2, rows = 2)", R"("explicit", discs = "discs.csv")");
+  const StudyDirectory study(deck);
+  study.write("discs.csv", "x_m,y_m,diameter_m\n2e-3,2e-3,2e-3\n3e-3,2e-3,2e-3\n");
+  for (const auto* command : {"check", "pack", "run"}) {
+    const auto outcome = study.breccia(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("deck.toml:19:42: stages.A.packing.discs: discs.csv: ")) << command;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("disc 1 "), HasSubstr("overlap by 0.001 m"))) << command;
+  }
+  study.write("discs.csv", "x_m,y_m,diameter_m\n0.5e-3,2e-3,2e-3\n");
+  EXPECT_THAT(study.breccia("check").errors, HasSubstr("crosses a wall by 0.0005 m"));
+}
+
+/// Times and density factors for a box of the matrix, and why they do not go together.
+struct BadFactors {
+  const char* times;
+  const char* factors;
+  const char* message;
+};
+
+TEST(RunFailure, DensityFactorsDoNotCoverTheTimes) {
+  const StudyDirectory study(test::homogeneous_deck);
+  const std::vector<BadFactors> cases{
+      {R"(["1 ms", "50 ms"])", "[1e6]", "factor 1e+06 no time up to 5.000e-02 s comes after 3 there-and-back transits"},
+      {R"(["15 ms", "50 ms"])", "[15]", "relaxes faster than waves cross the box; give a smaller density factor"},
+      {R"(["1 ms", "15 ms"])", "[5]",
+       "none is valid at 1.000e-03 s; give density factors whose windows cover the times"},
+  };
+  for (const auto& [times, factors, message] : cases) {
+    const auto run = study.breccia("run", {"--set", fmt::format("tests.times={}", times), "--set",
+                                           fmt::format("tests.dynamic.density_factors={}", factors)});
+    EXPECT_EQ(run.exit_code, 3) << factors;
+    EXPECT_THAT(run.errors, AllOf(testing::StartsWith("A shear: "), HasSubstr(message))) << factors;
+    EXPECT_THAT(study.results(), Not(Contains("curves.csv"))) << factors;
+  }
+}
+
+TEST(RunFailure, AnEmptyWindowOfTimes) {
+  const StudyDirectory study(model_deck);
+  const auto run = study.breccia("run", {"--set", R"(tests.times=["1 ms", "1 ms"])"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors, HasSubstr("tests.times: expected two rising times"));
+  EXPECT_THAT(study.results(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace breccia

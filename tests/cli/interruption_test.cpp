@@ -1,0 +1,80 @@
+#include <csignal>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/hdf5.hpp"
+
+#include "good_deck.hpp"
+#include "messages.hpp"
+#include "model_deck.hpp"
+#include "scoped_path.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::StudyDirectory;
+
+class Interruption : public testing::TestWithParam<int> {};
+
+TEST_P(Interruption, KeepsFinishedTimeDomains) {
+  // An elastic box: the second time domain would go on for days.
+  auto deck = test::replaced(std::string(test::homogeneous_deck),
+                             R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })", R"("0.5 MPa")");
+  deck = test::replaced(deck, "50 ms", "100000 s") + "[tests.dynamic]\ndensity_factors = [0.1, 1]\n";
+  const StudyDirectory study(deck);
+  test::RunningCommand run(study.path(), StudyDirectory::arguments("run"));
+  const auto finished = study.result("A/shear-displacement-dynamic-1.h5");
+  ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(finished); })) << run.wait().errors;
+  run.send(GetParam());
+  const auto outcome = run.wait();
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_EQ(outcome.errors, "interrupted; what was finished stays in the results\n");
+  EXPECT_THAT(study.results(), testing::ElementsAre("A/microstructure.csv", "A/microstructure.svg",
+                                                    "A/shear-displacement-dynamic-1.h5"));
+  EXPECT_EQ(Hdf5Reader(finished).attribute<double>("/history", "density_factor"), 0.1);
+}
+
+TEST_P(Interruption, EndsAPacking) {
+  // So many particles that packing takes a while.
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"20 um\""));
+  test::RunningCommand pack(study.path(), StudyDirectory::arguments("pack", {"--set", "stages.A.filler.gap=0 m"}));
+  ASSERT_TRUE(pack.reaches([&] { return std::filesystem::exists(study.path() / "out"); })) << pack.wait().errors;
+  pack.send(GetParam());
+  const auto outcome = pack.wait();
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_THAT(outcome.errors, testing::StartsWith("packing interrupted at a fraction of "));
+  EXPECT_THAT(study.results(), testing::IsEmpty());
+}
+
+TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {
+  const StudyDirectory study(test::homogeneous_deck);
+  const std::string path = std::getenv("PATH");
+  study.write("gnuplot",
+              "#!/bin/sh\n"
+              "if [ -e out/A/fields.vtkhdf ]; then\n"
+              "  touch drawing\n"
+              "  while [ ! -e signalled ]; do sleep 0.01; done\n"
+              "fi\n"
+              "PATH='" +
+                  path + "' exec gnuplot \"$@\"\n");
+  std::filesystem::permissions(study.path() / "gnuplot", std::filesystem::perms::owner_all);
+  const test::ScopedPath with_slow_gnuplot(study.path().string() + ":" + path);
+  test::RunningCommand run(study.path(), StudyDirectory::arguments("run", {"--set", "stages.A.cells=8"}));
+  ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(study.path() / "drawing"); })) << run.wait().errors;
+  run.send(GetParam());
+  study.write("signalled", "");
+  const auto outcome = run.wait();
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_EQ(outcome.exit_code, 0) << "nothing was left to interrupt";
+  EXPECT_TRUE(std::filesystem::exists(study.result("A/modulus.svg")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interruption, testing::Values(SIGINT, SIGTERM), [](const auto& chosen) {
+  return std::string(chosen.param == SIGINT ? "Interrupt" : "Terminate");
+});
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,145 @@
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/text_file.hpp"
+
+#include "messages.hpp"
+#include "model_deck.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::homogeneous_deck;
+using test::model_deck;
+using test::modulus_at;
+using test::read_curve;
+using test::StudyDirectory;
+using testing::HasSubstr;
+
+/// Quasi-static values of the model composite from an independent computation, standard points.
+struct Known {
+  double time;
+  double modulus;
+};
+constexpr std::array<Known, 5> known_standard_24 = {
+    {{1e-3, 0.884355e6}, {3e-3, 0.744429e6}, {1e-2, 0.419205e6}, {3e-2, 0.118464e6}, {5e-2, 0.0636499e6}}};
+constexpr std::array<Known, 5> known_standard_48 = {
+    {{1e-3, 0.841164e6}, {3e-3, 0.705966e6}, {1e-2, 0.392194e6}, {3e-2, 0.102588e6}, {5e-2, 0.0491607e6}}};
+
+void expect_quasi_static(const Curve& curve, const std::array<Known, 5>& known, double tolerance) {
+  for (const auto& [time, modulus] : known) {
+    EXPECT_NEAR(modulus_at(curve, time) / modulus, 1.0, tolerance) << "at " << time << " s";
+  }
+}
+
+void expect_exact(const Curve& curve, double constant, double relaxing) {
+  EXPECT_EQ(curve.front().time, 1e-3);
+  EXPECT_EQ(curve.back().time, 50e-3);
+  for (const auto& [time, modulus] : curve) {
+    EXPECT_NEAR(modulus / (constant + relaxing * std::exp(-time / 10e-3)), 1.0, 1e-3) << "at " << time << " s";
+  }
+}
+
+TEST(Run, ModelCompositeAgreesWithTheQuasiStaticLimit) {
+  const StudyDirectory study(model_deck);
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("A: 4 particles fill 34.91 % of the box"));
+  EXPECT_THAT(run.output, HasSubstr("Results are in out: curves.csv, study.json"));
+  expect_quasi_static(read_curve(study.result("curves.csv"), "A", "shear"), known_standard_24, 0.015);
+}
+
+TEST(Run, HomogeneousBoxRelaxesAsItsMaterialUnderBothLoads) {
+  const StudyDirectory study(homogeneous_deck);
+  const auto run = study.breccia("run", {"--set", R"(tests.loads=["shear", "bulk"])"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("A G           A K + G/3"));
+  expect_exact(read_curve(study.result("curves.csv"), "A", "shear"), 0.0, 0.5e6);
+  expect_exact(read_curve(study.result("curves.csv"), "A", "bulk"), 1e6, 0.5e6 / 3.0);
+}
+
+TEST(Run, StagesAreRunOneAfterTheOther) {
+  const StudyDirectory study(std::string(homogeneous_deck) +
+                             "[[stages]]\nname = \"B\"\nmatrix = \"binder\"\nbox = \"3 mm\"\ncells = 12\n");
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  for (const auto* stage : {"A", "B"}) {
+    expect_exact(read_curve(study.result("curves.csv"), stage, "shear"), 0.0, 0.5e6);
+    EXPECT_TRUE(std::filesystem::exists(study.result(std::string(stage) + "/modulus.svg")));
+  }
+}
+
+TEST(Run, ClassicalFormulationGivesTheSameAnswer) {
+  const StudyDirectory study(model_deck);
+  const std::vector<std::string> small{"--set", "stages.A.cells=8", "--set", R"(tests.times=["1 ms", "10 ms"])"};
+  auto classical = small;
+  classical.insert(classical.end(), {"--set", "tests.dynamic.formulation=classical"});
+  ASSERT_EQ(study.breccia("run", small).exit_code, 0);
+  const auto expected = read_curve(study.result("curves.csv"), "A", "shear");
+  ASSERT_EQ(study.breccia("run", classical).exit_code, 0);
+  const auto curve = read_curve(study.result("curves.csv"), "A", "shear");
+  ASSERT_EQ(curve.size(), expected.size());
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    EXPECT_EQ(curve[i].time, expected[i].time);
+    EXPECT_NEAR(curve[i].modulus / expected[i].modulus, 1.0, 5e-3) << "at " << curve[i].time << " s";
+  }
+  EXPECT_THAT(read_text(study.result("study.json")), HasSubstr(R"("formulation": "classical")"));
+}
+
+TEST(Run, TheNumberOfThreadsDoesNotChangeABit) {
+  const StudyDirectory study(test::replaced(std::string(model_deck), "cells   = 24", "cells   = 64"));
+  const std::vector<std::string> short_times{"--set", R"(tests.times=["1 ms", "1.2 ms"])"};
+  ASSERT_EQ(study.breccia("run", short_times).exit_code, 0);
+  const auto with_one = read_text(study.result("curves.csv"));
+  ASSERT_EQ(test::run_breccia(study.path(),
+                              {"run", "deck.toml", "--out", "out", "--threads", "2", short_times[0], short_times[1]})
+                .exit_code,
+            0);
+  EXPECT_EQ(read_text(study.result("curves.csv")), with_one);
+}
+
+TEST(Run, QuietPrintsNothing) {
+  const StudyDirectory study(homogeneous_deck);
+  for (const auto* command : {"run", "pack"}) {
+    const auto outcome = study.breccia(command, {"--quiet", "--set", "stages.A.cells=8"});
+    EXPECT_EQ(outcome.exit_code, 0) << command;
+    EXPECT_EQ(outcome.output, "") << command;
+    EXPECT_EQ(outcome.errors, "") << command;
+  }
+}
+
+TEST(Run, ResultsGoToADirectoryNamedAfterTheDeck) {
+  const StudyDirectory study(homogeneous_deck);
+  const auto run = test::run_breccia(study.path(), {"run", "deck.toml", "--set", "stages.A.cells=8"});
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_TRUE(std::filesystem::exists(study.path() / "results" / "deck" / "curves.csv"));
+}
+
+TEST(Examples, ModelCompositeAgreesWithTheQuasiStaticLimit) {
+  const test::TemporaryDirectory directory;
+  const auto run =
+      test::run_breccia(directory.path(), {"run", BRECCIA_EXAMPLES_DIRECTORY "/model-composite.toml", "--out", "."});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  expect_quasi_static(read_curve(directory.path() / "curves.csv", "model", "shear"), known_standard_48, 0.01);
+}
+
+TEST(Examples, AreWithoutMistakes) {
+  const test::TemporaryDirectory directory;
+  std::size_t decks = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(BRECCIA_EXAMPLES_DIRECTORY)) {
+    if (entry.path().extension() != ".toml") continue;
+    ++decks;
+    const auto check = test::run_breccia(directory.path(), {"check", entry.path().string()});
+    EXPECT_EQ(check.exit_code, 0) << entry.path() << "\n" << check.errors;
+    EXPECT_THAT(check.output, HasSubstr("plan, ")) << entry.path();
+    EXPECT_EQ(check.errors, "") << entry.path();
+  }
+  EXPECT_GT(decks, 0U);
+}
+
+}  // namespace
+}  // namespace breccia
