@@ -78,6 +78,14 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       quoted(plot.quantity + " / MPa"), quoted(plot.title));
 }
 
+/// Where a label centred between two times goes, as a share of the width of the graph: it must not leave the graph.
+double label_position(const PlotWindow& window, double begin, double end, const LogAxis& time) {
+  constexpr double width_of_a_sign = 0.0085;
+  const double half_width = std::min(0.5, 0.5 * width_of_a_sign * static_cast<double>(window.label.size()));
+  const double middle = std::log(std::sqrt(begin * end) / time.begin) / std::log(time.end / time.begin);
+  return std::clamp(middle, half_width, 1.0 - half_width);
+}
+
 /// Transparent bands of alternating colour and height of label: where two windows overlap both can be seen.
 std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
   std::string script;
@@ -89,9 +97,9 @@ std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
     script += fmt::format(
         "set object rectangle from first {0:.17g}, graph 0 to first {1:.17g}, graph 1 behind "
         "fillcolor rgb '{2}' fillstyle transparent solid 0.12 noborder\n"
-        "set label {3} at first {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
-        begin, end, is_even ? "#4477aa" : "#998866", quoted(windows[i].label), std::sqrt(begin * end),
-        is_even ? 0.96 : 0.92);
+        "set label {3} at graph {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
+        begin, end, is_even ? "#4477aa" : "#998866", quoted(windows[i].label),
+        label_position(windows[i], begin, end, time), is_even ? 0.96 : 0.92);
   }
   return script;
 }
@@ -147,7 +155,9 @@ std::string gnuplot_script(const ModulusPlot& plot) {
   if (!(largest.time > 0.0)) throw InputError(fmt::format("plot \"{}\": there is no point to show", plot.title));
 
   const auto time = log_axis(smallest.time, largest.time);
-  const auto modulus = log_axis(smallest.modulus, largest.modulus, 1.3);
+  // Room for the labels of the windows above the curves.
+  const double headroom = plot.windows.empty() ? 1.0 : std::pow(1.7 * largest.modulus / smallest.modulus, 0.12);
+  const auto modulus = log_axis(smallest.modulus, largest.modulus * headroom, 1.3);
   return "set encoding utf8\n"
          "set terminal svg enhanced size 900,600 dynamic rounded background rgb 'white' font 'sans-serif,15'\n"
          "set border linecolor rgb '#404040'\n"

@@ -71,6 +71,15 @@ void write_fields(const std::filesystem::path& directory, const Stage& stage, co
                 {"stress_Pa", 6, std::move(stress)}});
 }
 
+namespace {
+
+/// "1030", not "1.03e+03".
+std::string three_digits(double value) {
+  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
+}
+
+}  // namespace
+
 void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                 const StageResult& result) {
   ModulusPlot plot;
@@ -91,7 +100,7 @@ void write_plot(const std::filesystem::path& directory, const Study& study, cons
   plot.curves.push_back(std::move(matrix));
   for (const auto& domain : result.tests.front().dynamic.domains) {
     plot.windows.push_back(
-        {fmt::format("density x {:.3g}", domain.density_factor), domain.window.begin, domain.window.end});
+        {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
   }
   write_text(directory / "modulus.svg", modulus_plot(plot));
 }
