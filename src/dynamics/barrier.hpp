@@ -9,11 +9,10 @@ namespace breccia::dynamics {
 /// gives the core away, so that a machine with more threads than cores stays usable.
 class Barrier {
  public:
-  explicit Barrier(int threads) : threads_(threads) {}
-
-  void wait() noexcept {
+  /// Returns when all of this many threads have called it.
+  void wait(int threads) noexcept {
     const auto round = round_.load(std::memory_order_acquire);
-    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads_) {
+    if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads) {
       arrived_.store(0, std::memory_order_relaxed);
       round_.store(round + 1, std::memory_order_release);
       return;
@@ -29,7 +28,6 @@ class Barrier {
   }
 
  private:
-  int threads_;
   alignas(64) std::atomic<int> arrived_{0};
   alignas(64) std::atomic<unsigned> round_{0};
 };

@@ -77,16 +77,22 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
-  Barrier barrier(static_cast<int>(bands_.size()));
+  Barrier barrier;
 #pragma omp parallel num_threads(bands_.size())
   {
-    const auto band = static_cast<std::size_t>(omp_get_thread_num());
+    // OpenMP may grant fewer threads than there are bands.
+    const int threads = omp_get_num_threads();
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     for (int i = 0; i < steps; ++i) {
-      sweep(bands_[band], first + i);
-      barrier.wait();
-      join_bands(band, first + i);
-      if (band == 0) stresses[i] = average_stress(first + i);
-      barrier.wait();
+      for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
+        sweep(bands_[band], first + i);
+      }
+      barrier.wait(threads);
+      for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
+        join_bands(band, first + i);
+      }
+      if (thread == 0) stresses[i] = average_stress(first + i);
+      barrier.wait(threads);
     }
   }
 }

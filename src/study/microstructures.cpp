@@ -89,10 +89,11 @@ void describe(const Stage& stage, StageMicrostructure& result) {
   result.interface_per_area = interface_per_area(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
   if (result.microstructure.walls == Walls::periodic) {
-    result.warnings.push_back(fmt::format(
-        "{}: the displacement boundary cuts the particles that cross the sides of this periodic box; they bridge it, and the "
-        "modulus at long times comes out far too high; packing.walls = true keeps them inside",
-        stage.name));
+    result.warnings.push_back(
+        fmt::format("{}: the displacement boundary cuts the particles that cross the sides of this periodic box; they "
+                    "bridge it, and the "
+                    "modulus at long times comes out far too high; packing.walls = true keeps them inside",
+                    stage.name));
   }
   constexpr double cells_per_gap = 3.0;
   if (result.gap < cells_per_gap * stage.cell_size() * (1.0 - 1e-9)) {
