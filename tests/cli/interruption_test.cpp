@@ -51,7 +51,9 @@ TEST_P(Interruption, EndsAPacking) {
 
 TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {
   const StudyDirectory study(test::homogeneous_deck);
-  const std::string path = std::getenv("PATH");
+  const char* const before = std::getenv("PATH");
+  ASSERT_NE(before, nullptr);
+  const std::string path(before);
   study.write("gnuplot",
               "#!/bin/sh\n"
               "if [ -e out/A/fields.vtkhdf ]; then\n"
