@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <thread>
 
 namespace breccia::dynamics {
 
@@ -15,16 +14,15 @@ class Barrier {
     if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == threads) {
       arrived_.store(0, std::memory_order_relaxed);
       round_.store(round + 1, std::memory_order_release);
+      round_.notify_all();
       return;
     }
     constexpr int patience = 4000;
-    for (int tries = 0; round_.load(std::memory_order_acquire) == round; ++tries) {
-      if (tries < patience) {
-        __builtin_ia32_pause();
-      } else {
-        std::this_thread::yield();
-      }
+    for (int tries = 0; tries < patience; ++tries) {
+      if (round_.load(std::memory_order_acquire) != round) return;
+      __builtin_ia32_pause();
     }
+    while (round_.load(std::memory_order_acquire) == round) round_.wait(round, std::memory_order_acquire);
   }
 
  private:

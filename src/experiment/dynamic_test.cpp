@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/experiment/modulus_bounds.hpp"
 #include "breccia/experiment/time_domains.hpp"
 
 namespace breccia {
@@ -88,13 +89,9 @@ Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, doub
   return {first_time + 0.5 * (count - 1.0) * time_step, sum / count};
 }
 
-double estimated_shear_modulus(const DynamicTest& test, double time) {
-  return breccia::estimated_shear_modulus(test.discretisation, test.materials, time);
-}
-
 /// Runs until the sequence has seen enough.
-void run_domain(const DynamicTest& test, DomainSequence& sequence, DynamicSolver& solver, TimeDomain& domain,
-                const std::function<void(const TimeDomain&)>& report) {
+void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, DomainSequence& sequence,
+                DynamicSolver& solver, TimeDomain& domain, const std::function<void(const TimeDomain&)>& report) {
   const auto start = Clock::now();
   std::vector<PlaneStress> stresses;
   for (bool go_on = true; go_on;) {
@@ -105,7 +102,7 @@ void run_domain(const DynamicTest& test, DomainSequence& sequence, DynamicSolver
     domain.steps = solver.steps_taken();
     domain.seconds = seconds_since(start);
     // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
-    const double shear_modulus = test.load == Load::shear ? sample.modulus : estimated_shear_modulus(test, sample.time);
+    const double shear_modulus = test.load == Load::shear ? sample.modulus : bounds.lower(sample.time);
     go_on = sample.time <= 0.0 || sequence.observe(sample.time, shear_modulus);
     if (report) report(domain);
   }
@@ -146,35 +143,17 @@ double mean_density(const Discretisation& discretisation, const std::vector<Mate
   return density;
 }
 
-double estimated_shear_modulus(const Discretisation& discretisation, const std::vector<Material>& materials,
-                               double time) {
-  const auto fractions = discretisation.fractions(materials.size());
-  double softest = materials.front().shear.at(time), softest_bulk = materials.front().bulk.at(time);
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    if (fractions[m] == 0.0) continue;
-    softest = std::min(softest, materials[m].shear.at(time));
-    softest_bulk = std::min(softest_bulk, materials[m].bulk.at(time));
-  }
-  // With the softest phase around: sum of fraction / (G + G*) = 1 / (G_eff + G*), G* = G k / (k + 2 G), k = K + G / 3.
-  const double plane_bulk = softest_bulk + softest / 3.0;
-  const double surrounding = softest * plane_bulk / (plane_bulk + 2.0 * softest);
-  double sum = 0.0;
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    sum += fractions[m] / (materials[m].shear.at(time) + surrounding);
-  }
-  return 1.0 / sum - surrounding;
-}
-
 DynamicPlan plan_dynamic_test(const DynamicTest& test) {
   require_complete(test);
   const auto rules = rules_of(test);
-  DomainSequence sequence(rules, estimated_shear_modulus(test, test.times.begin));
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  DomainSequence sequence(rules, bounds.lower(test.times.begin));
   DynamicPlan plan;
   for (;;) {
     auto domain = prepare(test, sequence).domain;
     constexpr double increase = 1.01;
     double time = std::min(0.5 * sequence.expected_begin(), test.times.end);
-    while (sequence.observe(time, estimated_shear_modulus(test, time))) time *= increase;
+    while (sequence.observe(time, bounds.estimate(time))) time *= increase;
     cut(domain, sequence, plan.domains.empty());
     domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
     plan.bytes = std::max(plan.bytes, memory_of(test, domain.terms));
@@ -186,7 +165,8 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
 
 double trial_speed(const DynamicTest& test) {
   require_complete(test);
-  const DomainSequence sequence(rules_of(test), estimated_shear_modulus(test, test.times.begin));
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  const DomainSequence sequence(rules_of(test), bounds.lower(test.times.begin));
   auto preparation = prepare(test, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
   std::vector<PlaneStress> stresses;
@@ -200,17 +180,20 @@ double trial_speed(const DynamicTest& test) {
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer) {
   require_complete(test);
   const auto rules = rules_of(test);
-  DomainSequence sequence(rules, estimated_shear_modulus(test, test.times.begin));
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  DomainSequence sequence(rules, bounds.lower(test.times.begin));
   const auto points = static_cast<double>(test.discretisation.points());
   const double decades = std::log(test.times.end / test.times.begin);
+  double furthest = test.times.begin;
   DynamicTestResult result;
   for (;;) {
     auto [problem, domain] = prepare(test, sequence);
     const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
-    run_domain(test, sequence, *solver, domain, [&](const TimeDomain& running) {
+    run_domain(test, bounds, sequence, *solver, domain, [&](const TimeDomain& running) {
       if (!observer.progress) return;
       const double time = running.history.back().time;
-      const double done = std::log(std::max(time, test.times.begin) / test.times.begin);
+      furthest = std::max(furthest, time);
+      const double done = std::log(furthest / test.times.begin);
       observer.progress({.domain = result.domains.size(),
                          .density_factor = running.density_factor,
                          .time = time,

@@ -41,7 +41,16 @@ std::optional<double> DomainSequence::next_factor() const {
   return std::nullopt;
 }
 
+void DomainSequence::throw_late(double time) const {
+  throw NumericalError(fmt::format(
+      "time domains: with density factor {:.3g} the run is valid from {:.3e} s on, after {:g} there-and-back "
+      "transits of the shear wave, but times begin at {:.3e} s; give a first density factor below {:.2g}",
+      factor_, time, there_and_back_transits, rules_.times.begin,
+      factor_ * rules_.times.begin * rules_.times.begin / (time * time)));
+}
+
 bool DomainSequence::observe(double time, double modulus) {
+  constexpr double rounding = 1e-9;
   const double admissible = rules_.admissible_factor(time, modulus);
   // Ringing may take a young window back below the limit; that is not the end of it.
   constexpr double settled = 1.2;
@@ -49,7 +58,10 @@ bool DomainSequence::observe(double time, double modulus) {
     expired_ = window_.has_value();
     return !expired_ && time < rules_.times.end;
   }
-  if (!window_) window_ = TimeWindow{time, time};
+  if (!window_) {
+    if (is_first_ && time > rules_.times.begin * (1.0 + rounding)) throw_late(time);
+    window_ = TimeWindow{time, time};
+  }
   window_->end = time;
   if (time >= rules_.times.end) {
     complete_ = true;
@@ -87,6 +99,7 @@ void DomainSequence::advance() {
   }
   expected_begin_ = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
   expired_ = false;
+  is_first_ = false;
   window_.reset();
   next_admissible_.reset();
 }

@@ -60,6 +60,10 @@ const std::string& Deck::text() const noexcept {
   return state_->text;
 }
 
+std::vector<std::filesystem::path> Deck::files() const {
+  return {state_->files.begin(), state_->files.end()};
+}
+
 Section Deck::root() const {
   return {*state_, &state_->root, ""};
 }

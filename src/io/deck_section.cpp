@@ -261,7 +261,10 @@ std::filesystem::path Section::file(const std::string& key) const {
   const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
   if (!name) return {};
   auto path = (state_->path.parent_path() / *name).lexically_normal();
-  if (std::filesystem::is_regular_file(path)) return path;
+  if (std::filesystem::is_regular_file(path)) {
+    state_->files.insert(path);
+    return path;
+  }
   report(key, fmt::format("no such file: {}", path.string()));
   return {};
 }

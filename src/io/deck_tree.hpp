@@ -64,6 +64,7 @@ struct DeckState {
   DeckTable root;
   std::map<const DeckTable*, TableUse> uses;
   std::vector<Mistake> mistakes;
+  std::set<std::filesystem::path> files;  ///< that the deck names and that exist
 };
 
 /// The tree of a TOML text. Throws InputError, with the place, when it is not TOML.

@@ -18,11 +18,13 @@ Study read_study(const std::filesystem::path& deck, const std::vector<std::strin
   study.deck = deck;
   study.deck_text = document.text();
   study.overrides = overrides;
-  study.hash = content_hash(fmt::format("{}\n{}", document.text(), fmt::join(overrides, "\n")));
   study.materials = read_materials(root);
   study.stages = read_stages(root, study.materials);
   study.tests = read_tests(root);
   document.finish();
+  auto content = fmt::format("{}\n{}", document.text(), fmt::join(overrides, "\n"));
+  for (const auto& file : document.files()) content += read_text(file);
+  study.hash = content_hash(content);
   return study;
 }
 

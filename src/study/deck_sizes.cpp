@@ -28,6 +28,10 @@ TabulatedSizes read_size_table(const std::filesystem::path& path) {
                                    table.place(row), least, fractions[row]));
     }
   }
+  if (fractions.front() != 0.0) {
+    throw InputError(fmt::format("{}: expected the cumulative volume fraction to begin at 0, got {}", table.place(0),
+                                 fractions.front()));
+  }
   if (fractions.back() != 1.0) {
     throw InputError(fmt::format("{}: expected the cumulative volume fraction to end at 1, got {}",
                                  table.place(table.rows() - 1), fractions.back()));

@@ -84,26 +84,35 @@ Microstructure place_particles(const Stage& stage, const PackingWatch& watch, St
                     stage.filler->packing);
 }
 
+/// Particles that cross the sides of the box.
+std::optional<std::string> warning_of_cut_particles(const StageMicrostructure& result) {
+  if (result.microstructure.walls != Walls::periodic) return std::nullopt;
+  return "the displacement boundary cuts the particles that cross the sides of this periodic box; they bridge it, and "
+         "the modulus at long times comes out far too high; packing.walls = true keeps them inside";
+}
+
+/// Gaps that the grid hardly sees.
+std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, double gap) {
+  constexpr double cells_per_gap = 3.0;
+  constexpr double rounding = 1e-9;
+  const double cells = gap / stage.cell_size();
+  if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
+  const double needed = std::ceil(cells_per_gap * stage.side / gap);
+  constexpr double affordable = 20000.0;
+  return fmt::format(
+      "the smallest gap between particles, {}, is {:.2g} cells wide; below {:g} the modulus at long times comes out "
+      "too "
+      "high, by several times below 1{}",
+      readable(gap, Dimension::length), cells, cells_per_gap,
+      needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
+}
+
 void describe(const Stage& stage, StageMicrostructure& result) {
   result.fraction = area_fraction(result.microstructure);
   result.interface_per_area = interface_per_area(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
-  if (result.microstructure.walls == Walls::periodic) {
-    result.warnings.push_back(
-        fmt::format("{}: the displacement boundary cuts the particles that cross the sides of this periodic box; they "
-                    "bridge it, and the "
-                    "modulus at long times comes out far too high; packing.walls = true keeps them inside",
-                    stage.name));
-  }
-  constexpr double cells_per_gap = 3.0;
-  if (result.gap < cells_per_gap * stage.cell_size() * (1.0 - 1e-9)) {
-    const double needed = std::ceil(cells_per_gap * stage.side / result.gap);
-    result.warnings.push_back(
-        fmt::format("{}: the smallest gap between particles, {}, is {:.2g} cells wide; below {:g} the modulus at long "
-                    "times comes out "
-                    "too high, by several times below 1{}",
-                    stage.name, readable(result.gap, Dimension::length), result.gap / stage.cell_size(), cells_per_gap,
-                    result.gap > 0.0 ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : ""));
+  for (const auto& warning : {warning_of_cut_particles(result), warning_of_narrow_gaps(stage, result.gap)}) {
+    if (warning) result.warnings.push_back(stage.name + ": " + *warning);
   }
 }
 

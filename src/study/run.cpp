@@ -22,6 +22,26 @@ void make_directory(const fs::path& directory) {
   if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
 }
 
+/// Removes what an earlier run left, so that no old number stands beside a new one.
+void remove_old_results(const Study& study, const fs::path& directory) {
+  const auto remove = [](const fs::path& file) {
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
+  };
+  for (const auto* name : {"curves.csv", "study.json"}) remove(directory / name);
+  for (const auto& stage : study.stages) {
+    const auto stage_directory = directory / stage.name;
+    if (!fs::is_directory(stage_directory)) continue;
+    for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "fields.vtkhdf"}) {
+      remove(stage_directory / name);
+    }
+    for (const auto& entry : fs::directory_iterator(stage_directory)) {
+      if (entry.path().filename().string().find("-displacement-dynamic-") != std::string::npos) remove(entry.path());
+    }
+  }
+}
+
 StageResult pack_stage(const Stage& stage, const fs::path& directory, const StudyObserver& observer) {
   const PackingWatch watch = [&](const PackingProgress& progress) {
     return !observer.packing || observer.packing(stage, progress);
@@ -75,6 +95,7 @@ DynamicTest make_test(const Study& study, const Stage& stage, const Microstructu
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
   make_directory(directory);
+  remove_old_results(study, directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     result.stages.push_back(pack_stage(stage, directory / stage.name, observer));
@@ -87,11 +108,13 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
   // Not after an hour of work.
   require_gnuplot();
   make_directory(directory);
+  remove_old_results(study, directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     const auto stage_directory = directory / stage.name;
     result.stages.push_back(pack_stage(stage, stage_directory, observer));
     auto& done = result.stages.back();
+    write_provenance(directory, study, result);
     for (const auto load : study.tests.loads) {
       const auto test = make_test(study, stage, done.microstructure.microstructure, load, threads);
       done.tests.push_back(run_test(study, stage, stage_directory, test, observer));

@@ -33,7 +33,7 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "interrupted; what was finished stays in the results\n");
   EXPECT_THAT(study.results(), testing::ElementsAre("A/microstructure.csv", "A/microstructure.svg",
-                                                    "A/shear-displacement-dynamic-1.h5"));
+                                                    "A/shear-displacement-dynamic-1.h5", "study.json"));
   EXPECT_EQ(Hdf5Reader(finished).attribute<double>("/history", "density_factor"), 0.1);
 }
 

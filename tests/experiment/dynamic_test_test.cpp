@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/experiment/modulus_bounds.hpp"
 
 namespace breccia {
 namespace {
@@ -144,13 +145,18 @@ TEST(PlanDynamicTest, HomogeneousPlanIsWhatIsRun) {
   EXPECT_GT(plan.bytes, 0U);
 }
 
-TEST(EstimatedShearModulus, IsTheBoundOfHashinForTheModelComposite) {
+TEST(ShearModulusBounds, AreThoseOfHashinForTheModelComposite) {
   const auto box = model_composite(200);
   const double f = box.fractions(2)[1];
-  // Hashin (1965): G = Gm + f / (1 / (Gf - Gm) + (1 - f)(km + 2 Gm) / (2 Gm (km + Gm))).
-  const double gm = 0.5e6, gf = 18.8e6, km = 1e6 + gm / 3.0;
-  const double hashin = gm + f / (1.0 / (gf - gm) + (1.0 - f) * (km + 2.0 * gm) / (2.0 * gm * (km + gm)));
-  EXPECT_NEAR(estimated_shear_modulus(box, {binder, particle}, 0.0) / hashin, 1.0, 1e-9);
+  // Hashin (1965): G = G1 + f2 / (1 / (G2 - G1) + f1 (k1 + 2 G1) / (2 G1 (k1 + G1))), phase 1 around phase 2.
+  const auto hashin = [](double g1, double k1, double g2, double f2) {
+    return g1 + f2 / (1.0 / (g2 - g1) + (1.0 - f2) * (k1 + 2.0 * g1) / (2.0 * g1 * (k1 + g1)));
+  };
+  const double gm = 0.5e6, gf = 18.8e6;
+  const ShearModulusBounds bounds(box, {binder, particle});
+  EXPECT_NEAR(bounds.lower(0.0) / hashin(gm, 1e6 + gm / 3.0, gf, f), 1.0, 1e-9);
+  EXPECT_NEAR(bounds.upper(0.0) / hashin(gf, 50e6 + gf / 3.0, gm, 1.0 - f), 1.0, 1e-9);
+  EXPECT_DOUBLE_EQ(bounds.estimate(0.01), std::sqrt(bounds.lower(0.01) * bounds.upper(0.01)));
 }
 
 TEST(MeanDensity, CountsPoints) {

@@ -50,14 +50,14 @@ TEST(DomainRules, ThreeThereAndBackTransitsDecide) {
 }
 
 TEST(DomainSequence, AGivenFactorIsValidAfterSixTransits) {
-  const auto domains = walk(unit_box({6.0, 60.0}, {1.0}), one);
+  const auto domains = walk(unit_box({6.1, 60.0}, {1.0}), one);
   ASSERT_EQ(domains.size(), 1U);
   EXPECT_NEAR(domains[0].window.begin, 6.0, 0.02);
   EXPECT_NEAR(domains[0].window.end, 60.0, 0.15);
 }
 
 TEST(DomainSequence, HandsOverWithTheOverlapThatIsAskedFor) {
-  const auto domains = walk(unit_box({6.0, 1000.0}, {1.0, 100.0}), one);
+  const auto domains = walk(unit_box({6.1, 1000.0}, {1.0, 100.0}), one);
   ASSERT_EQ(domains.size(), 2U);
   EXPECT_NEAR(domains[1].window.begin, 60.0, 0.2);
   EXPECT_NEAR(domains[0].window.end, 90.0, 0.3);
@@ -87,6 +87,10 @@ TEST(DomainSequence, FactorsFallAgainWhereTheCompositeRelaxesFasterThanWavesCros
 
 TEST(DomainSequence, SaysWhenAGivenFactorIsNeverValid) {
   EXPECT_THROW(walk(unit_box({6.0, 60.0}, {1e6}), one), NumericalError);
+}
+
+TEST(DomainSequence, SaysWhenTheFirstGivenFactorIsValidTooLate) {
+  EXPECT_THROW(walk(unit_box({3.0, 60.0}, {1.0}), one), NumericalError);
 }
 
 TEST(DomainSequence, SaysWhenAGivenFactorExpires) {

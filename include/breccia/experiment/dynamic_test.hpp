@@ -68,7 +68,7 @@ struct DynamicObserver {
   std::function<void(const TimeDomain&)> finished = {};       ///< each domain, as soon as it is done
 };
 
-/// What a test will take, from an estimate of the composite's modulus (the lower bound of Hashin).
+/// What a test will take, from an estimate of the composite's modulus (ShearModulusBounds).
 struct DynamicPlan {
   std::vector<TimeDomain> domains;  ///< without histories and wall times
   std::size_t bytes = 0;            ///< memory of the largest run, about
@@ -91,11 +91,5 @@ std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, in
 
 /// Mean density of a discretisation [kg/m^3].
 double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials);
-
-/// Lower estimate of the composite's relaxation modulus at a time [Pa]: the bound of Hashin (1965) for transversely
-/// isotropic fibre composites in plane strain, with the phases' relaxation moduli taken as elastic ones (theory, Eq.
-/// 15).
-double estimated_shear_modulus(const Discretisation& discretisation, const std::vector<Material>& materials,
-                               double time);
 
 }  // namespace breccia

@@ -48,6 +48,7 @@ class DomainSequence {
 
   /// Takes note of the composite's shear modulus at a time, times rising. Returns false when the domain is over: either
   /// the last time requested is reached, or the next domain can take over.
+  /// Throws NumericalError when the first domain becomes valid only after the first time requested.
   [[nodiscard]] bool observe(double time, double modulus);
 
   [[nodiscard]] bool is_complete() const noexcept { return complete_; }
@@ -57,12 +58,14 @@ class DomainSequence {
 
  private:
   [[nodiscard]] std::optional<double> next_factor() const;
+  [[noreturn]] void throw_late(double time) const;
 
   DomainRules rules_;
   double factor_ = 1.0;
   double expected_begin_;
   std::size_t given_ = 0;  ///< index of the present factor among the given ones
   bool rising_ = true;
+  bool is_first_ = true;
   bool expired_ = false;
   bool complete_ = false;
   std::optional<TimeWindow> window_;

@@ -142,6 +142,8 @@ class Deck {
   Deck& operator=(Deck&&) noexcept;
   ~Deck();
 
+  /// The files that the deck names and that have been asked for so far, in the order of their names.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   /// The deck as it stands in the file.
   [[nodiscard]] const std::string& text() const noexcept;
   /// The top of the deck. Sections live as long as the deck.
