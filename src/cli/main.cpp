@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -61,8 +62,11 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     fmt::print(stderr, "breccia: {}\n", error.what());
     return static_cast<int>(breccia::ExitCode::file_failure);
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "not enough memory for this deck; `breccia check` tells how much it takes\n");
+    return static_cast<int>(breccia::ExitCode::numerical_failure);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "breccia: {}\n", error.what());
+    fmt::print(stderr, "breccia: internal error: {}\n", error.what());
     return static_cast<int>(breccia::ExitCode::numerical_failure);
   }
 }

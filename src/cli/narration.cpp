@@ -64,13 +64,16 @@ std::string closing_table(const Study& study, const StudyResult& result) {
     for (const auto& stage : result.stages) {
       for (const auto& test : stage.tests) {
         const auto& curve = test.dynamic.curve;
-        text += fmt::format("  {:>18}",
-                            readable(smoothed_at(curve, t, study.tests.points_per_decade), Dimension::pressure));
+        text += fmt::format("  {:>18}", readable(smoothed_at(curve, t), Dimension::pressure));
       }
     }
   }
   text += "\n";
   for (const auto& stage : result.stages) {
+    // Those of the particles have been told when they were packed.
+    for (std::size_t i = stage.microstructure.warnings.size(); i < stage.warnings.size(); ++i) {
+      text += "\nwarning: " + stage.warnings[i];
+    }
     for (const auto& test : stage.tests) {
       double worst = 0.0;
       for (const auto& overlap : test.dynamic.overlaps) worst = std::max(worst, overlap.mismatch);

@@ -23,11 +23,12 @@ std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade) 
   return times;
 }
 
-double smoothed_at(const Curve& curve, double time, int per_decade) {
+double smoothed_at(std::span<const Sample> curve, double time) {
   if (curve.empty() || time < curve.front().time || time > curve.back().time) {
     throw InputError(fmt::format("curve: no modulus is known at {:.6e} s", time));
   }
-  const double reach = std::pow(10.0, 0.5 / per_decade);
+  constexpr double decades = 1.0 / 40.0;
+  const double reach = std::pow(10.0, decades);
   const auto begin = std::ranges::lower_bound(curve, time / reach, {}, &Sample::time);
   const auto end = std::ranges::upper_bound(curve, time * reach, {}, &Sample::time);
   const auto count = static_cast<Eigen::Index>(end - begin);

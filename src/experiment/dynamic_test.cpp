@@ -46,9 +46,11 @@ struct Preparation {
   TimeDomain domain;
 };
 
-Preparation prepare(const DynamicTest& test, const DomainSequence& sequence) {
+Preparation prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
+                    const DomainSequence& sequence) {
   const double begin = sequence.expected_begin();
   const double end = std::max(sequence.last_time(), begin);
+  constexpr double early = 1.0 / 6.0;
   TimeDomain domain;
   domain.density_factor = sequence.density_factor();
   std::vector<Material> materials;
@@ -61,9 +63,20 @@ Preparation prepare(const DynamicTest& test, const DomainSequence& sequence) {
   }
   domain.time_step = test.options.courant *
                      stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
-  // The window begins after so many transits, by definition; that gives the duration of one.
+  // A factor that still rises begins its window after so many transits, by definition; that gives the duration of one.
+  // A factor that falls again is valid long before its window begins. The composite is stiffer during the ramp.
+  const double transit = std::min(begin / (2.0 * there_and_back_transits),
+                                  rules.transit(domain.density_factor, bounds.lower(early * begin)));
   domain.ramp = test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor)
-                                       : test.options.ramp_transits * begin / (2.0 * there_and_back_transits);
+                                       : test.options.ramp_transits * transit;
+  constexpr double most_steps = 1e10;
+  if (!(end / domain.time_step < most_steps)) {
+    throw NumericalError(
+        fmt::format("time domains: {:.3e} s would take {:.1e} steps of {:.1e} s; the composite relaxes so far before "
+                    "that time that "
+                    "waves hardly cross the box; give an earlier last time",
+                    end, end / domain.time_step, domain.time_step));
+  }
   DynamicProblem problem = {.discretisation = test.discretisation,
                             .materials = std::move(materials),
                             .volumetric = test.options.volumetric,
@@ -76,10 +89,12 @@ Preparation prepare(const DynamicTest& test, const DomainSequence& sequence) {
   return {std::move(problem), std::move(domain)};
 }
 
-/// Steps over which one sample of the history is averaged: few enough to change the time by less than half a per cent.
-int steps_to_average(double time, double time_step) {
-  constexpr double resolution = 0.005;
-  return std::max(1, static_cast<int>(std::min(resolution * time / time_step, 1e6)));
+/// Steps over which one sample of the history is averaged: few enough to change the time by less than half a per cent,
+/// and to take no longer than a user waits for an answer.
+int steps_to_average(double time, double time_step, std::size_t points) {
+  constexpr double resolution = 0.005, points_x_steps = 3e7;
+  const double steps = std::min(resolution * time / time_step, points_x_steps / static_cast<double>(points));
+  return std::max(1, static_cast<int>(steps));
 }
 
 Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, double first_time, double time_step) {
@@ -92,18 +107,21 @@ Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, doub
 /// Runs until the sequence has seen enough.
 void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, DomainSequence& sequence,
                 DynamicSolver& solver, TimeDomain& domain, const std::function<void(const TimeDomain&)>& report) {
+  // While the strain is ramped, and shortly after, the stress is no relaxation modulus.
+  constexpr double ramps_to_wait = 1.5;
+  const auto points = test.discretisation.points();
   const auto start = Clock::now();
   std::vector<PlaneStress> stresses;
   for (bool go_on = true; go_on;) {
     stresses.clear();
     const double time = solver.time();
-    solver.advance(steps_to_average(std::max(time, sequence.expected_begin()), domain.time_step), stresses);
+    solver.advance(steps_to_average(std::max(time, sequence.expected_begin()), domain.time_step, points), stresses);
     const auto& sample = domain.history.emplace_back(averaged_sample(test.load, stresses, time, domain.time_step));
     domain.steps = solver.steps_taken();
     domain.seconds = seconds_since(start);
     // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
     const double shear_modulus = test.load == Load::shear ? sample.modulus : bounds.lower(sample.time);
-    go_on = sample.time <= 0.0 || sequence.observe(sample.time, shear_modulus);
+    go_on = sample.time <= ramps_to_wait * domain.ramp || sequence.observe(sample.time, shear_modulus);
     if (report) report(domain);
   }
 }
@@ -150,7 +168,7 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
   DomainSequence sequence(rules, bounds.lower(test.times.begin));
   DynamicPlan plan;
   for (;;) {
-    auto domain = prepare(test, sequence).domain;
+    auto domain = prepare(test, rules, bounds, sequence).domain;
     constexpr double increase = 1.01;
     double time = std::min(0.5 * sequence.expected_begin(), test.times.end);
     while (sequence.observe(time, bounds.estimate(time))) time *= increase;
@@ -166,8 +184,9 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
 double trial_speed(const DynamicTest& test) {
   require_complete(test);
   const ShearModulusBounds bounds(test.discretisation, test.materials);
-  const DomainSequence sequence(rules_of(test), bounds.lower(test.times.begin));
-  auto preparation = prepare(test, sequence);
+  const auto rules = rules_of(test);
+  const DomainSequence sequence(rules, bounds.lower(test.times.begin));
+  auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
   std::vector<PlaneStress> stresses;
   constexpr double trial_seconds = 0.2;
@@ -187,7 +206,7 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   double furthest = test.times.begin;
   DynamicTestResult result;
   for (;;) {
-    auto [problem, domain] = prepare(test, sequence);
+    auto [problem, domain] = prepare(test, rules, bounds, sequence);
     const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
     run_domain(test, bounds, sequence, *solver, domain, [&](const TimeDomain& running) {
       if (!observer.progress) return;

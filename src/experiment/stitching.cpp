@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -15,9 +16,14 @@ bool contains(const TimeWindow& window, double time) {
   return time >= window.begin * (1.0 - rounding) && time <= window.end * (1.0 + rounding);
 }
 
-double modulus_at(const TimeDomain& domain, double time, int points_per_decade) {
-  const auto& history = domain.history;
-  return smoothed_at(history, std::clamp(time, history.front().time, history.back().time), points_per_decade);
+double modulus_at(const TimeDomain& domain, double time) {
+  // Nothing from outside the window takes part, but for one sample on either side to reach its ends.
+  auto begin = std::ranges::lower_bound(domain.history, domain.window.begin, {}, &Sample::time);
+  auto end = std::ranges::upper_bound(domain.history, domain.window.end, {}, &Sample::time);
+  if (begin != domain.history.begin()) --begin;
+  if (end != domain.history.end()) ++end;
+  const std::span<const Sample> valid(begin, end);
+  return smoothed_at(valid, std::clamp(time, valid.front().time, valid.back().time));
 }
 
 }  // namespace
@@ -38,12 +44,12 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
       throw NumericalError(fmt::format(
           "time domains: none is valid at {:.3e} s; give density factors whose windows cover the times", time));
     }
-    double modulus = modulus_at(*first, time, points_per_decade);
+    double modulus = modulus_at(*first, time);
     const auto second = std::next(first);
     if (second != domains.end() && valid(*second)) {
       const double width = std::log(first->window.end / second->window.begin);
       const double share = width > 0.0 ? std::clamp(std::log(time / second->window.begin) / width, 0.0, 1.0) : 1.0;
-      modulus += share * (modulus_at(*second, time, points_per_decade) - modulus);
+      modulus += share * (modulus_at(*second, time) - modulus);
     }
     curve.push_back({time, modulus});
   }
@@ -57,7 +63,7 @@ std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, in
     Overlap overlap{{later.window.begin, earlier.window.end}};
     if (overlap.window.end < overlap.window.begin) continue;
     for (const double time : logarithmic_times(overlap.window, 4 * points_per_decade)) {
-      const double a = modulus_at(earlier, time, points_per_decade), b = modulus_at(later, time, points_per_decade);
+      const double a = modulus_at(earlier, time), b = modulus_at(later, time);
       overlap.mismatch = std::max(overlap.mismatch, std::abs(b / a - 1.0));
     }
     overlaps.push_back(overlap);

@@ -67,6 +67,11 @@ bool DomainSequence::observe(double time, double modulus) {
     complete_ = true;
     return false;
   }
+  // Earlier times are known from the domain before.
+  if (time < expected_begin_) return true;
+  // Well above what is needed again, as on a plateau after a steep fall.
+  if (!rising_ && admissible >= factor_ * rules_.factor_ratio * rules_.factor_ratio)
+    rising_ = true;
   const auto next = next_factor();
   if (rising_ && next && admissible >= *next) {
     if (!next_admissible_) next_admissible_ = time;
@@ -97,7 +102,16 @@ void DomainSequence::advance() {
     factor_ = next_factor().value();
     if (given_ + 1 < rules_.density_factors.size()) ++given_;
   }
-  expected_begin_ = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
+  const double begin = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
+  if (window_->end <= furthest_) {
+    throw NumericalError(
+        fmt::format("time domains: none with a smaller density factor goes beyond {:.3e} s; likely causes: ringing "
+                    "after too short a "
+                    "ramp, or a composite that relaxes faster than waves cross the box",
+                    window_->end));
+  }
+  furthest_ = window_->end;
+  expected_begin_ = begin;
   expired_ = false;
   is_first_ = false;
   window_.reset();

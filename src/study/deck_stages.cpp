@@ -28,6 +28,9 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier)
     section.report("name",
                    fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }
+  if (name == "curves.csv" || name == "study.json") {
+    section.report("name", fmt::format("\"{}\" is the name of a file of results", name));
+  }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
     section.report("name", fmt::format("another stage is called \"{}\"", name));
   }

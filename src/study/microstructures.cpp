@@ -1,5 +1,6 @@
 #include "breccia/study/microstructures.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -52,7 +53,9 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
                               StageMicrostructure& result) {
   const auto& filler = *stage.filler;
   PackingRequest request;
-  request.side = stage.side;
+  // Particles keep the whole gap to a wall, too: the boundary there is as rigid as a particle.
+  const double inset = method.walls == Walls::hard ? 0.5 * filler.gap : 0.0;
+  request.side = stage.side - 2.0 * inset;
   request.walls = method.walls;
   request.minimum_gap = filler.gap;
   request.seed = method.seed;
@@ -64,6 +67,9 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   }
   auto packing = pack<2>(request, watch);
   result.events = packing.events;
+  for (auto& ball : packing.balls) {
+    for (auto& coordinate : ball.centre) coordinate += inset;
+  }
   return {stage.side, method.walls, std::move(packing.balls)};
 }
 
@@ -100,7 +106,8 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, double gap
   const double needed = std::ceil(cells_per_gap * stage.side / gap);
   constexpr double affordable = 20000.0;
   return fmt::format(
-      "the smallest gap between particles, {}, is {:.2g} cells wide; below {:g} the modulus at long times comes out "
+      "the smallest gap between particles or to a wall, {}, is {:.2g} cells wide; below {:g} the "
+      "modulus at long times comes out "
       "too "
       "high, by several times below 1{}",
       readable(gap, Dimension::length), cells, cells_per_gap,
@@ -111,7 +118,9 @@ void describe(const Stage& stage, StageMicrostructure& result) {
   result.fraction = area_fraction(result.microstructure);
   result.interface_per_area = interface_per_area(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
-  for (const auto& warning : {warning_of_cut_particles(result), warning_of_narrow_gaps(stage, result.gap)}) {
+  result.wall_gap = smallest_wall_gap(result.microstructure);
+  for (const auto& warning :
+       {warning_of_cut_particles(result), warning_of_narrow_gaps(stage, std::min(result.gap, result.wall_gap))}) {
     if (warning) result.warnings.push_back(stage.name + ": " + *warning);
   }
 }

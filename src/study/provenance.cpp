@@ -73,6 +73,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                          {"interface_per_area_1_per_m", packing.interface_per_area},
                          {"smallest_gap_m", finite_or_null(packing.gap)},
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
+                         {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
   if (packing.size_deviation) microstructure["size_distribution_deviation"] = *packing.size_deviation;
   if (stage.filler && std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing)) {
@@ -90,7 +91,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"filler_point_fraction", result.point_fraction},
                {"microstructure", std::move(microstructure)},
                {"tests", std::move(tests)},
-               {"warnings", packing.warnings}};
+               {"warnings", result.warnings}};
   return json;
 }
 
@@ -112,7 +113,7 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"times_s", {study.tests.first_time, study.tests.last_time}},
                      {"materials", std::move(materials)},
                      {"stages", std::move(stages)}};
-  write_text(directory / "study.json", json.dump(2) + "\n");
+  write_text(directory / "study.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace breccia

@@ -1,5 +1,7 @@
 #include "breccia/study/run.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -50,6 +52,7 @@ StageResult pack_stage(const Stage& stage, const fs::path& directory, const Stud
   result.name = stage.name;
   result.cells = stage.cells;
   result.microstructure = make_microstructure(stage, watch);
+  result.warnings = result.microstructure.warnings;
   const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
   result.point_fraction = discretisation.fractions(2)[1];
@@ -72,6 +75,21 @@ TestResult run_test(const Study& study, const Stage& stage, const fs::path& dire
   };
   const auto name = fmt::format("{} {}", stage.name, name_of(test.load));
   return {test.load, name_errors(name, [&] { return run_dynamic_test(test, follow); })};
+}
+
+/// Time domains that disagree where both should hold.
+std::vector<std::string> warnings_of_overlaps(const Stage& stage, const TestResult& test) {
+  constexpr double tolerance = 0.03;
+  std::vector<std::string> warnings;
+  for (const auto& [window, mismatch] : test.dynamic.overlaps) {
+    if (mismatch <= tolerance) continue;
+    warnings.push_back(
+        fmt::format("{} {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
+                    "or another ramp "
+                    "bring them together",
+                    stage.name, name_of(test.load), 100.0 * mismatch, window.begin, window.end));
+  }
+  return warnings;
 }
 
 }  // namespace
@@ -117,11 +135,15 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
     write_provenance(directory, study, result);
     for (const auto load : study.tests.loads) {
       const auto test = make_test(study, stage, done.microstructure.microstructure, load, threads);
-      done.tests.push_back(run_test(study, stage, stage_directory, test, observer));
+      auto tested = run_test(study, stage, stage_directory, test, observer);
+      // Fields are large: the first test's are written, and none is kept.
+      if (done.tests.empty()) write_fields(stage_directory, stage, tested.dynamic.fields);
+      tested.dynamic.fields = {};
+      done.tests.push_back(std::move(tested));
+      std::ranges::copy(warnings_of_overlaps(stage, done.tests.back()), std::back_inserter(done.warnings));
       write_curves(directory, result);
       write_provenance(directory, study, result);
     }
-    write_fields(stage_directory, stage, done.tests.front().dynamic.fields);
     write_plot(stage_directory, study, stage, done);
   }
   return result;

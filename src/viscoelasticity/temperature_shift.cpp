@@ -14,7 +14,13 @@ double WilliamsLandelFerry::shift_factor(double temperature) const {
     throw InputError(fmt::format("the WLF law has no meaning at or below {} K (reference temperature - c2), got {} K",
                                  reference_temperature - c2, temperature));
   }
-  return std::pow(10.0, -c1 * excess / (c2 + excess));
+  const double decades = -c1 * excess / (c2 + excess);
+  constexpr double most_decades = 100.0;
+  if (!(std::abs(decades) <= most_decades)) {
+    throw InputError(
+        fmt::format("the WLF law shifts by 10^{:.3g} at {} K, which is beyond its use", decades, temperature));
+  }
+  return std::pow(10.0, decades);
 }
 
 }  // namespace breccia

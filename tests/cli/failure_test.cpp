@@ -111,7 +111,7 @@ TEST(RunFailure, DensityFactorsDoNotCoverTheTimes) {
   const std::vector<BadFactors> cases{
       {R"(["1 ms", "50 ms"])", "[1e6]", "factor 1e+06 no time up to 5.000e-02 s comes after 3 there-and-back transits"},
       {R"(["15 ms", "50 ms"])", "[15]", "relaxes faster than waves cross the box; give a smaller density factor"},
-      {R"(["1 ms", "15 ms"])", "[5]", "but times begin at 1.000e-03 s; give a first density factor below 0.24"},
+      {R"(["1 ms", "15 ms"])", "[5]", "but times begin at 1.000e-03 s; give a first density factor below 0.25"},
   };
   for (const auto& [times, factors, message] : cases) {
     const auto run = study.breccia("run", {"--set", fmt::format("tests.times={}", times), "--set",

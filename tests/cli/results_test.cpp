@@ -96,7 +96,8 @@ TEST_F(Results, ProvenanceTellsWhatWasRun) {
   const auto& stage = json["stages"][0];
   EXPECT_EQ(stage["cells"], 24);
   EXPECT_EQ(stage["points"], 4 * 24 * 24);
-  EXPECT_THAT(stage["warnings"], IsEmpty());
+  ASSERT_THAT(stage["warnings"], SizeIs(1));  // the discs are two cells from the walls
+  EXPECT_THAT(stage["warnings"][0].get<std::string>(), HasSubstr("500 um, is 2 cells wide"));
   EXPECT_EQ(stage["microstructure"]["particles"], 4);
   EXPECT_NEAR(stage["microstructure"]["fraction"].get<double>(), std::acos(-1.0) / 9.0, 1e-12);
   EXPECT_NEAR(stage["microstructure"]["smallest_gap_cells"].get<double>(), 4.0, 1e-9);

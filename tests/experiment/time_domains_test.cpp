@@ -85,6 +85,12 @@ TEST(DomainSequence, FactorsFallAgainWhereTheCompositeRelaxesFasterThanWavesCros
   }
 }
 
+TEST(DomainSequence, FactorsRiseAgainOnAPlateau) {
+  const auto fall_and_plateau = [](double t) { return std::exp(-t) + 1e-5; };
+  const auto domains = walk(unit_box({0.5, 1e5}), fall_and_plateau);
+  EXPECT_GT(domains.back().factor, 1e3 * domains.front().factor);
+}
+
 TEST(DomainSequence, SaysWhenAGivenFactorIsNeverValid) {
   EXPECT_THROW(walk(unit_box({6.0, 60.0}, {1e6}), one), NumericalError);
 }

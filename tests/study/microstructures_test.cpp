@@ -145,7 +145,7 @@ TEST(MakeMicrostructure, GapsBelowThreeCellsAreWarnedOf) {
   };
   EXPECT_THAT(with_gap(0.15e-3), IsEmpty()) << "three cells";
   EXPECT_THAT(with_gap(0.1e-3),
-              ElementsAre(AllOf(HasSubstr("A: the smallest gap between particles, 100 um, is 2 cells"),
+              ElementsAre(AllOf(HasSubstr("A: the smallest gap between particles or to a wall, 100 um, is 2 cells"),
                                 HasSubstr("(cells = 300 would resolve it)"))));
   EXPECT_THAT(with_gap(0.0), ElementsAre(testing::Not(HasSubstr("would resolve it")))) << "no number of cells does";
 }

@@ -63,6 +63,7 @@ class DomainSequence {
   DomainRules rules_;
   double factor_ = 1.0;
   double expected_begin_;
+  double furthest_ = 0.0;  ///< end of the windows so far [s]
   std::size_t given_ = 0;  ///< index of the present factor among the given ones
   bool rising_ = true;
   bool is_first_ = true;

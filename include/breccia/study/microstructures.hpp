@@ -14,11 +14,12 @@ struct StageMicrostructure {
   Microstructure microstructure;
   double fraction = 0.0;                 ///< area of the particles per area of the box [-]
   double interface_per_area = 0.0;       ///< S/A [1/m]
+  double wall_gap = 0.0;                 ///< smallest between a particle and a hard wall [m]; infinite without either
   double gap = 0.0;                      ///< smallest between surfaces [m]; infinite without two particles
   std::optional<double> size_deviation;  ///< largest between the size distributions drawn and asked for, by area [-]
   std::uint64_t events = 0;              ///< of the packing
   double seconds = 0.0;                  ///< wall time of the packing
-  std::vector<std::string> warnings;     ///< what makes the results doubtful
+  std::vector<std::string> warnings;     ///< what makes the particles or their grid doubtful
 };
 
 /// Packs, arranges or takes over the particles of a stage.

@@ -26,6 +26,7 @@ struct StageResult {
   double point_fraction = 0.0;  ///< share of the material points that are filler [-]
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
+  std::vector<std::string> warnings;  ///< what makes the results doubtful
 };
 
 struct StudyResult {

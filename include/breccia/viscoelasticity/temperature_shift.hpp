@@ -9,7 +9,8 @@ struct WilliamsLandelFerry {
   double c2;                     ///< [K], positive
   double reference_temperature;  ///< [K]
 
-  /// Shift factor a_T at a temperature [K]. Throws InputError at or below T_ref - c2, where the law has no meaning.
+  /// Shift factor a_T at a temperature [K]. Throws InputError at or below T_ref - c2, where the law has no meaning, and
+  /// so close to it that the factor is beyond 10^100.
   [[nodiscard]] double shift_factor(double temperature) const;
 };
 
