@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -69,9 +70,9 @@ bool DomainSequence::observe(double time, double modulus) {
   }
   // Earlier times are known from the domain before.
   if (time < expected_begin_) return true;
-  // Well above what is needed again, as on a plateau after a steep fall.
-  if (!rising_ && admissible >= factor_ * rules_.factor_ratio * rules_.factor_ratio)
-    rising_ = true;
+  // Past its lowest, as on a plateau after a steep fall.
+  lowest_admissible_ = std::min(lowest_admissible_, admissible);
+  if (admissible > 2.0 * lowest_admissible_) rising_ = true;
   const auto next = next_factor();
   if (rising_ && next && admissible >= *next) {
     if (!next_admissible_) next_admissible_ = time;
@@ -114,6 +115,7 @@ void DomainSequence::advance() {
   expected_begin_ = begin;
   expired_ = false;
   is_first_ = false;
+  lowest_admissible_ = std::numeric_limits<double>::infinity();
   window_.reset();
   next_admissible_.reset();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -63,7 +64,8 @@ class DomainSequence {
   DomainRules rules_;
   double factor_ = 1.0;
   double expected_begin_;
-  double furthest_ = 0.0;  ///< end of the windows so far [s]
+  double lowest_admissible_ = std::numeric_limits<double>::infinity();  ///< in the present domain
+  double furthest_ = 0.0;                                               ///< end of the windows so far [s]
   std::size_t given_ = 0;  ///< index of the present factor among the given ones
   bool rising_ = true;
   bool is_first_ = true;
