@@ -56,6 +56,7 @@ bool DomainSequence::observe(double time, double modulus) {
   // Ringing may take a young window back below the limit; that is not the end of it.
   constexpr double settled = 1.2;
   if (admissible < factor_ && !(window_ && time < settled * window_->begin)) {
+    if (time < expected_begin_) window_.reset();
     expired_ = window_.has_value();
     return !expired_ && time < rules_.times.end;
   }
