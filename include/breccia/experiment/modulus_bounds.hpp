@@ -21,7 +21,7 @@ class ShearModulusBounds {
 
  private:
   struct Phase {
-    double fraction;
+    double fraction = 0.0;
     PronySeries bulk;
     PronySeries shear;
   };
