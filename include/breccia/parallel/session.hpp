@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+namespace breccia::parallel {
+
+/// Starts MPI and PETSc in this process, if they do not run yet. Solvers do it when they first need them, so that what
+/// needs neither does not wait for them. Throws NumericalError when they cannot start.
+void start();
+
+/// Whether this process is one of several that mpirun started. Asks the environment alone.
+bool is_under_mpirun() noexcept;
+
+/// Hands options to PETSc, written as on a command line ("-ksp_type cg -ksp_monitor"); starts it.
+/// Throws InputError when PETSc cannot read them.
+void set_petsc_options(const std::string& options);
+
+/// Ends MPI and PETSc in good order where they run; to be called once, last.
+void stop() noexcept;
+
+/// Ends all processes of this run with an exit code. For a failure that the others may not share and would wait for.
+[[noreturn]] void abort(int exit_code) noexcept;
+
+/// Number of this process, from 0, and how many there are; 0 of 1 before start().
+int rank() noexcept;
+int ranks() noexcept;
+
+/// Throws NumericalError when a PETSc function has failed, naming what was tried.
+void check(int petsc_error, const char* what);
+
+}  // namespace breccia::parallel

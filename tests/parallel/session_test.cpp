@@ -1,0 +1,28 @@
+#include "breccia/parallel/session.hpp"
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::parallel {
+namespace {
+
+TEST(Session, AProcessByItselfIsTheFirstOfOne) {
+  start();
+  start();
+  EXPECT_EQ(rank(), 0);
+  EXPECT_EQ(ranks(), 1);
+}
+
+TEST(Session, ErrorsOfPetscBecomeExceptions) {
+  start();
+  EXPECT_NO_THROW(check(0, "nothing"));
+  EXPECT_THROW(check(73, "assembling"), NumericalError);
+}
+
+TEST(Session, OptionsAreWrittenAsOnACommandLine) {
+  EXPECT_NO_THROW(set_petsc_options("-breccia_unknown 3"));
+}
+
+}  // namespace
+}  // namespace breccia::parallel
