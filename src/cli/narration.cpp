@@ -56,7 +56,7 @@ std::string closing_table(const Study& study, const StudyResult& result) {
   std::string text = "\n            time";
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
-      text += fmt::format("  {:>18}", fmt::format("{} {}", stage.name, test.load == Load::shear ? "G" : "K + G/3"));
+      text += fmt::format("  {:>18}", fmt::format("{} {}", stage.name, test.load == Load::bulk ? "K + G/3" : "G"));
     }
   }
   for (const double t : logarithmic_times({study.tests.first_time, study.tests.last_time}, 1)) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/io/units.hpp"
+#include "breccia/study/run.hpp"
 
 namespace breccia::cli {
 
@@ -103,7 +104,7 @@ std::string describe(const DynamicOptions& options) {
 
 std::string describe(const Tests& tests) {
   std::vector<std::string_view> loads;
-  for (const auto load : tests.loads) loads.emplace_back(load == Load::shear ? "shear" : "bulk");
+  for (const auto load : tests.loads) loads.emplace_back(name_of(load));
   return fmt::format("    loads    {}\n    bounds   upper\n    times    {} to {}, {} a decade\n{}",
                      fmt::join(loads, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade,
                      describe(tests.dynamic));

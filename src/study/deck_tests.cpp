@@ -68,7 +68,8 @@ Tests read_tests(const Section& deck) {
   const auto section = deck.section("tests");
   Tests tests;
   if (section.has("loads")) {
-    tests.loads = section.list_of_choices<Load>("loads", {{"shear", Load::shear}, {"bulk", Load::bulk}});
+    tests.loads = section.list_of_choices<Load>(
+        "loads", {{"shear", Load::shear}, {"shear-xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}});
     refuse_repeats(section, "loads", tests.loads);
   }
   if (section.has("bounds")) {

@@ -85,7 +85,7 @@ void write_plot(const std::filesystem::path& directory, const Study& study, cons
   ModulusPlot plot;
   plot.title = fmt::format("{}: {}", study.title, stage.name);
   for (const auto& test : result.tests) {
-    PlotCurve curve{.label = test.load == Load::shear ? "G(t), upper bound" : "K(t) + G(t)/3, upper bound"};
+    PlotCurve curve{.label = test.load == Load::bulk ? "K(t) + G(t)/3, upper bound" : "G(t), upper bound"};
     for (const auto& [time, modulus] : test.dynamic.curve) {
       curve.times.push_back(time);
       curve.moduli.push_back(modulus);

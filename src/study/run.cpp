@@ -95,7 +95,15 @@ std::vector<std::string> warnings_of_overlaps(const Stage& stage, const TestResu
 }  // namespace
 
 std::string name_of(Load load) {
-  return load == Load::shear ? "shear" : "bulk";
+  switch (load) {
+    case Load::shear:
+      return "shear";
+    case Load::diagonal_shear:
+      return "shear-xx-yy";
+    case Load::bulk:
+      return "bulk";
+  }
+  return {};
 }
 
 DynamicTest make_test(const Study& study, const Stage& stage, const Microstructure& microstructure, Load load,

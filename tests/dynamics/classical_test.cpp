@@ -20,7 +20,7 @@ std::unique_ptr<DynamicSolver> travelling_body(const DynamicSolver::VelocityFiel
   DynamicProblem problem{Discretisation({20, 20, 0.05}, no_material), {soft}};
   problem.discretisation.paint([](const Vector<2>& x) { return x[0] > 0.1 && x[0] < 0.6 && x[1] > 0.1 && x[1] < 0.6; },
                                0);
-  problem.boundary = Boundary::free;
+  problem.boundary = Boundary::traction;
   problem.amplitude = 1.0;
   problem.time_step =
       courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "breccia/mpm/discretisation.hpp"
+#include "breccia/mpm/load.hpp"
 #include "breccia/mpm/plane_tensor.hpp"
 #include "breccia/mpm/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
@@ -19,12 +20,6 @@ enum class Formulation {
 enum class Start {
   boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
   affine     ///< the whole field
-};
-
-/// What holds the boundary of the box.
-enum class Boundary {
-  displacement,  ///< nodes on the boundary follow the affine motion of the load
-  free           ///< nothing
 };
 
 /// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the

@@ -4,15 +4,10 @@
 #include <vector>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
+#include "breccia/mpm/load.hpp"
 #include "breccia/mpm/volumetric.hpp"
 
 namespace breccia {
-
-/// The load of a virtual test.
-enum class Load {
-  shear,  ///< pure shear in the plane; the modulus is G
-  bulk    ///< equibiaxial in-plane strain; the modulus is the plane-strain bulk modulus K + G / 3
-};
 
 /// Settings of the dynamic method.
 struct DynamicOptions {

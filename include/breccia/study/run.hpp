@@ -54,7 +54,7 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
 DynamicTest make_test(const Study& study, const Stage& stage, const Microstructure& microstructure, Load load,
                       int threads);
 
-/// "shear" or "bulk".
+/// "shear", "shear-xx-yy" or "bulk", as in decks and results.
 std::string name_of(Load load);
 
 }  // namespace breccia
