@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "breccia/mpm/discretisation.hpp"
+#include "breccia/mpm/load.hpp"
+#include "breccia/mpm/volumetric.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// How the linear systems are solved.
+enum class LinearMethod {
+  automatic,  ///< direct up to LinearOptions::most_unknowns_direct, iterative above
+  direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
+  iterative   ///< conjugate gradients preconditioned by algebraic multigrid with rigid motions (GAMG)
+};
+
+struct LinearOptions {
+  LinearMethod method = LinearMethod::automatic;
+  std::int64_t most_unknowns_direct = 3'000'000;
+  double tolerance = 1e-10;  ///< residual over load, in the Euclidean norm [-]
+};
+
+/// What solving the linear systems took.
+struct LinearEffort {
+  bool is_direct = true;
+  std::int64_t unknowns = 0;
+  int factorisations = 0;  ///< or multigrid set-ups
+  int solves = 0;
+  int iterations = 0;           ///< of conjugate gradients, in all
+  int most_iterations = 0;      ///< of one solve
+  double largest_residual = 0;  ///< over load, after a solve [-]
+};
+
+/// A composite without inertia: what both quasi-static solvers solve. Points must all have a material.
+struct QuasistaticProblem {
+  Discretisation discretisation;
+  std::vector<Material> materials;  ///< by MaterialIndex
+  Volumetric volumetric = Volumetric::averaged;
+  Boundary boundary = Boundary::displacement;
+  LinearOptions linear = {};
+};
+
+}  // namespace breccia

@@ -1,0 +1,235 @@
+#include "elastic_box.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <petscdmda.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Read access to the values of a local vector.
+class Values {
+ public:
+  explicit Values(Vec vector) : vector_(vector) { check(VecGetArrayRead(vector_, &data_), "reading nodal values"); }
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+  Values(Values&&) = delete;
+  Values& operator=(Values&&) = delete;
+  ~Values() { VecRestoreArrayRead(vector_, &data_); }
+  double operator[](int index) const noexcept { return data_[index]; }
+
+ private:
+  Vec vector_;
+  const double* data_ = nullptr;
+};
+
+NodalVector local_copy(DM grid, Vec values) {
+  NodalVector local;
+  check(DMCreateLocalVector(grid, local.put()), "making a nodal vector");
+  check(DMGlobalToLocal(grid, values, INSERT_VALUES, local.get()), "exchanging nodal values");
+  return local;
+}
+
+}  // namespace
+
+CellVector affine_motion(const PlaneStrain& strain) {
+  constexpr std::array<std::array<double, 2>, 4> corners = {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
+  CellVector motion;
+  for (Eigen::Index node = 0; node < 4; ++node) {
+    const auto& [x, y] = corners[static_cast<std::size_t>(node)];
+    motion[2 * node] = strain.xx * x + strain.xy * y;
+    motion[2 * node + 1] = strain.xy * x + strain.yy * y;
+  }
+  return motion;
+}
+
+ElasticBox::ElasticBox(const Discretisation& discretisation, Volumetric volumetric, Boundary boundary)
+    : columns_(discretisation.grid().columns),
+      rows_(discretisation.grid().rows),
+      volumetric_(volumetric),
+      boundary_(boundary) {
+  parallel::start();
+  std::map<CellMaterials, std::uint16_t> known;
+  kind_of_.reserve(discretisation.cells().size());
+  for (const auto& cell : discretisation.cells()) {
+    if (std::find(cell.begin(), cell.end(), no_material) != cell.end()) {
+      throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
+    }
+    const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint16_t>(known.size()));
+    if (is_new) kinds_.push_back(cell);
+    kind_of_.push_back(kind->second);
+  }
+
+  const bool wraps = boundary == Boundary::periodic;
+  const auto end = wraps ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_NONE;
+  const int more = wraps ? 0 : 1;
+  constexpr int components = 2, neighbours = 1;
+  check(DMDACreate2d(PETSC_COMM_WORLD, end, end, DMDA_STENCIL_BOX, columns_ + more, rows_ + more, PETSC_DECIDE,
+                     PETSC_DECIDE, components, neighbours, nullptr, nullptr, grid_.put()),
+        "making the grid of nodes");
+  check(DMSetUp(grid_.get()), "spreading the grid of nodes over the processes");
+  int x = 0, y = 0, width = 0, height = 0;
+  check(DMDAGetCorners(grid_.get(), &x, &y, nullptr, &width, &height, nullptr), "reading the grid of nodes");
+  cells_ = {x, std::min(x + width, columns_), y, std::min(y + height, rows_)};
+  check(DMDAGetGhostCorners(grid_.get(), &x, &y, nullptr, &width, &height, nullptr), "reading the grid of nodes");
+  patch_ = {x, y, width};
+}
+
+std::int64_t ElasticBox::unknowns() const noexcept {
+  const std::int64_t more = boundary_ == Boundary::periodic ? 0 : 1;
+  return 2 * (columns_ + more) * (rows_ + more);
+}
+
+Field ElasticBox::zero_field() const {
+  NodalVector rest;
+  check(DMCreateGlobalVector(grid_.get(), rest.put()), "making a nodal vector");
+  check(VecSet(rest.get(), 0.0), "making a nodal vector");
+  return {0.0, std::move(rest)};
+}
+
+bool ElasticBox::is_held(int column, int row, int component) const noexcept {
+  switch (boundary_) {
+    case Boundary::displacement:
+      return column == 0 || row == 0 || column == columns_ || row == rows_;
+    case Boundary::traction:
+      return row == 0 && (column == 0 || (column == columns_ && component == 1));
+    case Boundary::periodic:
+      return column % columns_ == 0 && row % rows_ == 0;
+  }
+  return false;
+}
+
+CellVector ElasticBox::held_mask(int column, int row) const noexcept {
+  CellVector free;
+  for (int node = 0; node < 4; ++node) {
+    for (int component = 0; component < 2; ++component) {
+      free[2 * node + component] = is_held(column + node % 2, row + node / 2, component) ? 0.0 : 1.0;
+    }
+  }
+  return free;
+}
+
+std::array<int, 4> ElasticBox::nodes_of_cell(int column, int row) const noexcept {
+  const int first = (row - patch_.first_row) * patch_.columns + column - patch_.first_column;
+  return {first, first + 1, first + patch_.columns, first + patch_.columns + 1};
+}
+
+std::vector<CellMatrix> ElasticBox::stiffnesses(std::span<const Moduli> moduli) const {
+  std::vector<CellMatrix> by_kind;
+  by_kind.reserve(kinds_.size());
+  for (const auto& kind : kinds_) {
+    std::array<Moduli, points_per_cell> of_points{};
+    for (std::size_t p = 0; p < points_per_cell; ++p) of_points[p] = moduli[kind[p]];
+    by_kind.push_back(cell_stiffness(of_points, volumetric_));
+  }
+  return by_kind;
+}
+
+const CellMatrix& ElasticBox::of_cell(const std::vector<CellMatrix>& by_kind, int column, int row) const noexcept {
+  return by_kind[kind_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                          static_cast<std::size_t>(column)]];
+}
+
+/// Adds what each cell returns for its column and row: forces on its nodes, and their work on the affine motion.
+template <class CellForces>
+Field ElasticBox::sum_over_cells(const CellForces& cell_forces) const {
+  NodalVector local;
+  check(DMCreateLocalVector(grid_.get(), local.put()), "making a nodal vector");
+  check(VecSet(local.get(), 0.0), "making a nodal vector");
+  double* values = nullptr;
+  check(VecGetArray(local.get(), &values), "writing nodal values");
+  double affine = 0.0;
+  for (int row = cells_.first_row; row < cells_.last_row; ++row) {
+    for (int column = cells_.first_column; column < cells_.last_column; ++column) {
+      const auto [on_nodes, on_affine] = cell_forces(column, row);
+      affine += on_affine;
+      const CellVector free = held_mask(column, row).cwiseProduct(on_nodes);
+      const auto nodes = nodes_of_cell(column, row);
+      for (std::size_t node = 0; node < 4; ++node) {
+        values[2 * nodes[node]] += free[static_cast<Eigen::Index>(2 * node)];
+        values[2 * nodes[node] + 1] += free[static_cast<Eigen::Index>(2 * node + 1)];
+      }
+    }
+  }
+  check(VecRestoreArray(local.get(), &values), "writing nodal values");
+  auto sum = zero_field();
+  check(DMLocalToGlobal(grid_.get(), local.get(), ADD_VALUES, sum.rest()), "adding nodal forces");
+  MPI_Allreduce(MPI_IN_PLACE, &affine, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  sum.set_affine(affine);
+  return sum;
+}
+
+Field ElasticBox::load_forces(Load load) const {
+  auto forces = zero_field();
+  if (boundary_ != Boundary::traction) {
+    forces.set_affine(1.0);
+    return forces;
+  }
+  // The traction of a uniform stress does the work of that stress on the mean strains of the cells.
+  const auto strain = unit_strain(load);
+  const Eigen::Vector3d stress(2.0 * strain.xx, 2.0 * strain.yy, 2.0 * strain.xy);
+  CellVector of_cell = CellVector::Zero();
+  for (int p = 0; p < points_per_cell; ++p) of_cell += strain_matrix(p).transpose() * stress / points_per_cell;
+  return sum_over_cells([&](int, int) { return std::pair(of_cell, 0.0); });
+}
+
+Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field& displacement) const {
+  const auto by_kind = stiffnesses(moduli);
+  const CellVector affine = affine_motion(unit_strain(load));
+  const auto local = local_copy(grid_.get(), displacement.rest());
+  const Values values(local.get());
+  return sum_over_cells([&](int column, int row) {
+    const auto nodes = nodes_of_cell(column, row);
+    CellVector u;
+    for (std::size_t node = 0; node < 4; ++node) {
+      u[static_cast<Eigen::Index>(2 * node)] = values[2 * nodes[node]];
+      u[static_cast<Eigen::Index>(2 * node + 1)] = values[2 * nodes[node] + 1];
+    }
+    const CellVector forces = of_cell(by_kind, column, row) * (u + displacement.affine() * affine);
+    return std::pair(forces, affine.dot(forces));
+  });
+}
+
+Matrix ElasticBox::make_matrix() const {
+  Matrix matrix;
+  check(DMSetMatType(grid_.get(), MATAIJ), "making the stiffness matrix");
+  check(DMCreateMatrix(grid_.get(), matrix.put()), "making the stiffness matrix");
+  check(MatSetOption(matrix.get(), MAT_SPD, PETSC_TRUE), "making the stiffness matrix");
+  return matrix;
+}
+
+void ElasticBox::assemble(std::span<const Moduli> moduli, Mat matrix) const {
+  constexpr const char* what = "assembling the stiffness matrix";
+  double stiffest = 0.0;
+  for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
+  const auto by_kind = stiffnesses(moduli);
+  check(MatZeroEntries(matrix), what);
+  for (int row = cells_.first_row; row < cells_.last_row; ++row) {
+    for (int column = cells_.first_column; column < cells_.last_column; ++column) {
+      const CellVector free = held_mask(column, row);
+      CellMatrix stiffness = free.asDiagonal() * of_cell(by_kind, column, row) * free.asDiagonal();
+      stiffness.diagonal() += stiffest * (CellVector::Ones() - free);
+      const auto nodes = nodes_of_cell(column, row);
+      // Row by row or column by column: it is symmetric.
+      check(MatSetValuesBlockedLocal(matrix, 4, nodes.data(), 4, nodes.data(), stiffness.data(), ADD_VALUES), what);
+    }
+  }
+  check(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY), what);
+  check(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY), what);
+}
+
+void ElasticBox::attach_rigid_motions(Mat matrix) const {
+  constexpr const char* what = "setting up the rigid motions";
+  check(DMDASetUniformCoordinates(grid_.get(), 0.0, columns_, 0.0, rows_, 0.0, 0.0), what);
+  Vec coordinates = nullptr;
+  check(DMGetCoordinates(grid_.get(), &coordinates), what);
+  PetscHandle<MatNullSpace, MatNullSpaceDestroy> rigid_motions;
+  check(MatNullSpaceCreateRigidBody(coordinates, rigid_motions.put()), what);
+  check(MatSetNearNullSpace(matrix, rigid_motions.get()), what);
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,107 @@
+#include "elastic_solver.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Options of PETSc that users can replace on the command line, under this prefix.
+constexpr const char* prefix = "quasistatic_";
+
+void set_default(const char* option, const char* value) {
+  PetscBool is_set = PETSC_FALSE;
+  check(PetscOptionsHasName(nullptr, prefix, option, &is_set), "reading PETSc's options");
+  if (is_set == PETSC_TRUE) return;
+  const auto name = fmt::format("-{}{}", prefix, option + 1);
+  check(PetscOptionsSetValue(nullptr, name.c_str(), value), "setting PETSc's options");
+}
+
+}  // namespace
+
+ElasticSolver::ElasticSolver(const ElasticBox& box, const LinearOptions& options)
+    : box_(&box), options_(options), matrix_(box.make_matrix()) {
+  effort_.unknowns = box.unknowns();
+  effort_.is_direct = options.method == LinearMethod::direct ||
+                      (options.method == LinearMethod::automatic && effort_.unknowns <= options.most_unknowns_direct);
+}
+
+void ElasticSolver::set_up() {
+  constexpr const char* what = "setting up the linear solver";
+  check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
+  check(KSPSetOptionsPrefix(solver_.get(), prefix), what);
+  check(KSPSetType(solver_.get(), KSPCG), what);
+  check(KSPSetNormType(solver_.get(), KSP_NORM_UNPRECONDITIONED), what);
+  check(KSPSetInitialGuessNonzero(solver_.get(), PETSC_TRUE), what);
+  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), what);
+  PC preconditioner = nullptr;
+  check(KSPGetPC(solver_.get(), &preconditioner), what);
+  if (effort_.is_direct) {
+    check(PCSetType(preconditioner, PCCHOLESKY), what);
+    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), what);
+  } else {
+    check(PCSetType(preconditioner, PCGAMG), what);
+    box_->attach_rigid_motions(matrix_.get());
+    set_default("-pc_gamg_threshold", "0.02");
+    set_default("-mg_levels_ksp_max_it", "4");
+  }
+  check(KSPSetFromOptions(solver_.get()), what);
+}
+
+void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
+  box_->assemble(moduli, matrix_.get());
+  is_fresh_ = false;
+}
+
+void ElasticSolver::refresh() {
+  if (is_fresh_) return;
+  if (solver_.get() == nullptr) set_up();
+  check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
+  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
+  check(KSPSetUp(solver_.get()), effort_.is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
+  check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
+  ++effort_.factorisations;
+  is_fresh_ = true;
+}
+
+bool ElasticSolver::try_to_solve(const Field& forces, Field& displacement, int most_iterations) {
+  constexpr const char* what = "solving for the displacements";
+  check(KSPSetTolerances(solver_.get(), options_.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
+  check(KSPSolve(solver_.get(), forces.rest(), displacement.rest()), what);
+  int iterations = 0;
+  check(KSPGetIterationNumber(solver_.get(), &iterations), what);
+  effort_.iterations += iterations;
+  effort_.most_iterations = std::max(effort_.most_iterations, iterations);
+  if (is_fresh_) fresh_iterations_ = std::max(1, iterations);
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(solver_.get(), &reason), what);
+  return reason > 0;
+}
+
+void ElasticSolver::solve(const Field& forces, Field& displacement) {
+  // A factorisation costs about as much as this many steps with an old one.
+  constexpr int worth_a_factorisation = 15, many = 5000;
+  ++effort_.solves;
+  if (fresh_iterations_ == 0) refresh();
+  bool is_solved = !is_fresh_ && try_to_solve(forces, displacement, fresh_iterations_ + worth_a_factorisation);
+  if (!is_solved) {
+    refresh();
+    is_solved = try_to_solve(forces, displacement, many);
+  }
+  double residual = 0.0, load = 0.0;
+  check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");
+  check(VecNorm(forces.rest(), NORM_2, &load), "reading the load");
+  const double relative = load > 0.0 ? residual / load : residual;
+  if (!is_solved) {
+    throw NumericalError(fmt::format(
+        "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "
+        "wanted {:.1e}; the contrast of the moduli may be too high for multigrid, a direct solver may serve",
+        relative, effort_.most_iterations, options_.tolerance));
+  }
+  effort_.largest_residual = std::max(effort_.largest_residual, relative);
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+
+#include "elastic_box.hpp"
+
+namespace breccia::quasistatic {
+
+/// Solves K w = f for the displacements of the nodes, for one set of moduli after the other.
+class ElasticSolver {
+ public:
+  ElasticSolver(const ElasticBox& box, const LinearOptions& options);
+
+  /// Takes new moduli [Pa], by material. Factors of earlier moduli remain the preconditioner while they serve.
+  void set_moduli(std::span<const Moduli> moduli);
+  /// Factorises for the present moduli.
+  void refresh();
+
+  /// w such that K w = forces; on entry a guess. Refreshes the factors when they have become poor.
+  /// Throws NumericalError when the iteration does not converge.
+  void solve(const Field& forces, Field& displacement);
+
+  [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
+
+ private:
+  void set_up();
+  [[nodiscard]] bool try_to_solve(const Field& forces, Field& displacement, int most_iterations);
+
+  const ElasticBox* box_;
+  LinearOptions options_;
+  Matrix matrix_;
+  LinearSolver solver_;
+  LinearEffort effort_;
+  int fresh_iterations_ = 0;  ///< with factors of the same moduli; 0 before the first
+  bool is_fresh_ = false;     ///< whether the factors are those of the present moduli
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,242 @@
+#include "breccia/quasistatic/log_time_stepping.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "elastic_solver.hpp"
+
+namespace breccia {
+namespace {
+
+using quasistatic::ElasticBox;
+using quasistatic::ElasticSolver;
+using quasistatic::Field;
+
+/// (1 - exp(-x)) / x
+double mean_decay(double x) {
+  return x > 0.0 ? -std::expm1(-x) / x : 1.0;
+}
+
+/// A modulus that acts on a displacement that is linear over a step: M_inf + sum_i M_i (1 - exp(-x_i)) / x_i.
+double algorithmic_modulus(const PronySeries& series, double step) {
+  double modulus = series.equilibrium();
+  for (const auto& [time, strength] : series.terms()) modulus += strength * mean_decay(step / time);
+  return modulus;
+}
+
+/// One modulus of one material that relaxes.
+struct RelaxingModulus {
+  std::vector<Moduli> unit;  ///< 1 for this modulus of this material, 0 else
+  const PronySeries* series;
+};
+
+std::vector<RelaxingModulus> relaxing_moduli(const std::vector<Material>& materials) {
+  std::vector<RelaxingModulus> relaxing;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const auto add = [&](const PronySeries& series, const Moduli& one) {
+      if (series.is_elastic()) return;
+      std::vector<Moduli> unit(materials.size(), {0.0, 0.0});
+      unit[m] = one;
+      relaxing.push_back({std::move(unit), &series});
+    };
+    add(materials[m].bulk, {.bulk = 1.0, .shear = 0.0});
+    add(materials[m].shear, {.bulk = 0.0, .shear = 1.0});
+  }
+  return relaxing;
+}
+
+/// The answer to one load so far. The memory of a term is a displacement, too: what its springs still hold, times their
+/// modulus.
+class SteppedLoad {
+ public:
+  SteppedLoad(const ElasticBox& box, const std::vector<Material>& materials,
+              const std::vector<RelaxingModulus>& relaxing, Load load)
+      : box_(&box),
+        materials_(&materials),
+        relaxing_(&relaxing),
+        load_(load),
+        load_forces_(box.load_forces(load)),
+        displacement_(box.zero_field()),
+        increment_(box.zero_field()) {
+    for (const auto& modulus : relaxing) {
+      auto& memory = memory_.emplace_back();
+      for (std::size_t i = 0; i < modulus.series->terms().size(); ++i) memory.push_back(box.zero_field());
+    }
+  }
+
+  /// Goes on by a time step [s], 0 for the jump at the beginning. Returns the value after it.
+  double step(double time_step, const std::vector<Moduli>& algorithmic, ElasticSolver& solver) {
+    // K^ u(n+1) = f - P h + (K^ - K_inf) u(n), of which a displacement boundary gives the affine part.
+    auto remembered = box_->zero_field();
+    for (std::size_t m = 0; m < relaxing_->size(); ++m) remembered.add(1.0, decayed_forces(m, time_step));
+    auto right = remembered.copy();
+    right.scale(-1.0);
+    right.add(1.0, box_->forces(difference_to_equilibrium(algorithmic), load_, displacement_));
+    auto given = box_->zero_field();
+    if (box_->boundary() == Boundary::traction) {
+      right.add(1.0, load_forces_);
+    } else {
+      given.set_affine(1.0);
+      right.add(-1.0, box_->forces(algorithmic, load_, given));
+    }
+    auto next = displacement_.copy();
+    next.add(1.0, increment_);
+    solver.solve(right, next);
+    next.set_affine(given.affine());
+
+    increment_ = next.copy();
+    increment_.add(-1.0, displacement_);
+    const double affine_force = affine_force_after(remembered, algorithmic);
+    remember(time_step);
+    displacement_ = std::move(next);
+    // The jump is no rate that would go on.
+    if (time_step == 0.0) increment_.set_zero();
+    return (box_->boundary() == Boundary::traction ? work(load_forces_, displacement_) : affine_force) / box_->area();
+  }
+
+ private:
+  /// Lets the memory of a modulus decay, and returns its forces.
+  Field decayed_forces(std::size_t modulus, double time_step) {
+    auto sum = box_->zero_field();
+    const auto& [unit, series] = (*relaxing_)[modulus];
+    for (std::size_t i = 0; i < series->terms().size(); ++i) {
+      memory_[modulus][i].scale(std::exp(-time_step / series->terms()[i].relaxation_time));
+      sum.add(1.0, memory_[modulus][i]);
+    }
+    return box_->forces(unit, load_, sum);
+  }
+
+  void remember(double time_step) {
+    for (std::size_t m = 0; m < relaxing_->size(); ++m) {
+      const auto& terms = (*relaxing_)[m].series->terms();
+      for (std::size_t i = 0; i < terms.size(); ++i) {
+        memory_[m][i].add(terms[i].modulus * mean_decay(time_step / terms[i].relaxation_time), increment_);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Moduli> equilibrium() const {
+    std::vector<Moduli> moduli;
+    for (const auto& material : *materials_) {
+      moduli.push_back({material.bulk.equilibrium(), material.shear.equilibrium()});
+    }
+    return moduli;
+  }
+
+  [[nodiscard]] std::vector<Moduli> difference_to_equilibrium(const std::vector<Moduli>& algorithmic) const {
+    auto moduli = equilibrium();
+    for (std::size_t m = 0; m < moduli.size(); ++m) {
+      moduli[m] = {algorithmic[m].bulk - moduli[m].bulk, algorithmic[m].shear - moduli[m].shear};
+    }
+    return moduli;
+  }
+
+  /// Force conjugate to the affine motion: K_inf u(n) + P h + K^ (u(n+1) - u(n)).
+  [[nodiscard]] double affine_force_after(const Field& remembered, const std::vector<Moduli>& algorithmic) const {
+    return box_->forces(equilibrium(), load_, displacement_).affine() + remembered.affine() +
+           box_->forces(algorithmic, load_, increment_).affine();
+  }
+
+  const ElasticBox* box_;
+  const std::vector<Material>* materials_;
+  const std::vector<RelaxingModulus>* relaxing_;
+  Load load_;
+  Field load_forces_;
+  Field displacement_;
+  Field increment_;
+  std::vector<std::vector<Field>> memory_;  ///< by relaxing modulus and term
+};
+
+/// Values by load: first those right after the jump, then at the times.
+std::vector<std::vector<double>> run(const QuasistaticProblem& problem, const ElasticBox& box,
+                                     std::span<const Load> loads, std::span<const double> times, ElasticSolver& solver,
+                                     const ShareObserver& observer) {
+  const auto relaxing = relaxing_moduli(problem.materials);
+  std::vector<SteppedLoad> stepped;
+  for (const auto load : loads) stepped.emplace_back(box, problem.materials, relaxing, load);
+  std::vector<std::vector<double>> values(loads.size());
+  const auto step_all = [&](double time_step) {
+    std::vector<Moduli> algorithmic;
+    for (const auto& material : problem.materials) {
+      algorithmic.push_back(
+          {algorithmic_modulus(material.bulk, time_step), algorithmic_modulus(material.shear, time_step)});
+    }
+    solver.set_moduli(algorithmic);
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      values[i].push_back(stepped[i].step(time_step, algorithmic, solver));
+    }
+  };
+  step_all(0.0);
+  double time = 0.0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    step_all(times[i] - time);
+    time = times[i];
+    if (observer) observer(static_cast<double>(i + 1) / static_cast<double>(times.size()));
+  }
+  return values;
+}
+
+/// Every other time, so that the last one is among them.
+std::vector<double> every_other(std::span<const double> times) {
+  std::vector<double> coarse;
+  for (std::size_t i = (times.size() + 1) % 2; i < times.size(); i += 2) coarse.push_back(times[i]);
+  return coarse;
+}
+
+void require_complete(const QuasistaticProblem& problem, std::span<const double> times) {
+  if (times.empty() || !(times.front() > 0.0) || !std::is_sorted(times.begin(), times.end())) {
+    throw InputError("log-time stepping: expected rising positive times");
+  }
+  for (const auto& cell : problem.discretisation.cells()) {
+    for (const auto material : cell) {
+      if (material == no_material || material < problem.materials.size()) continue;
+      throw InputError(
+          fmt::format("log-time stepping: a point has material {} of {}", material, problem.materials.size()));
+    }
+  }
+}
+
+}  // namespace
+
+SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
+                                     std::span<const double> times, const ShareObserver& observer) {
+  require_complete(problem, times);
+  const ElasticBox box(problem.discretisation, problem.volumetric, problem.boundary);
+  ElasticSolver solver(box, problem.linear);
+  constexpr double share_of_fine = 2.0 / 3.0;
+  const auto fine = run(problem, box, loads, times, solver, [&](double share) {
+    if (observer) observer(share_of_fine * share);
+  });
+  const auto coarse_times = every_other(times);
+  const auto coarse = run(problem, box, loads, coarse_times, solver, [&](double share) {
+    if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);
+  });
+
+  SteppingResult result;
+  result.effort = solver.effort();
+  for (std::size_t l = 0; l < loads.size(); ++l) {
+    auto& response = result.responses.emplace_back();
+    response.load = loads[l];
+    response.values.assign(fine[l].begin() + 1, fine[l].end());
+    // Of second order: the error of the fine run is a third of the difference. Times between two of the coarse run
+    // take the larger of its neighbours' estimates.
+    const std::size_t offset = (times.size() + 1) % 2;
+    response.error_estimates.assign(times.size(), 0.0);
+    for (std::size_t c = 0; c < coarse_times.size(); ++c) {
+      const std::size_t i = offset + 2 * c;
+      const double error = std::abs(coarse[l][c + 1] / response.values[i] - 1.0) / 3.0;
+      for (std::size_t j = i == 0 ? 0 : i - 1; j <= std::min(i + 1, times.size() - 1); ++j) {
+        response.error_estimates[j] = std::max(response.error_estimates[j], error);
+      }
+    }
+    response.unrelaxed = fine[l].front();
+  }
+  return result;
+}
+
+}  // namespace breccia
