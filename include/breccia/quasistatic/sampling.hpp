@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+
+namespace breccia {
+
+/// When a reduced response is good enough.
+struct SamplingOptions {
+  double tolerance = 1e-5;  ///< relative error of the modulus at the last snapshot before it was added [-]
+  int most_snapshots = 24;
+};
+
+/// How far sampling is.
+struct SamplingProgress {
+  int snapshots = 0;
+  double error = 1.0;  ///< relative, at the last snapshot before it was added; 1 before any was measured [-]
+};
+
+struct SampledResponses {
+  std::vector<ReducedResponse> responses;  ///< by load
+  LinearEffort effort;
+};
+
+/// Solves for matrix moduli [Pa] chosen from `path` until the reduced responses meet the tolerance: first both ends and
+/// the middle, then where an estimate expects the largest error, which is measured there before the solution is added.
+/// The moduli of the matrix in the problem are not used; all other materials must be elastic.
+/// Throws InputError when they are not, NumericalError when a system cannot be solved or the tolerance not be met.
+SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
+                                  std::span<const Moduli> path, const SamplingOptions& options = {},
+                                  const std::function<void(const SamplingProgress&)>& observer = {});
+
+}  // namespace breccia

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "breccia/viscoelasticity/creep_compliance.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+namespace breccia {
+
+/// The creep compliance of a solid with this relaxation modulus: exact, one retardation time between each two
+/// neighbouring relaxation times (theory, Eqs. 16 and 17; Park and Schapery, Int. J. Solids Struct. 36, 1653, 1999).
+/// Without an equilibrium modulus it flows. Every time and strength has full relative precision however far the
+/// spectrum reaches. Throws InputError when the modulus is zero.
+CreepCompliance creep_compliance(const PronySeries& modulus);
+
+/// The relaxation modulus of a solid with this creep compliance; the inverse of creep_compliance().
+PronySeries relaxation_modulus(const CreepCompliance& compliance);
+
+}  // namespace breccia

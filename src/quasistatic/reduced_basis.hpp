@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/quasistatic/reduced_response.hpp"
+
+#include "elastic_box.hpp"
+
+namespace breccia::quasistatic {
+
+/// Moduli by material that show the three parts of the stiffness A + G B + K C.
+struct StiffnessParts {
+  std::vector<Moduli> filler;        ///< A: the matrix has no stiffness
+  std::vector<Moduli> matrix_shear;  ///< B: nothing but a unit shear modulus of the matrix
+  std::vector<Moduli> matrix_bulk;   ///< C
+
+  /// A + G B + K C
+  [[nodiscard]] std::vector<Moduli> with(const Moduli& matrix) const;
+};
+
+/// Solutions under one load, orthonormal in the energy of a reference matrix, and the projection of the stiffness on
+/// them.
+class ReducedBasis {
+ public:
+  ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, Load load, const Moduli& reference);
+
+  [[nodiscard]] Load load() const noexcept { return load_; }
+  [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
+  [[nodiscard]] const Field& load_forces() const noexcept { return load_forces_; }
+  [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
+
+  /// Displacement that the basis holds for best; zero when it is empty.
+  [[nodiscard]] Field approximation(const Moduli& matrix) const;
+  /// Adds a solution for these moduli.
+  void add(Field solution, const Moduli& matrix);
+
+ private:
+  struct PartForces {
+    Field filler, matrix_shear, matrix_bulk;
+  };
+  [[nodiscard]] double reference_energy(const PartForces& forces, const Field& displacement) const;
+  void normalise(Field& vector) const;
+  void extend_projection();
+
+  const ElasticBox* box_;
+  const StiffnessParts* parts_;
+  Load load_;
+  Moduli reference_;
+  Field load_forces_;
+  std::vector<Field> vectors_;
+  std::vector<PartForces> forces_;  ///< of the vectors
+  ReducedResponse response_;
+};
+
+}  // namespace breccia::quasistatic

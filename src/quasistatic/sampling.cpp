@@ -1,0 +1,146 @@
+#include "breccia/quasistatic/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "elastic_solver.hpp"
+#include "reduced_basis.hpp"
+
+namespace breccia {
+namespace {
+
+using quasistatic::ElasticBox;
+using quasistatic::ElasticSolver;
+using quasistatic::Field;
+using quasistatic::ReducedBasis;
+using quasistatic::StiffnessParts;
+
+StiffnessParts parts_of(const QuasistaticProblem& problem, MaterialIndex matrix) {
+  const auto count = problem.materials.size();
+  StiffnessParts parts = {std::vector<Moduli>(count, {0.0, 0.0}), std::vector<Moduli>(count, {0.0, 0.0}),
+                          std::vector<Moduli>(count, {0.0, 0.0})};
+  for (std::size_t m = 0; m < count; ++m) {
+    const auto& [name, density, bulk, shear] = problem.materials[m];
+    if (m == matrix) continue;
+    if (!bulk.is_elastic() || !shear.is_elastic()) {
+      throw InputError(
+          fmt::format("reduced basis: {} relaxes; with a filler that relaxes, take solver = \"stepping\"", name));
+    }
+    parts.filler[m] = {bulk.equilibrium(), shear.equilibrium()};
+  }
+  parts.matrix_shear.at(matrix).shear = 1.0;
+  parts.matrix_bulk.at(matrix).bulk = 1.0;
+  return parts;
+}
+
+/// The solution for an elastic matrix, from the best guess that the basis has.
+Field solve(const ElasticBox& box, ElasticSolver& solver, const ReducedBasis& basis, const std::vector<Moduli>& moduli,
+            const Moduli& matrix) {
+  auto solution = basis.approximation(matrix);
+  auto forces = box.zero_field();
+  double affine = 0.0;
+  if (box.boundary() == Boundary::traction) {
+    forces = box.load_forces(basis.load());
+  } else {
+    affine = 1.0;
+    auto given = box.zero_field();
+    given.set_affine(affine);
+    forces.add(-1.0, box.forces(moduli, basis.load(), given));
+  }
+  solver.solve(forces, solution);
+  solution.set_affine(affine);
+  return solution;
+}
+
+/// Modulus [Pa] that a solution tells.
+double modulus_of(const ElasticBox& box, const ReducedBasis& basis, const std::vector<Moduli>& moduli,
+                  const Field& solution) {
+  const double energy = work(box.forces(moduli, basis.load(), solution), solution) / box.area();
+  return box.boundary() == Boundary::traction ? 1.0 / energy : energy;
+}
+
+/// Where on the path an estimate that has not been calibrated yet is largest over all loads.
+Moduli worst_on(std::span<const Moduli> path, const std::vector<ReducedBasis>& bases) {
+  double largest = -1.0;
+  Moduli worst{};
+  for (const auto& moduli : path) {
+    for (const auto& basis : bases) {
+      auto response = basis.response();
+      response.residual_scale = 1.0;
+      const double estimate = response.error_estimate(moduli);
+      if (estimate <= largest) continue;
+      largest = estimate;
+      worst = moduli;
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
+                                  std::span<const Moduli> path, const SamplingOptions& options,
+                                  const std::function<void(const SamplingProgress&)>& observer) {
+  if (path.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
+  const auto parts = parts_of(problem, matrix);
+  const ElasticBox box(problem.discretisation, problem.volumetric, problem.boundary);
+  ElasticSolver solver(box, problem.linear);
+  const auto& middle = path[path.size() / 2];
+  std::vector<ReducedBasis> bases;
+  for (const auto load : loads) bases.emplace_back(box, parts, load, middle);
+
+  std::vector<double> scales(loads.size(), 0.0);
+  std::vector<std::vector<double>> measured(loads.size());
+  double error = 1.0;
+  const auto add_snapshot = [&](const Moduli& at, bool is_measured) {
+    const auto moduli = parts.with(at);
+    solver.set_moduli(moduli);
+    solver.refresh();
+    error = is_measured ? 0.0 : 1.0;
+    for (std::size_t l = 0; l < bases.size(); ++l) {
+      auto solution = solve(box, solver, bases[l], moduli, at);
+      double relative = 0.0;
+      if (is_measured) {
+        auto response = bases[l].response();
+        response.residual_scale = 1.0;
+        relative = std::abs(response.modulus(at) / modulus_of(box, bases[l], moduli, solution) - 1.0);
+        scales[l] = std::max(scales[l], relative / response.error_estimate(at));
+        error = std::max(error, relative);
+      }
+      measured[l].push_back(relative);
+      bases[l].add(std::move(solution), at);
+    }
+    if (observer) observer({static_cast<int>(bases.front().size()), error});
+  };
+
+  add_snapshot(middle, false);
+  for (const auto& end : {path.front(), path.back()}) {
+    if (end.bulk != middle.bulk || end.shear != middle.shear) add_snapshot(end, false);
+  }
+  while (path.size() > bases.front().size() && error > options.tolerance) {
+    if (static_cast<int>(bases.front().size()) == options.most_snapshots) {
+      throw NumericalError(
+          fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
+                      "or solver = \"stepping\" may serve",
+                      error, options.most_snapshots, options.tolerance));
+    }
+    add_snapshot(worst_on(path, bases), true);
+  }
+
+  SampledResponses sampled;
+  sampled.effort = solver.effort();
+  for (std::size_t l = 0; l < bases.size(); ++l) {
+    auto response = bases[l].response();
+    response.residual_scale = scales[l];
+    for (std::size_t i = 0; i < measured[l].size(); ++i) response.snapshots[i].error_before = measured[l][i];
+    sampled.responses.push_back(std::move(response));
+  }
+  return sampled;
+}
+
+}  // namespace breccia
