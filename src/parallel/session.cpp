@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdlib>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <petscsys.h>
 
@@ -16,10 +17,20 @@ bool is_running() noexcept {
   return PetscInitialized(&running) == 0 && running == PETSC_TRUE;
 }
 
+/// A BLAS with threads of its own gains nothing on sparse factors, spins while our threads work, and rounds differently
+/// for another number of them. OpenBLAS is asked by name, since other implementations have no such function.
+void keep_blas_to_one_thread() noexcept {
+  using SetThreads = void (*)(int);
+  // The conversion of a function's address is what dlsym is for.
+  const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (set_threads != nullptr) set_threads(1);
+}
+
 }  // namespace
 
 void start() {
   if (is_running()) return;
+  keep_blas_to_one_thread();
   int provided = 0;
   // One thread of a process talks to the others; the loops of all threads do not.
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {

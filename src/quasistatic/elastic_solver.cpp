@@ -83,7 +83,7 @@ bool ElasticSolver::try_to_solve(const Field& forces, Field& displacement, int m
 
 void ElasticSolver::solve(const Field& forces, Field& displacement) {
   // A factorisation costs about as much as this many steps with an old one.
-  constexpr int worth_a_factorisation = 15, many = 5000;
+  constexpr int worth_a_factorisation = 8, many = 5000;
   ++effort_.solves;
   if (fresh_iterations_ == 0) refresh();
   bool is_solved = !is_fresh_ && try_to_solve(forces, displacement, fresh_iterations_ + worth_a_factorisation);

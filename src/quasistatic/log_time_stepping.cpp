@@ -181,11 +181,26 @@ std::vector<std::vector<double>> run(const QuasistaticProblem& problem, const El
   return values;
 }
 
-/// Every other time, so that the last one is among them.
-std::vector<double> every_other(std::span<const double> times) {
-  std::vector<double> coarse;
-  for (std::size_t i = (times.size() + 1) % 2; i < times.size(); i += 2) coarse.push_back(times[i]);
+/// Every other time, and the last one.
+std::vector<std::size_t> every_other(std::size_t count) {
+  std::vector<std::size_t> coarse;
+  for (std::size_t i = 1; i < count; i += 2) coarse.push_back(i);
+  if (count % 2 == 1) coarse.push_back(count - 1);
   return coarse;
+}
+
+/// Of second order: the error of the fine run is a third of the difference to the coarse one. Times between two of the
+/// coarse run take the larger of the two estimates.
+std::vector<double> error_estimates(const std::vector<double>& fine, const std::vector<double>& coarse,
+                                    const std::vector<std::size_t>& places) {
+  std::vector<double> errors(fine.size(), 0.0);
+  for (std::size_t c = 0; c < places.size(); ++c) {
+    const double error = std::abs(coarse[c] / fine[places[c]] - 1.0) / 3.0;
+    const std::size_t before = c == 0 ? 0 : places[c - 1] + 1;
+    const std::size_t behind = c + 1 == places.size() ? fine.size() : places[c + 1];
+    for (std::size_t i = before; i < behind; ++i) errors[i] = std::max(errors[i], error);
+  }
+  return errors;
 }
 
 void require_complete(const QuasistaticProblem& problem, std::span<const double> times) {
@@ -212,7 +227,9 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   const auto fine = run(problem, box, loads, times, solver, [&](double share) {
     if (observer) observer(share_of_fine * share);
   });
-  const auto coarse_times = every_other(times);
+  const auto places = every_other(times.size());
+  std::vector<double> coarse_times;
+  for (const auto place : places) coarse_times.push_back(times[place]);
   const auto coarse = run(problem, box, loads, coarse_times, solver, [&](double share) {
     if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);
   });
@@ -220,21 +237,9 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   SteppingResult result;
   result.effort = solver.effort();
   for (std::size_t l = 0; l < loads.size(); ++l) {
-    auto& response = result.responses.emplace_back();
-    response.load = loads[l];
-    response.values.assign(fine[l].begin() + 1, fine[l].end());
-    // Of second order: the error of the fine run is a third of the difference. Times between two of the coarse run
-    // take the larger of its neighbours' estimates.
-    const std::size_t offset = (times.size() + 1) % 2;
-    response.error_estimates.assign(times.size(), 0.0);
-    for (std::size_t c = 0; c < coarse_times.size(); ++c) {
-      const std::size_t i = offset + 2 * c;
-      const double error = std::abs(coarse[l][c + 1] / response.values[i] - 1.0) / 3.0;
-      for (std::size_t j = i == 0 ? 0 : i - 1; j <= std::min(i + 1, times.size() - 1); ++j) {
-        response.error_estimates[j] = std::max(response.error_estimates[j], error);
-      }
-    }
-    response.unrelaxed = fine[l].front();
+    const std::vector<double> values(fine[l].begin() + 1, fine[l].end());
+    const std::vector<double> coarse_values(coarse[l].begin() + 1, coarse[l].end());
+    result.responses.push_back({loads[l], fine[l].front(), values, error_estimates(values, coarse_values, places)});
   }
   return result;
 }
