@@ -1,0 +1,179 @@
+#include "breccia/viscoelasticity/fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "non_negative_least_squares.hpp"
+
+namespace breccia {
+namespace {
+
+/// exp(-t / tau) after a step at 0; after a ramp of duration T, its mean over the instants of the ramp (theory, section
+/// 9).
+double decay(double t, double tau, double ramp) {
+  if (ramp == 0.0) return std::exp(-t / tau);
+  if (t <= ramp) return -std::expm1(-t / tau) * tau / ramp;
+  return std::exp(-(t - ramp) / tau) * -std::expm1(-ramp / tau) * tau / ramp;
+}
+
+/// Share of the ramp that is over, and the time since the load was applied, on average over the ramp so far.
+double applied(double t, double ramp) {
+  return t < ramp ? t / ramp : 1.0;
+}
+double time_since(double t, double ramp) {
+  return t < ramp ? 0.5 * t * t / ramp : t - 0.5 * ramp;
+}
+
+/// Characteristic times of a fit: logarithmic, somewhat beyond what the data see.
+std::vector<double> characteristic_times(double first, double last, double per_decade) {
+  constexpr double beyond = 3.0;
+  const double from = first / beyond, to = last * beyond;
+  const auto count = std::max(2, static_cast<int>(std::ceil(per_decade * std::log10(to / from))) + 1);
+  std::vector<double> times;
+  for (int i = 0; i < count; ++i) times.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
+  return times;
+}
+
+void require_data(std::span<const double> at, std::initializer_list<std::span<const double>> values, const char* what) {
+  for (const auto& column : values) {
+    if (column.size() != at.size()) throw InputError(fmt::format("{}: columns of different lengths", what));
+  }
+  constexpr std::size_t fewest = 3;
+  if (at.size() < fewest)
+    throw InputError(fmt::format("{}: expected at least {} data, got {}", what, fewest, at.size()));
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (!(at[i] > 0.0) || !std::isfinite(at[i]) || (i > 0 && at[i] <= at[i - 1])) {
+      throw InputError(fmt::format("{}: datum {}: expected rising positive numbers, got {}", what, i + 1, at[i]));
+    }
+    for (const auto& column : values) {
+      if (column[i] > 0.0 && std::isfinite(column[i])) continue;
+      throw InputError(fmt::format("{}: datum {}: expected a positive number, got {}", what, i + 1, column[i]));
+    }
+  }
+}
+
+struct Fit {
+  Eigen::VectorXd amplitudes;
+  FitQuality quality;
+};
+
+/// Columns are the answers of the parts of a spectrum at the data. `at` repeats where data have several values.
+Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::vector<double>& at) {
+  const Eigen::MatrixXd relative = data.cwiseInverse().asDiagonal() * columns;
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(data.size());
+  Fit result;
+  result.amplitudes = non_negative_least_squares(relative, ones);
+  const Eigen::VectorXd deviations = relative * result.amplitudes - ones;
+  auto& quality = result.quality;
+  std::vector<double> errors;
+  for (Eigen::Index i = 0; i < data.size(); ++i) {
+    quality.fitted.push_back(data[i] * (1.0 + deviations[i]));
+    errors.push_back(std::abs(deviations[i]));
+  }
+  const auto worst = std::max_element(errors.begin(), errors.end());
+  quality.worst_error = *worst;
+  quality.worst_at = at[static_cast<std::size_t>(worst - errors.begin())];
+  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
+  quality.median_error = errors[errors.size() / 2];
+
+  // Covariance of the linear fit by the parts that are used, with the scatter as it is found: s^2 A (A'A)^-1 A'.
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
+    if (result.amplitudes[j] > 0.0) used.push_back(j);
+  }
+  const auto freedom = std::max<Eigen::Index>(1, data.size() - static_cast<Eigen::Index>(used.size()));
+  const double scatter = std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom));
+  const Eigen::MatrixXd active = relative(Eigen::all, used);
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(active);
+  const Eigen::MatrixXd basis = factors.householderQ() * Eigen::MatrixXd::Identity(data.size(), factors.rank());
+  for (Eigen::Index i = 0; i < data.size(); ++i) quality.standard_errors.push_back(scatter * basis.row(i).norm());
+  return result;
+}
+
+std::vector<MaxwellTerm> maxwell_terms(const std::vector<double>& times, const Eigen::VectorXd& amplitudes) {
+  std::vector<MaxwellTerm> terms;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    if (const double strength = amplitudes[static_cast<Eigen::Index>(k)]; strength > 0.0) {
+      terms.push_back({times[k], strength});
+    }
+  }
+  return terms;
+}
+
+}  // namespace
+
+RelaxationFit fit_relaxation(std::span<const double> times, std::span<const double> moduli, const FitOptions& options) {
+  require_data(times, {moduli}, "relaxation data");
+  const auto spectrum = characteristic_times(times.front(), times.back(), options.times_per_decade);
+  const auto count = static_cast<Eigen::Index>(spectrum.size());
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(times.size()), count + 1);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    const double t = times[static_cast<std::size_t>(i)];
+    for (Eigen::Index k = 0; k < count; ++k) {
+      columns(i, k) = decay(t, spectrum[static_cast<std::size_t>(k)], options.ramp);
+    }
+    columns(i, count) = applied(t, options.ramp);
+  }
+  const Eigen::Map<const Eigen::VectorXd> data(moduli.data(), columns.rows());
+  auto [amplitudes, quality] = fit(columns, data, {times.begin(), times.end()});
+  return {PronySeries(amplitudes[count], maxwell_terms(spectrum, amplitudes)), std::move(quality)};
+}
+
+CreepFit fit_creep(std::span<const double> times, std::span<const double> compliances, const FitOptions& options) {
+  require_data(times, {compliances}, "creep data");
+  const auto spectrum = characteristic_times(times.front(), times.back(), options.times_per_decade);
+  const auto count = static_cast<Eigen::Index>(spectrum.size());
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(times.size()), count + 2);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    const double t = times[static_cast<std::size_t>(i)];
+    const double stress = applied(t, options.ramp);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      columns(i, k) = stress - decay(t, spectrum[static_cast<std::size_t>(k)], options.ramp);
+    }
+    columns(i, count) = stress;
+    columns(i, count + 1) = time_since(t, options.ramp);
+  }
+  const Eigen::Map<const Eigen::VectorXd> data(compliances.data(), columns.rows());
+  auto [amplitudes, quality] = fit(columns, data, {times.begin(), times.end()});
+  std::vector<RetardationTerm> terms;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    if (amplitudes[k] > 0.0) terms.push_back({spectrum[static_cast<std::size_t>(k)], amplitudes[k]});
+  }
+  // Data that show no jump do not tell how stiff the solid is before them: far stiffer is as good as infinitely.
+  constexpr double small = 1e-6;
+  const double instantaneous = std::max(amplitudes[count], small * compliances.front());
+  return {CreepCompliance(instantaneous, std::move(terms), amplitudes[count + 1]), std::move(quality)};
+}
+
+RelaxationFit fit_dynamic(std::span<const double> frequencies, std::span<const double> storage,
+                          std::span<const double> loss, const FitOptions& options) {
+  require_data(frequencies, {storage, loss}, "dynamic data");
+  const auto spectrum =
+      characteristic_times(1.0 / frequencies.back(), 1.0 / frequencies.front(), options.times_per_decade);
+  const auto terms = static_cast<Eigen::Index>(spectrum.size());
+  const auto count = static_cast<Eigen::Index>(frequencies.size());
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2 * count, terms + 1);
+  Eigen::VectorXd data(2 * count);
+  std::vector<double> at(frequencies.begin(), frequencies.end());
+  at.insert(at.end(), frequencies.begin(), frequencies.end());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index k = 0; k < terms; ++k) {
+      const double x = frequencies[static_cast<std::size_t>(i)] * spectrum[static_cast<std::size_t>(k)];
+      columns(i, k) = x * x / (1.0 + x * x);
+      columns(count + i, k) = x / (1.0 + x * x);
+    }
+    columns(i, terms) = 1.0;
+    data[i] = storage[static_cast<std::size_t>(i)];
+    data[count + i] = loss[static_cast<std::size_t>(i)];
+  }
+  auto [amplitudes, quality] = fit(columns, data, at);
+  return {PronySeries(amplitudes[terms], maxwell_terms(spectrum, amplitudes)), std::move(quality)};
+}
+
+}  // namespace breccia
