@@ -25,6 +25,7 @@ struct RunArguments {
   std::filesystem::path directory;  ///< empty: results/<deck name>
   int threads = 0;                  ///< 0: all
   bool quiet = false;
+  std::string petsc_options;  ///< as on a command line of PETSc
 
   [[nodiscard]] std::filesystem::path results() const;
 };
@@ -35,6 +36,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments);
 /// The subcommands: each adds itself to the application, and does its work in a callback.
 void add_check(CLI::App& application);
 void add_pack(CLI::App& application);
+void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 
 }  // namespace breccia::cli

@@ -2,11 +2,13 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/parallel/session.hpp"
 
 #include "command.hpp"
 
@@ -39,6 +41,7 @@ int run(int argc, char** argv) {
   breccia::cli::add_run(application);
   breccia::cli::add_check(application);
   breccia::cli::add_pack(application);
+  breccia::cli::add_respond(application);
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");
@@ -51,22 +54,35 @@ int run(int argc, char** argv) {
   return static_cast<int>(breccia::ExitCode::done);
 }
 
+/// Says what went wrong, and returns the exit code. Of several processes that read the same deck one says it.
+int fail(std::string_view message, breccia::ExitCode exit_code) {
+  if (breccia::parallel::rank() == 0) fmt::print(stderr, "{}\n", message);
+  return static_cast<int>(exit_code);
+}
+
+int guarded_run(int argc, char** argv) {
+  using breccia::ExitCode;
+  try {
+    if (breccia::parallel::is_under_mpirun()) breccia::parallel::start();
+    return run(argc, argv);
+  } catch (const breccia::Error& error) {
+    return fail(error.what(), error.exit_code());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(fmt::format("breccia: {}", error.what()), ExitCode::file_failure);
+  } catch (const std::bad_alloc&) {
+    return fail("not enough memory for this deck; `breccia check` tells how much it takes",
+                ExitCode::numerical_failure);
+  } catch (const std::exception& error) {
+    return fail(fmt::format("breccia: internal error: {}", error.what()), ExitCode::numerical_failure);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const breccia::Error& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return static_cast<int>(error.exit_code());
-  } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "breccia: {}\n", error.what());
-    return static_cast<int>(breccia::ExitCode::file_failure);
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "not enough memory for this deck; `breccia check` tells how much it takes\n");
-    return static_cast<int>(breccia::ExitCode::numerical_failure);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "breccia: internal error: {}\n", error.what());
-    return static_cast<int>(breccia::ExitCode::numerical_failure);
-  }
+  const int exit_code = guarded_run(argc, argv);
+  // The others may be waiting for a process that has failed.
+  if (exit_code != 0 && breccia::parallel::ranks() > 1) breccia::parallel::abort(exit_code);
+  breccia::parallel::stop();
+  return exit_code;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "breccia/study/run.hpp"
 
@@ -10,6 +11,9 @@ namespace breccia::cli {
 
 /// Tells on a terminal what a study does, and ends it when the user asks for that.
 StudyObserver narrate(Progress& progress);
+
+/// The curves of some stages at whole decades of a window of times.
+std::string table_of(const std::vector<StageResult>& stages, const TimeWindow& times);
 
 /// The result of a study in a few lines: each curve at whole decades.
 std::string closing_table(const Study& study, const StudyResult& result);

@@ -84,9 +84,13 @@ std::string describe(const Filler& filler, double cell_size) {
 
 std::string describe(const Stage& stage) {
   const auto points = 4LL * stage.cells * stage.cells;
+  const auto grids = stage.coarser_cells.empty() ? ""
+                                                 : fmt::format("             extrapolated with {} cells per side\n",
+                                                               fmt::join(stage.coarser_cells, " and "));
   auto text = fmt::format(
       "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
       stage.matrix.name, length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
+  text += grids;
   return text + (stage.filler ? describe(*stage.filler, stage.cell_size()) : "    filler   none\n");
 }
 
@@ -102,12 +106,25 @@ std::string describe(const DynamicOptions& options) {
                                       : fmt::format("{}", fmt::join(options.density_factors, ", ")));
 }
 
+std::string describe(const QuasistaticOptions& options) {
+  const auto how = options.solver == Solver::reduced
+                       ? fmt::format("reduced basis to within {:.1g}", options.sampling.tolerance)
+                       : fmt::format("log-time stepping, {} steps a decade", options.steps_per_decade);
+  return fmt::format("    method   quasi-static, {}, {} strain\n", how,
+                     options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");
+}
+
 std::string describe(const Tests& tests) {
-  std::vector<std::string_view> loads;
-  for (const auto load : tests.loads) loads.emplace_back(name_of(load));
-  return fmt::format("    loads    {}\n    bounds   upper\n    times    {} to {}, {} a decade\n{}",
-                     fmt::join(loads, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade,
-                     describe(tests.dynamic));
+  std::vector<std::string> loads, bounds;
+  for (const auto load : tests.loads) loads.push_back(name_of(load));
+  for (const auto bound : tests.bounds) bounds.push_back(bound_of(boundary_of(bound)));
+  auto text =
+      fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
+                  fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
+  for (const auto method : tests.methods) {
+    text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic);
+  }
+  return text;
 }
 
 }  // namespace

@@ -308,6 +308,10 @@ std::vector<double> Section::numbers(const std::string& key, const Range& range)
   return elements(key, "an array of numbers", [&](const DeckValue& value) { return read_number(value, range); });
 }
 
+std::vector<std::int64_t> Section::integers(const std::string& key, const Range& range) const {
+  return elements(key, "an array of integers", [&](const DeckValue& value) { return read_integer(value, range); });
+}
+
 std::vector<std::size_t> Section::choice_indices(const std::string& key, const std::vector<std::string>& words) const {
   return elements(key, fmt::format("an array such as [\"{}\"]", words.front()),
                   [&](const DeckValue& value) { return read_choice(value, words); });

@@ -8,6 +8,7 @@
 #include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/study/respond.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "deck_sections.hpp"
@@ -125,6 +126,13 @@ std::vector<Material> read_materials(const Section& deck) {
   std::vector<Material> materials;
   for (const auto& name : section.keys()) materials.push_back(read_material(section.section(name), name));
   return materials;
+}
+
+Material read_material_file(const std::filesystem::path& file) {
+  const Deck document(file);
+  const auto material = read_material(document.root(), file.stem().string());
+  document.finish();
+  return material;
 }
 
 Material read_material_reference(const Section& section, const std::string& key,

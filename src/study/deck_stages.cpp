@@ -28,7 +28,8 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier)
     section.report("name",
                    fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }
-  if (name == "curves.csv" || name == "study.json") {
+  if (name == "curves.csv" || name == "compliance.csv" || name == "prony.csv" || name == "extrapolation.csv" ||
+      name == "study.json") {
     section.report("name", fmt::format("\"{}\" is the name of a file of results", name));
   }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
@@ -48,6 +49,20 @@ Material read_matrix(const Section& section, const std::vector<Stage>& earlier,
     return {};
   }
   return read_material_reference(section, "matrix", materials);
+}
+
+/// Cells per side of several grids, from which curves are extrapolated.
+std::vector<int> read_grids(const Section& section) {
+  std::vector<int> grids;
+  for (const auto cells : section.integers("cells", {.lower = fewest_cells, .upper = most_cells})) {
+    grids.push_back(static_cast<int>(cells));
+  }
+  constexpr std::size_t fewest = 2, most = 3;
+  if (grids.size() < fewest || grids.size() > most || !std::ranges::is_sorted(grids, std::ranges::less_equal())) {
+    section.report("cells", "expected an integer, or two or three rising ones to extrapolate from, such as [100, 200]");
+    return {fewest_cells};
+  }
+  return grids;
 }
 
 /// Cells per side from `cells`, or from `resolution` in material points per length (two a cell).
@@ -77,7 +92,14 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     stage.name = read_name(section, stages);
     stage.matrix = read_matrix(section, stages, materials);
     stage.side = section.quantity("box", Dimension::length, Range::positive());
-    stage.cells = read_cells(section, stage.side);
+    if (section.kind("cells") == Kind::array) {
+      section.refuse({"resolution"}, "the cells are given already");
+      stage.coarser_cells = read_grids(section);
+      stage.cells = stage.coarser_cells.back();
+      stage.coarser_cells.pop_back();
+    } else {
+      stage.cells = read_cells(section, stage.side);
+    }
     stage.filler = read_filler(section, stage, materials);
     stages.push_back(std::move(stage));
   }

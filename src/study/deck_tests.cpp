@@ -39,6 +39,35 @@ std::vector<double> read_density_factors(const Section& section) {
   return factors;
 }
 
+/// One method, or an array of methods.
+std::vector<Method> read_methods(const Section& section) {
+  const std::vector<Choice<Method>> choices = {{"quasistatic", Method::quasistatic}, {"dynamic", Method::dynamic}};
+  if (section.kind("method") == Kind::text) {
+    return {section.choice<Method>("method", choices).value_or(Method::quasistatic)};
+  }
+  auto methods = section.list_of_choices<Method>("method", choices);
+  refuse_repeats(section, "method", methods);
+  return methods;
+}
+
+QuasistaticOptions read_quasistatic(const Section& section) {
+  QuasistaticOptions options;
+  const Range accuracy = Range::between(0.0, 0.1);
+  options.sampling.tolerance = section.optional_number("tolerance", accuracy).value_or(options.sampling.tolerance);
+  const Range steps{.lower = 2.0, .upper = 1000.0};
+  options.steps_per_decade =
+      static_cast<int>(section.optional_integer("steps_per_decade", steps).value_or(options.steps_per_decade));
+  if (section.has("linear")) {
+    options.linear.method = section
+                                .choice<LinearMethod>("linear", {{"automatic", LinearMethod::automatic},
+                                                                 {"direct", LinearMethod::direct},
+                                                                 {"iterative", LinearMethod::iterative}})
+                                .value_or(options.linear.method);
+  }
+  options.linear.tolerance = section.optional_number("linear_tolerance", accuracy).value_or(options.linear.tolerance);
+  return options;
+}
+
 DynamicOptions read_dynamic(const Section& section) {
   DynamicOptions options;
   if (section.has("formulation")) {
@@ -73,21 +102,31 @@ Tests read_tests(const Section& deck) {
     refuse_repeats(section, "loads", tests.loads);
   }
   if (section.has("bounds")) {
-    tests.bounds = section.list_of_choices<Bound>("bounds", {{"upper", Bound::upper}});
+    tests.bounds = section.list_of_choices<Bound>(
+        "bounds", {{"upper", Bound::upper}, {"lower", Bound::lower}, {"periodic", Bound::periodic}});
     refuse_repeats(section, "bounds", tests.bounds);
   }
-  if (section.has("method")) {
-    tests.method = section.choice<Method>("method", {{"dynamic", Method::dynamic}}).value_or(tests.method);
-  }
+  if (section.has("method")) tests.methods = read_methods(section);
   read_times(section, tests);
   const Range points{.lower = 1.0, .upper = 1000.0};
   tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
+  if (const auto quasistatic = section.optional_section("quasistatic")) {
+    tests.quasistatic = read_quasistatic(*quasistatic);
+  }
   if (const auto dynamic = section.optional_section("dynamic")) tests.dynamic = read_dynamic(*dynamic);
+  if (section.has("solver")) {
+    tests.quasistatic.solver =
+        section.choice<Solver>("solver", {{"reduced", Solver::reduced}, {"stepping", Solver::stepping}})
+            .value_or(tests.quasistatic.solver);
+  }
   if (section.has("volumetric")) {
-    tests.dynamic.volumetric =
-        section
-            .choice<Volumetric>("volumetric", {{"averaged", Volumetric::averaged}, {"standard", Volumetric::standard}})
-            .value_or(tests.dynamic.volumetric);
+    const auto volumetric = section.choice<Volumetric>(
+        "volumetric", {{"averaged", Volumetric::averaged}, {"standard", Volumetric::standard}});
+    tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
+  }
+  const bool is_dynamic = std::ranges::find(tests.methods, Method::dynamic) != tests.methods.end();
+  if (is_dynamic && std::ranges::find(tests.bounds, Bound::upper) == tests.bounds.end()) {
+    section.report("method", "the dynamic method gives the upper bound; add \"upper\" to the bounds");
   }
   return tests;
 }

@@ -48,22 +48,71 @@ Json json_of(const TimeDomain& domain, std::size_t points) {
           {"points_x_steps_per_s", domain.point_steps_per_second(points)}};
 }
 
-Json json_of(const TestResult& test, const Study& study, std::size_t points) {
-  const auto& options = study.tests.dynamic;
-  Json domains = Json::array(), overlaps = Json::array();
-  for (const auto& domain : test.dynamic.domains) domains.push_back(json_of(domain, points));
-  for (const auto& [window, mismatch] : test.dynamic.overlaps) {
-    overlaps.push_back({{"window_s", json_of(window)}, {"mismatch", mismatch}});
+Json json_of(const LinearEffort& effort) {
+  return {{"method", effort.is_direct ? "direct" : "iterative"},
+          {"unknowns", effort.unknowns},
+          {"factorisations", effort.factorisations},
+          {"solves", effort.solves},
+          {"iterations", effort.iterations},
+          {"most_iterations", effort.most_iterations},
+          {"largest_residual", effort.largest_residual}};
+}
+
+const char* word_of(Volumetric volumetric) {
+  return volumetric == Volumetric::averaged ? "averaged" : "standard";
+}
+
+/// What a test was made with.
+struct DescribeRecord {
+  const Tests& options;
+  std::size_t points;  ///< of the grid
+
+  Json operator()(const QuasistaticRecord& record) const {
+    const auto& response = record.response;
+    Json json = {{"solver", response.reduced ? "reduced" : "stepping"},
+                 {"volumetric", word_of(options.quasistatic.volumetric)},
+                 {"error_estimate", response.error_estimate},
+                 {"linear", json_of(record.effort)},
+                 {"wall_time_s", record.seconds}};
+    if (response.fit_error) json["fit_error"] = *response.fit_error;
+    if (!response.reduced) {
+      json["steps_per_decade"] = options.quasistatic.steps_per_decade;
+      return json;
+    }
+    json["tolerance"] = options.quasistatic.sampling.tolerance;
+    json["snapshots"] = Json::array();
+    for (const auto& [matrix, error] : response.reduced->snapshots) {
+      json["snapshots"].push_back(
+          {{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}, {"error_before", error > 0.0 ? Json(error) : Json()}});
+    }
+    return json;
   }
-  return {{"load", name_of(test.load)},
-          {"boundary", "displacement"},
-          {"method", "dynamic"},
-          {"formulation", options.formulation == Formulation::classical ? "classical" : "total-lagrangian"},
-          {"start", options.start == Start::affine ? "affine" : "boundary"},
-          {"volumetric", options.volumetric == Volumetric::averaged ? "averaged" : "standard"},
-          {"courant", options.courant},
-          {"time_domains", std::move(domains)},
-          {"overlaps", std::move(overlaps)}};
+
+  Json operator()(const DynamicTestResult& record) const {
+    Json domains = Json::array(), overlaps = Json::array();
+    for (const auto& domain : record.domains) domains.push_back(json_of(domain, points));
+    for (const auto& [window, mismatch] : record.overlaps) {
+      overlaps.push_back({{"window_s", json_of(window)}, {"mismatch", mismatch}});
+    }
+    return {{"formulation", options.dynamic.formulation == Formulation::classical ? "classical" : "total-lagrangian"},
+            {"start", options.dynamic.start == Start::affine ? "affine" : "boundary"},
+            {"volumetric", word_of(options.dynamic.volumetric)},
+            {"courant", options.dynamic.courant},
+            {"time_domains", std::move(domains)},
+            {"overlaps", std::move(overlaps)}};
+  }
+
+  Json operator()(const ExtrapolationRecord& record) const { return {{"from_cells", record.cells}}; }
+};
+
+Json json_of(const TestResult& test, const Study& study) {
+  const auto points = 4 * static_cast<std::size_t>(test.cells) * static_cast<std::size_t>(test.cells);
+  Json json = {{"load", name_of(test.load)},
+               {"boundary", name_of(test.boundary)},
+               {"method", name_of(test.method)},
+               {"cells", test.cells == 0 ? Json("extrapolated") : Json(test.cells)}};
+  json.update(std::visit(DescribeRecord{study.tests, points}, test.record));
+  return json;
 }
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
@@ -81,12 +130,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
     microstructure["events"] = packing.events;
   }
   Json tests = Json::array();
-  for (const auto& test : result.tests) tests.push_back(json_of(test, study, result.points));
+  for (const auto& test : result.tests) tests.push_back(json_of(test, study));
   Json json = {{"name", stage.name},
                {"matrix", stage.matrix.name},
                {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
                {"box_m", stage.side},
-               {"cells", stage.cells},
+               {"cells", grids_of(stage)},
                {"points", result.points},
                {"filler_point_fraction", result.point_fraction},
                {"microstructure", std::move(microstructure)},

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
@@ -16,6 +18,12 @@
 #include "breccia/report/modulus_plot.hpp"
 
 namespace breccia {
+
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
+}
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
@@ -30,21 +38,22 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
   write_text(directory / "microstructure.svg", microstructure_picture(microstructure.microstructure));
 }
 
-void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage, Load load,
-                   std::size_t number, const TimeDomain& domain) {
+void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                   const HistoryName& name, const TimeDomain& domain) {
   std::vector<double> times, moduli;
   for (const auto& [time, modulus] : domain.history) {
     times.push_back(time);
     moduli.push_back(modulus);
   }
-  Hdf5Writer file(directory / fmt::format("{}-displacement-dynamic-{}.h5", name_of(load), number));
+  Hdf5Writer file(directory /
+                  fmt::format("{}-displacement-dynamic-{}-{}.h5", name_of(name.load), name.cells, name.number));
   file.write("/history/time_s", times);
   file.write("/history/modulus_Pa", moduli);
   const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
       {"deck_hash", study.hash},
       {"stage", stage.name},
-      {"load", name_of(load)},
-      {"cells", std::int64_t{stage.cells}},
+      {"load", name_of(name.load)},
+      {"cells", std::int64_t{name.cells}},
       {"density_factor", domain.density_factor},
       {"time_step_s", domain.time_step},
       {"ramp_s", domain.ramp},
@@ -52,19 +61,19 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
       {"valid_s", std::vector<double>{domain.window.begin, domain.window.end}},
       {"active_terms", static_cast<std::int64_t>(domain.terms)},
       {"reduction_error", domain.reduction_error}};
-  for (const auto& [name, value] : attributes) file.write_attribute("/history", name, value);
+  for (const auto& [attribute, value] : attributes) file.write_attribute("/history", attribute, value);
   file.commit();
 }
 
-void write_fields(const std::filesystem::path& directory, const Stage& stage, const PointFields& fields) {
-  const double spacing = 0.5 * stage.cell_size();
-  const auto side = 2 * static_cast<std::size_t>(stage.cells);
+void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields) {
+  const double spacing = 0.5 * grid.cell_side;
+  const auto columns = 2 * static_cast<std::size_t>(grid.columns), rows = 2 * static_cast<std::size_t>(grid.rows);
   std::vector<std::int64_t> material(fields.material.begin(), fields.material.end());
   std::vector<double> displacement, strain, stress;
   for (const auto& u : fields.displacement) displacement.insert(displacement.end(), {u[0], u[1], 0.0});
   for (const auto& e : fields.strain) strain.insert(strain.end(), {e[0], e[1], 0.0, e[2], 0.0, 0.0});
   for (const auto& s : fields.stress) stress.insert(stress.end(), {s[0], s[1], s[2], s[3], 0.0, 0.0});
-  write_vtkhdf(directory / "fields.vtkhdf", {side, side, {0.5 * spacing, 0.5 * spacing}, spacing},
+  write_vtkhdf(directory / "fields.vtkhdf", {columns, rows, {0.5 * spacing, 0.5 * spacing}, spacing},
                {{"material", 1, std::move(material)},
                 {"displacement_m", 3, std::move(displacement)},
                 {"strain", 6, std::move(strain)},
@@ -84,50 +93,35 @@ void write_plot(const std::filesystem::path& directory, const Study& study, cons
                 const StageResult& result) {
   ModulusPlot plot;
   plot.title = fmt::format("{}: {}", study.title, stage.name);
+  const bool has_limits = !stage.coarser_cells.empty(), has_methods = study.tests.methods.size() > 1;
   for (const auto& test : result.tests) {
-    PlotCurve curve{.label = test.load == Load::bulk ? "K(t) + G(t)/3, upper bound" : "G(t), upper bound"};
-    for (const auto& [time, modulus] : test.dynamic.curve) {
+    // Of several grids what they tell together.
+    if (has_limits && test.cells != 0) continue;
+    PlotCurve curve{.label = fmt::format("{}, {}{}", test.load == Load::bulk ? "K(t) + G(t)/3" : "G(t)",
+                                         bound_of(test.boundary), has_methods ? ", " + name_of(test.method) : "")};
+    if (test.method == Method::dynamic && has_methods) curve.style = PlotStyle::dashed;
+    for (const auto& [time, modulus] : test.modulus) {
       curve.times.push_back(time);
       curve.moduli.push_back(modulus);
     }
     plot.curves.push_back(std::move(curve));
   }
   PlotCurve matrix{.label = "G(t) of the matrix", .style = PlotStyle::dashed};
-  for (const auto& [time, modulus] : result.tests.front().dynamic.curve) {
+  for (const auto& [time, modulus] : result.tests.front().modulus) {
     matrix.times.push_back(time);
     matrix.moduli.push_back(stage.matrix.shear.at(time));
   }
   plot.curves.push_back(std::move(matrix));
-  for (const auto& domain : result.tests.front().dynamic.domains) {
-    plot.windows.push_back(
-        {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
+  for (const auto& test : result.tests) {
+    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+    if (dynamic == nullptr) continue;
+    for (const auto& domain : dynamic->domains) {
+      plot.windows.push_back(
+          {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
+    }
+    break;
   }
   write_text(directory / "modulus.svg", modulus_plot(plot));
-}
-
-void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
-  std::vector<std::string> stages, loads, boundaries, methods, cells;
-  std::vector<double> times, moduli;
-  for (const auto& stage : result.stages) {
-    for (const auto& test : stage.tests) {
-      for (const auto& [time, modulus] : test.dynamic.curve) {
-        stages.push_back(stage.name);
-        loads.push_back(name_of(test.load));
-        boundaries.emplace_back("displacement");
-        methods.emplace_back("dynamic");
-        cells.push_back(std::to_string(stage.cells));
-        times.push_back(time);
-        moduli.push_back(modulus);
-      }
-    }
-  }
-  write_csv(directory / "curves.csv", {{"stage", stages},
-                                       {"load", loads},
-                                       {"boundary", boundaries},
-                                       {"method", methods},
-                                       {"cells", cells},
-                                       {"time_s", times},
-                                       {"modulus_Pa", moduli}});
 }
 
 }  // namespace breccia

@@ -6,22 +6,33 @@
 
 namespace breccia {
 
+/// Makes a directory for results. Throws FileError.
+void make_directory(const std::filesystem::path& directory);
+
 /// Writes `microstructure.csv` and `microstructure.svg` of a stage.
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure);
 
-/// Writes the history of one time domain as `<load>-displacement-dynamic-<number>.h5`.
-void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage, Load load,
-                   std::size_t number, const TimeDomain& domain);
+/// Which time domain a history is of.
+struct HistoryName {
+  Load load;
+  int cells;           ///< per side
+  std::size_t number;  ///< from 1
+};
+
+/// Writes the history of one time domain as `<load>-displacement-dynamic-<cells>-<number>.h5`.
+void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                   const HistoryName& name, const TimeDomain& domain);
 
 /// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
-void write_fields(const std::filesystem::path& directory, const Stage& stage, const PointFields& fields);
+void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields);
 
 /// Writes `modulus.svg` of a stage: all its tests, the matrix for comparison, and the windows of the time domains.
 void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                 const StageResult& result);
 
-/// Writes `curves.csv`: all tests of all stages.
+/// Writes `curves.csv` and `prony.csv`, and where there is something to put in `compliance.csv` and
+/// `extrapolation.csv`: all tests of all stages.
 void write_curves(const std::filesystem::path& directory, const StudyResult& result);
 
 /// Writes `study.json`: how every number was made.

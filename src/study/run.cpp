@@ -8,21 +8,17 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
-#include "named_errors.hpp"
+#include "response_file.hpp"
 #include "results.hpp"
+#include "stage_tests.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-
-void make_directory(const fs::path& directory) {
-  std::error_code error;
-  fs::create_directories(directory, error);
-  if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
-}
 
 /// Removes what an earlier run left, so that no old number stands beside a new one.
 void remove_old_results(const Study& study, const fs::path& directory) {
@@ -31,17 +27,26 @@ void remove_old_results(const Study& study, const fs::path& directory) {
     fs::remove(file, error);
     if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
   };
-  for (const auto* name : {"curves.csv", "study.json"}) remove(directory / name);
+  for (const auto* name : {"curves.csv", "compliance.csv", "prony.csv", "extrapolation.csv", "study.json"}) {
+    remove(directory / name);
+  }
   for (const auto& stage : study.stages) {
     const auto stage_directory = directory / stage.name;
     if (!fs::is_directory(stage_directory)) continue;
-    for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "fields.vtkhdf"}) {
+    for (const auto* name :
+         {"microstructure.csv", "microstructure.svg", "modulus.svg", "fields.vtkhdf", "response.h5"}) {
       remove(stage_directory / name);
     }
     for (const auto& entry : fs::directory_iterator(stage_directory)) {
       if (entry.path().filename().string().find("-displacement-dynamic-") != std::string::npos) remove(entry.path());
     }
   }
+}
+
+/// Results are written by the first of several processes.
+template <class Write>
+void write_once(const Write& write) {
+  if (parallel::rank() == 0) write();
 }
 
 StageResult pack_stage(const Stage& stage, const fs::path& directory, const StudyObserver& observer) {
@@ -56,67 +61,84 @@ StageResult pack_stage(const Stage& stage, const fs::path& directory, const Stud
   const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
   result.point_fraction = discretisation.fractions(2)[1];
-  make_directory(directory);
-  write_microstructure(directory, stage, result.microstructure);
+  write_once([&] {
+    make_directory(directory);
+    write_microstructure(directory, stage, result.microstructure);
+  });
   if (observer.packed) observer.packed(result);
   return result;
 }
 
-TestResult run_test(const Study& study, const Stage& stage, const fs::path& directory, const DynamicTest& test,
-                    const StudyObserver& observer) {
-  std::size_t number = 0;
-  DynamicObserver follow;
-  follow.progress = [&](const DynamicProgress& progress) {
-    if (observer.progress) observer.progress(stage, test.load, progress);
-  };
-  follow.finished = [&](const TimeDomain& domain) {
-    write_history(directory, study, stage, test.load, ++number, domain);
-    if (observer.domain_finished) observer.domain_finished(stage, test.load, domain);
-  };
-  const auto name = fmt::format("{} {}", stage.name, name_of(test.load));
-  return {test.load, name_errors(name, [&] { return run_dynamic_test(test, follow); })};
-}
+/// The tests of a stage, each written as soon as it is done.
+class StageRun {
+ public:
+  StageRun(const Study& study, const Stage& stage, const fs::path& directory, int threads,
+           const StudyObserver& observer, StudyResult& result)
+      : study_(study),
+        stage_(stage),
+        directory_(directory),
+        threads_(threads),
+        observer_(observer),
+        result_(result),
+        done_(result.stages.back()) {}
 
-/// Time domains that disagree where both should hold.
-std::vector<std::string> warnings_of_overlaps(const Stage& stage, const TestResult& test) {
-  constexpr double tolerance = 0.03;
-  std::vector<std::string> warnings;
-  for (const auto& [window, mismatch] : test.dynamic.overlaps) {
-    if (mismatch <= tolerance) continue;
-    warnings.push_back(
-        fmt::format("{} {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
-                    "or another ramp "
-                    "bring them together",
-                    stage.name, name_of(test.load), 100.0 * mismatch, window.begin, window.end));
+  void run() {
+    for (const int cells : grids_of(stage_)) {
+      const StageGrid grid = {&study_, &stage_, discretise(done_.microstructure.microstructure, cells),
+                              directory_ / stage_.name, threads_};
+      for (const auto bound : study_.tests.bounds) {
+        for (const auto method : study_.tests.methods) run(grid, boundary_of(bound), method);
+      }
+    }
+    for (auto& test : extrapolate_tests(stage_, done_.tests)) keep(std::move(test));
+    write_once([&] { write_plot(directory_ / stage_.name, study_, stage_, done_); });
   }
-  return warnings;
-}
+
+ private:
+  void run(const StageGrid& grid, Boundary boundary, Method method) {
+    if (method == Method::quasistatic) {
+      for (auto& test : run_quasistatic(grid, boundary, observer_)) keep(std::move(test));
+      write_once([&] { write_responses(grid.directory, study_, stage_, done_.tests); });
+      return;
+    }
+    if (boundary != Boundary::displacement) return;
+    for (const auto load : study_.tests.loads) {
+      PointFields fields;
+      auto test = run_dynamic(grid, load, observer_, fields);
+      // Fields are large: the first test's are written, and none is kept.
+      if (!has_fields_) write_once([&] { write_fields(grid.directory, grid.discretisation.grid(), fields); });
+      has_fields_ = true;
+      keep(std::move(test));
+    }
+  }
+
+  void keep(TestResult test) {
+    done_.tests.push_back(std::move(test));
+    const auto& kept = done_.tests.back();
+    std::ranges::copy(warnings_of(stage_, kept), std::back_inserter(done_.warnings));
+    write_once([&] {
+      write_curves(directory_, result_);
+      write_provenance(directory_, study_, result_);
+    });
+    if (observer_.finished) observer_.finished(stage_, kept);
+  }
+
+  const Study& study_;
+  const Stage& stage_;
+  const fs::path& directory_;
+  int threads_;
+  const StudyObserver& observer_;
+  StudyResult& result_;
+  StageResult& done_;
+  bool has_fields_ = false;
+};
 
 }  // namespace
 
-std::string name_of(Load load) {
-  switch (load) {
-    case Load::shear:
-      return "shear";
-    case Load::diagonal_shear:
-      return "shear-xx-yy";
-    case Load::bulk:
-      return "bulk";
-  }
-  return {};
-}
-
-DynamicTest make_test(const Study& study, const Stage& stage, const Microstructure& microstructure, Load load,
-                      int threads) {
-  std::vector<Material> materials = {stage.matrix};
-  if (stage.filler) materials.push_back(stage.filler->material);
-  return {.discretisation = discretise(microstructure, stage.cells),
-          .materials = std::move(materials),
-          .load = load,
-          .times = {study.tests.first_time, study.tests.last_time},
-          .points_per_decade = study.tests.points_per_decade,
-          .options = study.tests.dynamic,
-          .threads = threads};
+std::vector<int> grids_of(const Stage& stage) {
+  auto grids = stage.coarser_cells;
+  grids.push_back(stage.cells);
+  return grids;
 }
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
@@ -133,26 +155,15 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const Stud
 StudyResult run_study(const Study& study, const fs::path& directory, int threads, const StudyObserver& observer) {
   // Not after an hour of work.
   require_gnuplot();
-  make_directory(directory);
-  remove_old_results(study, directory);
+  write_once([&] {
+    make_directory(directory);
+    remove_old_results(study, directory);
+  });
   StudyResult result;
   for (const auto& stage : study.stages) {
-    const auto stage_directory = directory / stage.name;
-    result.stages.push_back(pack_stage(stage, stage_directory, observer));
-    auto& done = result.stages.back();
-    write_provenance(directory, study, result);
-    for (const auto load : study.tests.loads) {
-      const auto test = make_test(study, stage, done.microstructure.microstructure, load, threads);
-      auto tested = run_test(study, stage, stage_directory, test, observer);
-      // Fields are large: the first test's are written, and none is kept.
-      if (done.tests.empty()) write_fields(stage_directory, stage, tested.dynamic.fields);
-      tested.dynamic.fields = {};
-      done.tests.push_back(std::move(tested));
-      std::ranges::copy(warnings_of_overlaps(stage, done.tests.back()), std::back_inserter(done.warnings));
-      write_curves(directory, result);
-      write_provenance(directory, study, result);
-    }
-    write_plot(stage_directory, study, stage, done);
+    result.stages.push_back(pack_stage(stage, directory / stage.name, observer));
+    write_once([&] { write_provenance(directory, study, result); });
+    StageRun(study, stage, directory, threads, observer, result).run();
   }
   return result;
 }

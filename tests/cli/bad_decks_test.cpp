@@ -51,8 +51,10 @@ const std::vector<BadDeck> bad_decks{
     {"lubachevsky-stillinger", "lubachevski-stillinger", "did you mean \"lubachevsky-stillinger\"?"},
     {"[tests]", "[test]", R"(unknown key "test", did you mean "tests"?)"},
     {R"("10 us", "100 ms")", "\"10 us\"", "tests.times: expected two rising times"},
-    {"[tests]", "[tests]\nbounds = [\"lower\"]",
-     R"(tests.bounds: expected "upper" (nothing else is available), got "lower")"},
+    {"[tests]", "[tests]\nbounds = [\"lover\"]", R"(got "lover", did you mean "lower"?)"},
+    {"[tests]", "[tests]\nsolver = \"steps\"", R"(tests.solver: expected one of "reduced", "stepping", got "steps")"},
+    {"[tests]", "[tests]\nmethod = \"dynamic\"\nbounds = [\"lower\"]", "the dynamic method gives the upper bound"},
+    {"cells   = 60", "cells   = [60, 30]", "stages.A.cells: expected an integer, or two or three rising ones"},
 };
 
 TEST(BadDecks, AreRefusedWithHelp) {

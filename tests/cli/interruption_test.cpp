@@ -26,14 +26,14 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
   deck = test::replaced(deck, "50 ms", "5000 s") + "[tests.dynamic]\ndensity_factors = [0.1, 1]\n";
   const StudyDirectory study(deck);
   test::RunningCommand run(study.path(), StudyDirectory::arguments("run"));
-  const auto finished = study.result("A/shear-displacement-dynamic-1.h5");
+  const auto finished = study.result("A/shear-displacement-dynamic-24-1.h5");
   ASSERT_TRUE(run.reaches([&] { return std::filesystem::exists(finished); })) << run.wait().errors;
   run.send(GetParam());
   const auto outcome = run.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "interrupted; what was finished stays in the results\n");
   EXPECT_THAT(study.results(), testing::ElementsAre("A/microstructure.csv", "A/microstructure.svg",
-                                                    "A/shear-displacement-dynamic-1.h5", "study.json"));
+                                                    "A/shear-displacement-dynamic-24-1.h5", "study.json"));
   EXPECT_EQ(Hdf5Reader(finished).attribute<double>("/history", "density_factor"), 0.1);
 }
 

@@ -27,6 +27,8 @@ packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
 times      = ["1 ms", "50 ms"]
+bounds     = ["upper"]
+method     = "dynamic"
 volumetric = "standard"
 )";
 
@@ -45,7 +47,9 @@ box     = "6 mm"
 cells   = 24
 
 [tests]
-times = ["1 ms", "50 ms"]
+times  = ["1 ms", "50 ms"]
+bounds = ["upper"]
+method = "dynamic"
 )";
 
 }  // namespace breccia::test

@@ -35,6 +35,9 @@ constexpr auto regular_packing = "\"regular\", columns = 2, rows = 2";
 
 TEST_F(DeckStages, CellsFromTheResolutionInMaterialPoints) {
   EXPECT_EQ(stage("cells = 60").cells, 60);
+  EXPECT_EQ(stage("cells = [50, 100]").cells, 100);
+  EXPECT_EQ(stage("cells = [50, 100]").coarser_cells, std::vector{50});
+  EXPECT_EQ(stage("cells = [25, 50, 100]").coarser_cells, (std::vector{25, 50}));
   EXPECT_EQ(stage("resolution = \"66 /mm\"").cells, 198);
   EXPECT_EQ(stage("resolution = \"66.1 /mm\"").cells, 198);
 }
@@ -114,6 +117,10 @@ TEST_F(DeckStages, TheGapMayBeCountedInMaterialPoints) {
 }
 
 TEST_F(DeckStages, MistakesInTheGrid) {
+  for (const auto* cells : {"[100]", "[100, 50]", "[100, 100]", "[10, 20, 30, 40]"}) {
+    EXPECT_THAT(mistakes(std::string("cells = ") + cells),
+                HasSubstr("a.cells: expected an integer, or two or three rising"));
+  }
   EXPECT_THAT(mistakes("cells = 1"), HasSubstr("a.cells: expected an integer from 2 to 1048576, got 1"));
   EXPECT_THAT(mistakes("cells = 60\nresolution = \"66 /mm\""), HasSubstr("expected exactly one of cells, resolution"));
   EXPECT_THAT(mistakes("resolution = \"0.1 /mm\""), HasSubstr("between 2 and 1048576 cells per side, got 0"));

@@ -18,6 +18,17 @@ struct Sample {
 /// Modulus against time, times rising.
 using Curve = std::vector<Sample>;
 
+/// A creep compliance at a time.
+struct CreepSample {
+  double time = 0.0;        ///< [s]
+  double compliance = 0.0;  ///< [1/Pa]
+
+  friend bool operator==(const CreepSample&, const CreepSample&) = default;
+};
+
+/// Creep compliance against time, times rising.
+using Creep = std::vector<CreepSample>;
+
 /// Times from begin to end, both included, and between them the times 10^(k / per_decade) s.
 std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade);
 

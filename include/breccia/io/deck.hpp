@@ -68,6 +68,7 @@ class Section {
   [[nodiscard]] std::vector<double> numbers(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::int64_t integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<std::int64_t> optional_integer(const std::string& key, const Range& range = {}) const;
+  [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<bool> optional_boolean(const std::string& key) const;
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] std::optional<std::string> optional_text(const std::string& key) const;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "breccia/experiment/dynamic_test.hpp"
@@ -12,10 +13,29 @@
 
 namespace breccia {
 
-/// One virtual test of one stage, done.
+/// How a quasi-static result was made.
+struct QuasistaticRecord {
+  QuasistaticResponse response;  ///< without its curves
+  LinearEffort effort;           ///< of all loads together
+  double seconds = 0.0;          ///< wall time, of all loads together
+};
+
+/// How far an extrapolated curve may be off, and from which grids it comes.
+struct ExtrapolationRecord {
+  std::vector<int> cells;          ///< per side, rising
+  std::vector<double> half_bands;  ///< of the modulus at each time [Pa]
+};
+
+/// One virtual test of one stage under one load, done.
 struct TestResult {
   Load load = Load::shear;
-  DynamicTestResult dynamic;
+  Boundary boundary = Boundary::displacement;
+  Method method = Method::quasistatic;
+  int cells = 0;            ///< per side; 0: extrapolated
+  Curve modulus = {};       ///< relaxation modulus; of a creep test after interconversion
+  Creep compliance = {};    ///< of a creep test
+  PronySeries series = {};  ///< of the modulus
+  std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
 /// One stage, done as far as `tests` tell.
@@ -37,7 +57,8 @@ struct StudyResult {
 struct StudyObserver {
   std::function<bool(const Stage&, const PackingProgress&)> packing = {};
   std::function<void(const StageResult&)> packed = {};
-  std::function<void(const Stage&, Load, const DynamicProgress&)> progress = {};
+  std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
+  std::function<void(const Stage&, const TestResult&)> finished = {};
   std::function<void(const Stage&, Load, const TimeDomain&)> domain_finished = {};
 };
 
@@ -50,11 +71,25 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
 /// Packs the microstructures of a study alone and writes them.
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const StudyObserver& observer = {});
 
-/// A stage with its microstructure, ready to be tested under a load.
-DynamicTest make_test(const Study& study, const Stage& stage, const Microstructure& microstructure, Load load,
-                      int threads);
+/// A stage with its microstructure on a grid, ready to be tested.
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation, Load load,
+                              int threads);
+QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
+                                      Boundary boundary);
+
+/// Cells per side of all grids of a stage, rising.
+std::vector<int> grids_of(const Stage& stage);
+
+/// What holds the box for a bound.
+Boundary boundary_of(Bound bound);
 
 /// "shear", "shear-xx-yy" or "bulk", as in decks and results.
 std::string name_of(Load load);
+/// "displacement", "traction" or "periodic".
+std::string name_of(Boundary boundary);
+/// "quasistatic" or "dynamic".
+std::string name_of(Method method);
+/// "upper bound", "lower bound" or "periodic".
+std::string bound_of(Boundary boundary);
 
 }  // namespace breccia

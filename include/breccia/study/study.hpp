@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/experiment/quasistatic_test.hpp"
 #include "breccia/experiment/virtual_test.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/viscoelasticity/material.hpp"
@@ -77,8 +78,9 @@ struct Filler {
 struct Stage {
   std::string name;  ///< also that of its directory
   Material matrix;
-  double side = 0.0;  ///< of the square box [m]
-  int cells = 0;      ///< per side
+  double side = 0.0;                    ///< of the square box [m]
+  int cells = 0;                        ///< per side; of the finest grid where there are several
+  std::vector<int> coarser_cells = {};  ///< per side of the coarser grids from which curves are extrapolated, rising
   std::optional<Filler> filler;
 
   /// Side of a cell [m].
@@ -87,22 +89,26 @@ struct Stage {
 
 /// What a test says of the modulus.
 enum class Bound {
-  upper  ///< displacement boundary and relaxation
+  upper,    ///< displacement boundary and relaxation
+  lower,    ///< traction boundary and creep
+  periodic  ///< periodic boundary and relaxation: between the two
 };
 
 /// How a test is computed.
 enum class Method {
-  dynamic  ///< explicit material point method
+  quasistatic,  ///< implicit, without inertia
+  dynamic       ///< explicit material point method
 };
 
 /// The virtual tests of every stage.
 struct Tests {
   std::vector<Load> loads{Load::shear};
-  std::vector<Bound> bounds{Bound::upper};
-  Method method = Method::dynamic;
+  std::vector<Bound> bounds{Bound::upper, Bound::lower};
+  std::vector<Method> methods{Method::quasistatic};
   double first_time = 0.0;  ///< [s]
   double last_time = 0.0;   ///< [s]
   int points_per_decade = 20;
+  QuasistaticOptions quasistatic;
   DynamicOptions dynamic;
 };
 

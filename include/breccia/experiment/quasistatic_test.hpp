@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/experiment/curve.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/quasistatic/sampling.hpp"
+
+namespace breccia {
+
+/// How the quasi-static method goes through time.
+enum class Solver {
+  reduced,  ///< a few elastic solutions span all times: exact poles
+  stepping  ///< step by step in log time: the reference, and the way where filler relaxes
+};
+
+/// Settings of the quasi-static method.
+struct QuasistaticOptions {
+  Solver solver = Solver::reduced;
+  Volumetric volumetric = Volumetric::averaged;
+  SamplingOptions sampling = {};  ///< of the reduced solver
+  int steps_per_decade = 20;      ///< of the stepping solver
+  LinearOptions linear = {};
+};
+
+/// What a quasi-static test is made on. The matrix is material 0.
+struct QuasistaticTest {
+  Discretisation discretisation;
+  std::vector<Material> materials;  ///< by MaterialIndex
+  Boundary boundary = Boundary::displacement;
+  std::vector<Load> loads;
+  TimeWindow times;            ///< wanted [s]
+  int points_per_decade = 20;  ///< of the curves
+  QuasistaticOptions options = {};
+};
+
+/// The answer to one load.
+struct QuasistaticResponse {
+  Load load = Load::shear;
+  Curve modulus;                         ///< relaxation modulus at logarithmic times; from creep by interconversion
+  Creep compliance;                      ///< creep compliance at the same times, of a traction boundary alone
+  PronySeries series;                    ///< exact by the reduced solver; a fit by the stepping one
+  double error_estimate = 0.0;           ///< largest, relative, by the method in time [-]
+  std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-]
+  std::optional<ReducedResponse> reduced = {};
+};
+
+struct QuasistaticTestResult {
+  std::vector<QuasistaticResponse> responses;  ///< by load
+  LinearEffort effort;
+  double seconds = 0.0;  ///< wall time
+};
+
+/// Told what is going on, and the share of the test that is done, 0 to 1. What it throws ends the test.
+using QuasistaticObserver = std::function<void(const std::string& details, double share)>;
+
+/// Throws InputError for an incomplete test, NumericalError when a linear system or the tolerance defeats it.
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {});
+
+}  // namespace breccia

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+/// The reduced responses of a stage, as kept in `response.h5`: its microstructure under all boundaries and loads that
+/// were tested, ready for another matrix.
+struct StoredResponses {
+  struct Entry {
+    int cells;  ///< per side
+    ReducedResponse response;
+  };
+
+  std::string stage;
+  std::string matrix;          ///< name of the matrix that was sampled
+  double side = 0.0;           ///< of the box [m]
+  TimeWindow times;            ///< of the study [s]
+  int points_per_decade = 20;  ///< of its curves
+  std::vector<Entry> entries;
+};
+
+/// Throws FileError when the file cannot be read or is not one of these.
+StoredResponses read_responses(const std::filesystem::path& file);
+
+/// The stage with another matrix, at the times given or else those of the study: milliseconds.
+/// Throws InputError where the matrix leaves the sampled range, with one line for every response that cannot serve.
+StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
+
+/// Writes `curves.csv`, `prony.csv` and, of creep tests, `compliance.csv` to a directory, which is made.
+void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages);
+
+/// Reads a material from a TOML file with the keys of a material in a deck; its name is that of the file. Throws
+/// InputError with one line for every mistake, and FileError when the file cannot be read.
+Material read_material_file(const std::filesystem::path& file);
+
+}  // namespace breccia

@@ -1,0 +1,129 @@
+#include "breccia/experiment/quasistatic_test.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/quasistatic/log_time_stepping.hpp"
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+namespace breccia {
+namespace {
+
+QuasistaticProblem problem_of(const QuasistaticTest& test) {
+  return {.discretisation = test.discretisation,
+          .materials = test.materials,
+          .volumetric = test.options.volumetric,
+          .boundary = test.boundary,
+          .linear = test.options.linear};
+}
+
+void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
+  const auto& matrix = test.materials.front();
+  const auto path = carson_path(matrix, test.times);
+  const double orders = std::log10(1.0 / test.options.sampling.tolerance);
+  auto sampled = sample_responses(
+      problem_of(test), 0, test.loads, path, test.options.sampling, [&](const SamplingProgress& progress) {
+        if (!observer) return;
+        observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
+                 std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
+      });
+  result.effort = sampled.effort;
+  const auto times = logarithmic_times(test.times, test.points_per_decade);
+  for (auto& reduced : sampled.responses) {
+    auto& response = result.responses.emplace_back();
+    response.load = reduced.load;
+    const auto compliance = creep_compliance(reduced, matrix);
+    response.series = relaxation_modulus(compliance);
+    for (const double time : times) {
+      response.modulus.push_back({time, response.series.at(time)});
+      if (test.boundary == Boundary::traction) response.compliance.push_back({time, compliance.at(time)});
+    }
+    for (const auto& moduli : path) {
+      response.error_estimate = std::max(response.error_estimate, reduced.error_estimate(moduli));
+    }
+    response.reduced = std::move(reduced);
+  }
+}
+
+/// Where a stepped run passes: from well before the first time wanted, through all of them.
+std::vector<double> step_times(const QuasistaticTest& test) {
+  constexpr double warm_up = 1e-3;
+  const int output = test.points_per_decade;
+  const int wanted = test.options.steps_per_decade;
+  const int per_decade = output * std::max(1, (wanted + output - 1) / output);
+  return logarithmic_times({warm_up * test.times.begin, test.times.end}, per_decade);
+}
+
+/// Index of the step at a time that is one of the steps but for rounding.
+std::size_t step_at(const std::vector<double>& steps, double time) {
+  constexpr double rounding = 1e-9;
+  const auto found = std::lower_bound(steps.begin(), steps.end(), time * (1.0 - rounding));
+  return static_cast<std::size_t>(found - steps.begin());
+}
+
+void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
+  auto steps = step_times(test);
+  // The first time wanted is an end of the curve, and need not be one of the steps.
+  const auto first = step_at(steps, test.times.begin);
+  if (steps.at(first) > test.times.begin * (1.0 + 1e-9)) {
+    steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(first), test.times.begin);
+  }
+  const auto stepped = run_log_time_stepping(problem_of(test), test.loads, steps, [&](double share) {
+    if (observer) observer(fmt::format("{} steps", steps.size()), share);
+  });
+  result.effort = stepped.effort;
+  const auto times = logarithmic_times(test.times, test.points_per_decade);
+  for (const auto& found : stepped.responses) {
+    auto& response = result.responses.emplace_back();
+    response.load = found.load;
+    std::vector<double> values;
+    for (const double time : times) {
+      const auto step = step_at(steps, time);
+      values.push_back(found.values[step]);
+      response.error_estimate = std::max(response.error_estimate, found.error_estimates[step]);
+    }
+    if (test.boundary == Boundary::traction) {
+      const auto fit = fit_creep(times, values);
+      response.series = relaxation_modulus(fit.compliance);
+      response.fit_error = fit.quality.worst_error;
+    } else {
+      const auto fit = fit_relaxation(times, values);
+      response.series = fit.series;
+      response.fit_error = fit.quality.worst_error;
+    }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (test.boundary == Boundary::traction) {
+        response.compliance.push_back({times[i], values[i]});
+        response.modulus.push_back({times[i], response.series.at(times[i])});
+      } else {
+        response.modulus.push_back({times[i], values[i]});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer) {
+  if (!(test.times.begin > 0.0) || !(test.times.end >= test.times.begin)) {
+    throw InputError(fmt::format("quasi-static test: expected rising positive times, got {} to {} s", test.times.begin,
+                                 test.times.end));
+  }
+  if (test.loads.empty()) throw InputError("quasi-static test: no loads");
+  const auto start = std::chrono::steady_clock::now();
+  QuasistaticTestResult result;
+  if (test.options.solver == Solver::reduced) {
+    run_reduced(test, result, observer);
+  } else {
+    run_stepping(test, result, observer);
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace breccia

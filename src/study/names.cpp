@@ -1,0 +1,57 @@
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+std::string name_of(Load load) {
+  switch (load) {
+    case Load::shear:
+      return "shear";
+    case Load::diagonal_shear:
+      return "shear-xx-yy";
+    case Load::bulk:
+      return "bulk";
+  }
+  return {};
+}
+
+std::string name_of(Boundary boundary) {
+  switch (boundary) {
+    case Boundary::displacement:
+      return "displacement";
+    case Boundary::traction:
+      return "traction";
+    case Boundary::periodic:
+      return "periodic";
+  }
+  return {};
+}
+
+std::string name_of(Method method) {
+  return method == Method::dynamic ? "dynamic" : "quasistatic";
+}
+
+std::string bound_of(Boundary boundary) {
+  switch (boundary) {
+    case Boundary::displacement:
+      return "upper bound";
+    case Boundary::traction:
+      return "lower bound";
+    case Boundary::periodic:
+      return "periodic";
+  }
+  return {};
+}
+
+Boundary boundary_of(Bound bound) {
+  switch (bound) {
+    case Bound::upper:
+      return Boundary::displacement;
+    case Bound::lower:
+      return Boundary::traction;
+    case Bound::periodic:
+      return Boundary::periodic;
+  }
+  return {};
+}
+
+}  // namespace breccia

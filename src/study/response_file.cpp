@@ -1,0 +1,121 @@
+#include "response_file.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/hdf5.hpp"
+#include "breccia/study/respond.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr std::int64_t format_version = 1;
+
+void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
+  // HDF5 counts rows first, Eigen columns.
+  const Eigen::MatrixXd rows = matrix.transpose();
+  file.write(name, std::span(rows.data(), static_cast<std::size_t>(rows.size())),
+             {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+}
+
+Eigen::MatrixXd read_matrix(const Hdf5Reader& file, const std::string& name) {
+  const auto shape = file.shape(name);
+  const auto values = file.read_numbers(name);
+  if (shape.size() != 2) throw FileError(fmt::format("{}: expected a matrix", name));
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(shape[1]),
+                                           static_cast<Eigen::Index>(shape[0]))
+      .transpose();
+}
+
+void write_response(Hdf5Writer& file, const std::string& group, const ReducedResponse& response) {
+  write_matrix(file, group + "/filler_Pa", response.filler);
+  write_matrix(file, group + "/matrix_shear", response.matrix_shear);
+  write_matrix(file, group + "/matrix_bulk", response.matrix_bulk);
+  write_matrix(file, group + "/load_forces", response.load_forces);
+  write_matrix(file, group + "/residual_products", response.residual_products);
+  Eigen::MatrixXd snapshots(static_cast<Eigen::Index>(response.snapshots.size()), 3);
+  for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
+    const auto& [matrix, error] = response.snapshots[static_cast<std::size_t>(i)];
+    snapshots.row(i) << matrix.shear, matrix.bulk, error;
+  }
+  write_matrix(file, group + "/snapshots_shear_bulk_error", snapshots);
+  file.write_attribute(group, "residual_scale", response.residual_scale);
+}
+
+ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) {
+  ReducedResponse response;
+  response.filler = read_matrix(file, group + "/filler_Pa");
+  response.matrix_shear = read_matrix(file, group + "/matrix_shear");
+  response.matrix_bulk = read_matrix(file, group + "/matrix_bulk");
+  response.load_forces = read_matrix(file, group + "/load_forces");
+  response.residual_products = read_matrix(file, group + "/residual_products");
+  response.residual_scale = file.attribute<double>(group, "residual_scale");
+  const auto snapshots = read_matrix(file, group + "/snapshots_shear_bulk_error");
+  for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
+    response.snapshots.push_back({{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}, snapshots(i, 2)});
+  }
+  return response;
+}
+
+constexpr std::array boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
+constexpr std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
+
+}  // namespace
+
+void write_responses(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                     const std::vector<TestResult>& tests) {
+  std::optional<Hdf5Writer> file;
+  for (const auto& test : tests) {
+    const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+    if (record == nullptr || !record->response.reduced) continue;
+    if (!file) {
+      file.emplace(directory / "response.h5");
+      file->write_attribute("/", "format_version", format_version);
+      file->write_attribute("/", "deck_hash", study.hash);
+      file->write_attribute("/", "stage", stage.name);
+      file->write_attribute("/", "matrix", stage.matrix.name);
+      file->write_attribute("/", "box_m", stage.side);
+      file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
+      file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
+    }
+    write_response(*file, fmt::format("/{}/{}/{}", name_of(test.boundary), name_of(test.load), test.cells),
+                   *record->response.reduced);
+  }
+  if (file) file->commit();
+}
+
+StoredResponses read_responses(const std::filesystem::path& path) {
+  const Hdf5Reader file(path);
+  const auto version = file.attribute<std::int64_t>("/", "format_version");
+  if (version != format_version) {
+    throw FileError(
+        fmt::format("{}: written in format {}; this program reads format {}", path.string(), version, format_version));
+  }
+  StoredResponses stored;
+  stored.stage = file.attribute<std::string>("/", "stage");
+  stored.matrix = file.attribute<std::string>("/", "matrix");
+  stored.side = file.attribute<double>("/", "box_m");
+  const auto times = file.attribute<std::vector<double>>("/", "times_s");
+  stored.times = {times.at(0), times.at(1)};
+  stored.points_per_decade = static_cast<int>(file.attribute<std::int64_t>("/", "points_per_decade"));
+  for (const auto boundary : boundaries) {
+    for (const auto load : loads) {
+      const auto group = fmt::format("/{}/{}", name_of(boundary), name_of(load));
+      if (!file.has(group)) continue;
+      for (const auto& cells : file.names(group)) {
+        auto response = read_response(file, group + "/" + cells);
+        response.load = load;
+        response.boundary = boundary;
+        stored.entries.push_back({std::stoi(cells), std::move(response)});
+      }
+    }
+  }
+  return stored;
+}
+
+}  // namespace breccia

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+/// What the tests of a stage are made on.
+struct StageGrid {
+  const Study* study;
+  const Stage* stage;
+  Discretisation discretisation;
+  std::filesystem::path directory;  ///< of the stage's results
+  int threads;
+};
+
+/// All loads under one boundary by the quasi-static method.
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary, const StudyObserver& observer);
+
+/// One load under a displacement boundary by the dynamic method, with its histories written. `fields` receives those at
+/// the end.
+TestResult run_dynamic(const StageGrid& grid, Load load, const StudyObserver& observer, PointFields& fields);
+
+/// The limits of vanishing cells of all tests that were made on all grids of a stage.
+/// Throws NumericalError where a limit is not positive.
+std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests);
+
+/// What makes a test doubtful.
+std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test);
+
+}  // namespace breccia

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "breccia/io/csv.hpp"
+
+#include "results.hpp"
+
+namespace breccia {
+namespace {
+
+/// The columns that tell tests apart.
+struct TestColumns {
+  std::vector<std::string> stages, loads, boundaries, methods, cells;
+
+  void add(const StageResult& stage, const TestResult& test) {
+    stages.push_back(stage.name);
+    loads.push_back(name_of(test.load));
+    boundaries.push_back(name_of(test.boundary));
+    methods.push_back(name_of(test.method));
+    cells.push_back(test.cells == 0 ? "extrapolated" : std::to_string(test.cells));
+  }
+};
+
+void write_moduli(const std::filesystem::path& file, const StudyResult& result) {
+  TestColumns tests;
+  std::vector<double> times, moduli;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      for (const auto& [time, modulus] : test.modulus) {
+        tests.add(stage, test);
+        times.push_back(time);
+        moduli.push_back(modulus);
+      }
+    }
+  }
+  write_csv(file, {{"stage", tests.stages},
+                   {"load", tests.loads},
+                   {"boundary", tests.boundaries},
+                   {"method", tests.methods},
+                   {"cells", tests.cells},
+                   {"time_s", times},
+                   {"modulus_Pa", moduli}});
+}
+
+void write_compliances(const std::filesystem::path& file, const StudyResult& result) {
+  TestColumns tests;
+  std::vector<double> times, compliances;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      for (const auto& [time, compliance] : test.compliance) {
+        tests.add(stage, test);
+        times.push_back(time);
+        compliances.push_back(compliance);
+      }
+    }
+  }
+  if (times.empty()) return;
+  write_csv(file, {{"stage", tests.stages},
+                   {"load", tests.loads},
+                   {"boundary", tests.boundaries},
+                   {"method", tests.methods},
+                   {"cells", tests.cells},
+                   {"time_s", times},
+                   {"compliance_1_per_Pa", compliances}});
+}
+
+void write_extrapolations(const std::filesystem::path& file, const StudyResult& result) {
+  TestColumns tests;
+  std::vector<double> times, moduli, half_bands;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
+      if (record == nullptr) continue;
+      for (std::size_t i = 0; i < test.modulus.size(); ++i) {
+        tests.add(stage, test);
+        times.push_back(test.modulus[i].time);
+        moduli.push_back(test.modulus[i].modulus);
+        half_bands.push_back(record->half_bands[i]);
+      }
+    }
+  }
+  if (times.empty()) return;
+  write_csv(file, {{"stage", tests.stages},
+                   {"load", tests.loads},
+                   {"boundary", tests.boundaries},
+                   {"method", tests.methods},
+                   {"time_s", times},
+                   {"modulus_Pa", moduli},
+                   {"half_band_Pa", half_bands}});
+}
+
+/// Of tests that differ in grid or method alone, the one whose series stands for them: extrapolated before the finest
+/// grid, quasi-static before dynamic.
+bool is_preferred(const TestResult& test, const TestResult& other) {
+  const auto rank = [](const TestResult& one) {
+    return std::pair(one.method == Method::quasistatic, one.cells == 0 ? std::numeric_limits<int>::max() : one.cells);
+  };
+  return rank(test) > rank(other);
+}
+
+void write_series(const std::filesystem::path& file, const StudyResult& result) {
+  TestColumns tests;
+  std::vector<double> times, moduli;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      const bool is_best = std::ranges::none_of(stage.tests, [&](const TestResult& other) {
+        return other.load == test.load && other.boundary == test.boundary && is_preferred(other, test);
+      });
+      if (!is_best) continue;
+      const auto add = [&](double time, double modulus) {
+        tests.add(stage, test);
+        times.push_back(time);
+        moduli.push_back(modulus);
+      };
+      add(std::numeric_limits<double>::infinity(), test.series.equilibrium());
+      for (const auto& [time, modulus] : test.series.terms()) add(time, modulus);
+    }
+  }
+  write_csv(file, {{"stage", tests.stages},
+                   {"load", tests.loads},
+                   {"boundary", tests.boundaries},
+                   {"relaxation_time_s", times},
+                   {"modulus_Pa", moduli}});
+}
+
+}  // namespace
+
+void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
+  write_moduli(directory / "curves.csv", result);
+  write_compliances(directory / "compliance.csv", result);
+  write_extrapolations(directory / "extrapolation.csv", result);
+  write_series(directory / "prony.csv", result);
+}
+
+}  // namespace breccia
