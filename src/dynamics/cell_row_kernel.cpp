@@ -96,11 +96,11 @@ BRECCIA_INLINE Modes uniform_forces(const Modes& s, const VolumeModes& p) {
   force.xx = 4.0 * (p.centre + (4.0 / 3.0) * s.xx - (2.0 / 3.0) * s.yy);
   force.yy = 4.0 * (p.centre + (4.0 / 3.0) * s.yy - (2.0 / 3.0) * s.xx);
   force.xy = 4.0 * s.xy;
-  force.qu = (7.0 / 12.0) * s.qu;
-  force.qv = (7.0 / 12.0) * s.qv;
+  force.qu = 0.5 * s.qu;
+  force.qv = 0.5 * s.qv;
   if constexpr (!averaged) {
-    force.qu += 0.25 * p.qu;
-    force.qv += 0.25 * p.qv;
+    force.qu += (1.0 / 12.0) * s.qu + 0.25 * p.qu;
+    force.qv += (1.0 / 12.0) * s.qv + 0.25 * p.qv;
   }
   return force;
 }
@@ -122,8 +122,11 @@ BRECCIA_INLINE void add_shared_forces(Modes& force, const std::uint8_t* points_o
     const Bits mask = (points & bit) != Bits{};
     const double x = (point & 1) != 0 ? 0.25 : -0.25;
     const double y = (point & 2) != 0 ? 0.25 : -0.25;
-    const Pack exx = s.xx + y * s.qu;
-    const Pack eyy = s.yy + x * s.qv;
+    // Averaged points see the mean of the volumetric strain, half of it in each direction.
+    const Pack gradient_xx = averaged ? 0.5 * (y * s.qu - x * s.qv) : y * s.qu;
+    const Pack gradient_yy = averaged ? -gradient_xx : x * s.qv;
+    const Pack exx = s.xx + gradient_xx;
+    const Pack eyy = s.yy + gradient_yy;
     const Pack pressure = averaged ? p.centre : p.centre + y * p.qu + x * p.qv;
     const Pack dxx = masked(mask, (4.0 / 3.0) * exx - (2.0 / 3.0) * eyy);
     const Pack dyy = masked(mask, (4.0 / 3.0) * eyy - (2.0 / 3.0) * exx);
@@ -132,9 +135,8 @@ BRECCIA_INLINE void add_shared_forces(Modes& force, const std::uint8_t* points_o
     force.xx += sp + dxx;
     force.yy += sp + dyy;
     force.xy += sxy;
-    // Averaged points feel the pressure through the centre alone.
-    force.qu += y * (averaged ? dxx : sp + dxx) + x * sxy;
-    force.qv += x * (averaged ? dyy : sp + dyy) + y * sxy;
+    force.qu += y * (averaged ? 0.5 * (dxx - dyy) : sp + dxx) + x * sxy;
+    force.qv += x * (averaged ? 0.5 * (dyy - dxx) : sp + dyy) + y * sxy;
   }
 }
 

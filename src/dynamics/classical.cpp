@@ -73,7 +73,7 @@ Classical::Classical(DynamicProblem given, int threads)
   initial_area_ = point_area * static_cast<double>(points_.size());
   history_.assign(history, 0.0);
   nodes_.resize(grid.nodes());
-  cell_pressure_.resize(grid.cells());
+  mean_stress_.resize(grid.cells());
   sort_points();
 }
 
@@ -221,29 +221,34 @@ double Classical::mean_volumetric_step(int cell) const {
 
 void Classical::update_strains() {
   const bool averaged = problem().volumetric == Volumetric::averaged;
-  const auto cells = static_cast<int>(cell_pressure_.size());
+  const auto cells = static_cast<int>(mean_stress_.size());
 #pragma omp parallel for num_threads(threads_)
   for (int cell = 0; cell < cells; ++cell) {
     const auto c = static_cast<std::size_t>(cell);
     if (cell_begin_[c] == cell_begin_[c + 1]) continue;
     const double mean = averaged ? mean_volumetric_step(cell) : 0.0;
     for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
-      const auto step = strain_step(points_[p]);
-      update_stress(points_[p], step, averaged ? mean : step[0] + step[1]);
+      auto step = strain_step(points_[p]);
+      if (averaged) {
+        const double missing = mean - (step[0] + step[1]);
+        step[0] += 0.5 * missing;
+        step[1] += 0.5 * missing;
+      }
+      update_stress(points_[p], step);
     }
   }
 }
 
-void Classical::update_stress(Point& point, const std::array<double, 3>& strain_step, double volumetric_step) {
+void Classical::update_stress(Point& point, const std::array<double, 3>& strain_step) {
   const auto& material = materials_[point.material];
+  const double volumetric_step = strain_step[0] + strain_step[1];
   for (std::size_t i = 0; i < 3; ++i) point.strain[i] += strain_step[i];
-  point.volumetric_strain += volumetric_step;
   const auto deviator = [](const std::array<double, 3>& e) -> std::array<double, 3> {
     return {4.0 / 3.0 * e[0] - 2.0 / 3.0 * e[1], 4.0 / 3.0 * e[1] - 2.0 / 3.0 * e[0], e[2]};
   };
   const auto total = deviator(point.strain), step = deviator(strain_step);
   for (std::size_t i = 0; i < 3; ++i) point.deviator[i] = material.shear * total[i];
-  point.pressure = material.bulk * point.volumetric_strain;
+  point.pressure = material.bulk * (point.strain[0] + point.strain[1]);
   double* history = history_.data() + point.history;
   for (const auto& [decay, gain] : material.shear_terms) {
     for (std::size_t i = 0; i < 3; ++i, ++history) {
@@ -261,19 +266,23 @@ void Classical::find_forces() {
   const double h = problem().discretisation.grid().cell_side;
   const bool averaged = problem().volumetric == Volumetric::averaged;
   if (averaged) {
-    for (std::size_t cell = 0; cell < cell_pressure_.size(); ++cell) {
+    for (std::size_t cell = 0; cell < mean_stress_.size(); ++cell) {
       double sum = 0.0;
-      for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) sum += points_[p].pressure;
+      for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
+        sum += points_[p].pressure + 0.5 * (points_[p].deviator[0] + points_[p].deviator[1]);
+      }
       const auto count = cell_begin_[cell + 1] - cell_begin_[cell];
-      cell_pressure_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
+      mean_stress_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
     }
   }
   for_nodes([&](Node& node, int column, int row) {
     node.force = {0.0, 0.0};
     for_points_around(column, row, [&](const Point& point, const Shape& s) {
-      const double pressure = averaged ? cell_pressure_[static_cast<std::size_t>(point.cell)] : point.pressure;
-      const double volume_over_side = 0.25 * h;
       const auto& [sxx, syy, sxy] = point.deviator;
+      // The mean in-plane stress of averaged points works on the mean volumetric strain of the cell.
+      const double pressure =
+          averaged ? mean_stress_[static_cast<std::size_t>(point.cell)] - 0.5 * (sxx + syy) : point.pressure;
+      const double volume_over_side = 0.25 * h;
       node.force[0] -= volume_over_side * ((pressure + sxx) * s.dx + sxy * s.dy);
       node.force[1] -= volume_over_side * (sxy * s.dx + (pressure + syy) * s.dy);
     });
@@ -345,7 +354,7 @@ Energy Classical::energy() const {
     const auto& e = point.strain;
     const auto& s = point.deviator;
     energy.kinetic += 0.5 * point.mass * (v[0] * v[0] + v[1] * v[1]);
-    energy.strain += 0.5 * area * (point.pressure * point.volumetric_strain + s[0] * e[0] + s[1] * e[1] + s[2] * e[2]);
+    energy.strain += 0.5 * area * (point.pressure * (e[0] + e[1]) + s[0] * e[0] + s[1] * e[1] + s[2] * e[2]);
   }
   const double squared = problem().amplitude * problem().amplitude;
   return {energy.kinetic / squared, energy.strain / squared};

@@ -30,8 +30,7 @@ class Classical final : public DynamicSolver {
     Vector<2> velocity;
     Vector<2> origin;                ///< where the point was at the start
     Vector<2> local;                 ///< position relative to the centre of its cell, in cell sides
-    std::array<double, 3> strain;    ///< xx, yy, engineering xy
-    double volumetric_strain;        ///< what the point sees of it: its own or the mean of its cell
+    std::array<double, 3> strain;    ///< as the stress sees it: xx, yy, engineering xy
     std::array<double, 3> deviator;  ///< stress deviator xx, yy, xy [Pa]
     double pressure;                 ///< tension positive [Pa]
     double mass;                     ///< per unit thickness [kg/m]
@@ -70,7 +69,7 @@ class Classical final : public DynamicSolver {
   void update_points();
 
   void sort_points();
-  void update_stress(Point& point, const std::array<double, 3>& strain_step, double volumetric_step);
+  void update_stress(Point& point, const std::array<double, 3>& strain_step);
   [[nodiscard]] double mean_volumetric_step(int cell) const;
   [[nodiscard]] std::array<double, 3> strain_step(const Point& point) const;
   [[nodiscard]] Vector<2> load_velocity(int node_column, int node_row, std::int64_t step) const;
@@ -86,7 +85,7 @@ class Classical final : public DynamicSolver {
   std::vector<MaterialStep> materials_;
   std::vector<Point> points_;            ///< sorted by cell
   std::vector<std::size_t> cell_begin_;  ///< first point of each cell, and the end
-  std::vector<double> cell_pressure_;    ///< the pressure that averaged points of the cell feel [Pa]
+  std::vector<double> mean_stress_;      ///< mean in-plane stress of the points of the cell [Pa]
   std::vector<Node> nodes_;
   std::vector<double> history_;
   double initial_area_ = 0.0;

@@ -255,7 +255,7 @@ PointFields TotalLagrangian::fields() const {
           fields.displacement[point][0] += weights[node] * u[static_cast<Eigen::Index>(2 * node)];
           fields.displacement[point][1] += weights[node] * u[static_cast<Eigen::Index>(2 * node + 1)];
         }
-        const Eigen::Vector3d strain = strain_matrix(p) * u / grid.cell_side;
+        const Eigen::Vector3d strain = strain_matrix(p, problem().volumetric) * u / grid.cell_side;
         fields.strain[point] = {strain[0], strain[1], 0.5 * strain[2]};
 
         // Modulus times strain: the springs, then the Maxwell terms, whose modes combine as those of the strain do.
@@ -264,10 +264,13 @@ PointFields TotalLagrangian::fields() const {
         const auto& [x, y] = point_offsets[static_cast<std::size_t>(p)];
         const auto& [sxx, syy, sxy, squ, sqv] = history.shear;
         const auto& [centre, bqu, bqv] = history.bulk;
-        const double volumetric = volumetric_strain_matrix(p, problem().volumetric).dot(u) / grid.cell_side;
+        const bool averaged = problem().volumetric == Volumetric::averaged;
+        const double along_x = averaged ? 0.5 * (y * squ - x * sqv) : y * squ;
+        const double along_y = averaged ? -along_x : x * sqv;
+        const double volumetric = strain[0] + strain[1];
         const double pressure = bulk.equilibrium() * volumetric + (centre + y * bqu + x * bqv) / grid.cell_side;
-        const double gxx = shear.equilibrium() * strain[0] + (sxx + y * squ) / grid.cell_side;
-        const double gyy = shear.equilibrium() * strain[1] + (syy + x * sqv) / grid.cell_side;
+        const double gxx = shear.equilibrium() * strain[0] + (sxx + along_x) / grid.cell_side;
+        const double gyy = shear.equilibrium() * strain[1] + (syy + along_y) / grid.cell_side;
         const double gxy = shear.equilibrium() * strain[2] + (sxy + x * squ + y * sqv) / grid.cell_side;
         fields.stress[point] = {pressure + 4.0 / 3.0 * gxx - 2.0 / 3.0 * gyy,
                                 pressure + 4.0 / 3.0 * gyy - 2.0 / 3.0 * gxx, pressure - 2.0 / 3.0 * (gxx + gyy), gxy};

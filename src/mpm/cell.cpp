@@ -29,6 +29,15 @@ Eigen::Matrix<double, 1, cell_dofs> volumetric_strain_matrix(int point, Volumetr
   return 0.25 * (own(0) + own(1) + own(2) + own(3));
 }
 
+Eigen::Matrix<double, 3, cell_dofs> strain_matrix(int point, Volumetric volumetric) {
+  auto strain = strain_matrix(point);
+  const Eigen::Matrix<double, 1, cell_dofs> own = strain.row(0) + strain.row(1);
+  const Eigen::Matrix<double, 1, cell_dofs> missing = volumetric_strain_matrix(point, volumetric) - own;
+  strain.row(0) += 0.5 * missing;
+  strain.row(1) += 0.5 * missing;
+  return strain;
+}
+
 CellMatrix cell_stiffness(const std::array<Moduli, points_per_cell>& moduli, Volumetric volumetric) {
   // Twice the deviatoric strain energy per unit shear modulus, with the out-of-plane strain zero.
   Eigen::Matrix3d deviatoric;
@@ -36,7 +45,7 @@ CellMatrix cell_stiffness(const std::array<Moduli, points_per_cell>& moduli, Vol
   CellMatrix stiffness = CellMatrix::Zero();
   for (int p = 0; p < points_per_cell; ++p) {
     const auto& [bulk, shear] = moduli[static_cast<std::size_t>(p)];
-    const auto strain = strain_matrix(p);
+    const auto strain = strain_matrix(p, volumetric);
     const auto volume = volumetric_strain_matrix(p, volumetric);
     stiffness += 0.25 * (shear * strain.transpose() * deviatoric * strain + bulk * volume.transpose() * volume);
   }

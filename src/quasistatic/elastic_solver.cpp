@@ -1,6 +1,7 @@
 #include "elastic_solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,10 @@ void ElasticSolver::set_up() {
 
 void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
   box_->assemble(moduli, matrix_.get());
+  double stiffest = 0.0;
+  for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
+  constexpr double rounding = 2e-15;
+  rounding_ = rounding * stiffest * std::sqrt(static_cast<double>(effort_.unknowns));
   is_fresh_ = false;
 }
 
@@ -69,7 +74,7 @@ void ElasticSolver::refresh() {
 
 bool ElasticSolver::try_to_solve(const Field& forces, Field& displacement, int most_iterations) {
   constexpr const char* what = "solving for the displacements";
-  check(KSPSetTolerances(solver_.get(), options_.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
+  check(KSPSetTolerances(solver_.get(), options_.tolerance, rounding_, PETSC_DEFAULT, most_iterations), what);
   check(KSPSolve(solver_.get(), forces.rest(), displacement.rest()), what);
   int iterations = 0;
   check(KSPGetIterationNumber(solver_.get(), &iterations), what);
@@ -94,7 +99,7 @@ void ElasticSolver::solve(const Field& forces, Field& displacement) {
   double residual = 0.0, load = 0.0;
   check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");
   check(VecNorm(forces.rest(), NORM_2, &load), "reading the load");
-  const double relative = load > 0.0 ? residual / load : residual;
+  const double relative = residual / std::max(load, rounding_ / options_.tolerance);
   if (!is_solved) {
     throw NumericalError(fmt::format(
         "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "

@@ -34,6 +34,7 @@ class ElasticSolver {
   LinearSolver solver_;
   LinearEffort effort_;
   int fresh_iterations_ = 0;  ///< with factors of the same moduli; 0 before the first
+  double rounding_ = 0.0;     ///< norm of the forces that a unit strain leaves by rounding alone
   bool is_fresh_ = false;     ///< whether the factors are those of the present moduli
 };
 

@@ -45,25 +45,30 @@ double ReducedBasis::reference_energy(const PartForces& forces, const Field& dis
          reference_.bulk * work(forces.matrix_bulk, displacement);
 }
 
-void ReducedBasis::normalise(Field& vector) const {
+/// Makes a vector orthonormal to the others. False when nothing is left of it.
+bool ReducedBasis::normalise(Field& vector) const {
+  constexpr double nothing = 1e-13;
+  const double before = work(box_->forces(parts_->with(reference_), load_, vector), vector);
   // Twice is enough (Giraud, Langou and Rozloznik 2005).
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 0; i < vectors_.size(); ++i) {
       vector.add(-reference_energy(forces_[i], vector), vectors_[i]);
     }
-    const auto forces = box_->forces(parts_->with(reference_), load_, vector);
-    vector.scale(1.0 / std::sqrt(work(forces, vector)));
+    const double energy = work(box_->forces(parts_->with(reference_), load_, vector), vector);
+    if (!(energy > nothing * before)) return false;
+    vector.scale(1.0 / std::sqrt(energy));
   }
+  return true;
 }
 
 void ReducedBasis::add(Field solution, const Moduli& matrix) {
-  normalise(solution);
+  response_.snapshots.push_back({matrix});
+  if (!normalise(solution)) return;
   vectors_.push_back(std::move(solution));
   const auto& vector = vectors_.back();
   forces_.push_back({box_->forces(parts_->filler, load_, vector), box_->forces(parts_->matrix_shear, load_, vector),
                      box_->forces(parts_->matrix_bulk, load_, vector)});
   extend_projection();
-  response_.snapshots.push_back({matrix});
 }
 
 void ReducedBasis::extend_projection() {

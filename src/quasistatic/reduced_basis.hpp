@@ -25,13 +25,13 @@ class ReducedBasis {
   ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, Load load, const Moduli& reference);
 
   [[nodiscard]] Load load() const noexcept { return load_; }
-  [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
   [[nodiscard]] const Field& load_forces() const noexcept { return load_forces_; }
   [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
 
   /// Displacement that the basis holds for best; zero when it is empty.
   [[nodiscard]] Field approximation(const Moduli& matrix) const;
-  /// Adds a solution for these moduli.
+  /// Adds a solution for these moduli. One that the basis holds already, as in a box of one material, leaves it as it
+  /// is.
   void add(Field solution, const Moduli& matrix);
 
  private:
@@ -39,7 +39,7 @@ class ReducedBasis {
     Field filler, matrix_shear, matrix_bulk;
   };
   [[nodiscard]] double reference_energy(const PartForces& forces, const Field& displacement) const;
-  void normalise(Field& vector) const;
+  [[nodiscard]] bool normalise(Field& vector) const;
   void extend_projection();
 
   const ElasticBox* box_;

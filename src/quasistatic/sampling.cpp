@@ -97,6 +97,7 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   std::vector<double> scales(loads.size(), 0.0);
   std::vector<std::vector<double>> measured(loads.size());
   double error = 1.0;
+  int snapshots = 0;
   const auto add_snapshot = [&](const Moduli& at, bool is_measured) {
     const auto moduli = parts.with(at);
     solver.set_moduli(moduli);
@@ -109,21 +110,23 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
         auto response = bases[l].response();
         response.residual_scale = 1.0;
         relative = std::abs(response.modulus(at) / modulus_of(box, bases[l], moduli, solution) - 1.0);
-        scales[l] = std::max(scales[l], relative / response.error_estimate(at));
+        const double uncalibrated = response.error_estimate(at);
+        if (uncalibrated > 0.0) scales[l] = std::max(scales[l], relative / uncalibrated);
         error = std::max(error, relative);
       }
       measured[l].push_back(relative);
       bases[l].add(std::move(solution), at);
     }
-    if (observer) observer({static_cast<int>(bases.front().size()), error});
+    ++snapshots;
+    if (observer) observer({snapshots, error});
   };
 
   add_snapshot(middle, false);
   for (const auto& end : {path.front(), path.back()}) {
     if (end.bulk != middle.bulk || end.shear != middle.shear) add_snapshot(end, false);
   }
-  while (path.size() > bases.front().size() && error > options.tolerance) {
-    if (static_cast<int>(bases.front().size()) == options.most_snapshots) {
+  while (path.size() > 1 && error > options.tolerance) {
+    if (snapshots == options.most_snapshots) {
       throw NumericalError(
           fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
                       "or solver = \"stepping\" may serve",

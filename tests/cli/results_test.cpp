@@ -183,7 +183,7 @@ TEST_F(Results, HistoriesTellWhatTheyBelongTo) {
     const auto load = test["load"].get<std::string>();
     for (std::size_t i = 0; i < test["time_domains"].size(); ++i) {
       const auto& domain = test["time_domains"][i];
-      const Hdf5Reader history(path("A/" + load + "-displacement-dynamic-" + std::to_string(i + 1) + ".h5"));
+      const Hdf5Reader history(path("A/" + load + "-displacement-dynamic-24-" + std::to_string(i + 1) + ".h5"));
       EXPECT_EQ(history.attribute<std::string>("/history", "deck_hash"), json["hash"]);
       EXPECT_EQ(history.attribute<std::string>("/history", "stage"), "A");
       EXPECT_EQ(history.attribute<std::string>("/history", "load"), load);

@@ -22,7 +22,11 @@ std::array<double, 4> node_weights(int point);
 /// Strain (xx, yy, engineering xy) at a point from the nodal displacements in units of the cell side (theory, Eq. 3).
 Eigen::Matrix<double, 3, cell_dofs> strain_matrix(int point);
 
-/// Volumetric strain xx + yy that the point sees: its own or the mean of the cell (theory, Eq. 4).
+/// The same as the stress of the point sees it: its in-plane volumetric part xx + yy is the point's own or the mean of
+/// the cell (theory, Eq. 4).
+Eigen::Matrix<double, 3, cell_dofs> strain_matrix(int point, Volumetric volumetric);
+
+/// Volumetric strain xx + yy that the stress of the point sees.
 Eigen::Matrix<double, 1, cell_dofs> volumetric_strain_matrix(int point, Volumetric volumetric);
 
 /// Elastic moduli of one point.

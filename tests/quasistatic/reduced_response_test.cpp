@@ -1,0 +1,178 @@
+#include "breccia/quasistatic/reduced_response.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/quasistatic/log_time_stepping.hpp"
+#include "breccia/quasistatic/sampling.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "quasistatic/composites.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
+const TimeWindow window = {1e-7, 1e-3};
+
+std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double tolerance = 1e-6) {
+  return sample_responses(problem, 0, shear_and_bulk, carson_path(problem.materials.front(), window),
+                          {.tolerance = tolerance})
+      .responses;
+}
+
+/// Both ways through time must differ by no more than the steps' own error, which falls with their square.
+void expect_agreement_with_stepping(const QuasistaticProblem& problem) {
+  const auto responses = sampled(problem);
+  const auto times = test::logarithmic(1e-3 * window.begin, window.end, 60);
+  const auto stepped = run_log_time_stepping(problem, shear_and_bulk, times).responses;
+  for (std::size_t l = 0; l < responses.size(); ++l) {
+    const auto compliance = creep_compliance(responses[l], problem.materials.front());
+    const auto modulus = relaxation_modulus(compliance);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (times[i] < window.begin) continue;
+      const double value = problem.boundary == Boundary::traction ? compliance.at(times[i]) : modulus.at(times[i]);
+      const double difference = std::abs(value / stepped[l].values[i] - 1.0);
+      EXPECT_LT(difference, 1e-3) << times[i];
+      EXPECT_LT(difference, 2.0 * stepped[l].error_estimates[i] + 1e-4) << times[i];
+    }
+  }
+}
+
+TEST(ReducedResponse, AgreesWithSteppingThroughTime) {
+  for (const auto boundary : test::boundaries) {
+    expect_agreement_with_stepping(test::random_composite(20, 1, boundary));
+    expect_agreement_with_stepping(test::model_composite(24, Volumetric::standard, boundary));
+  }
+}
+
+TEST(ReducedResponse, AgreesWhereTheBulkModulusOfTheMatrixRelaxesToo) {
+  for (const auto boundary : test::boundaries) {
+    auto problem = test::random_composite(16, 2, boundary);
+    problem.materials.front().bulk = PronySeries(1e8, {{3e-7, 2e9}, {2e-5, 1e9}});
+    expect_agreement_with_stepping(problem);
+  }
+}
+
+TEST(ReducedResponse, TwoWaysToTheSpectrumAgree) {
+  // A bulk modulus that relaxes by a trace takes the way of the network; without the trace, that of the poles.
+  const auto problem = test::random_composite(20, 3, Boundary::traction);
+  const auto& matrix = problem.materials.front();
+  auto trace = matrix;
+  trace.bulk = PronySeries(matrix.bulk.equilibrium() * (1.0 - 1e-9), {{1e-5, matrix.bulk.equilibrium() * 1e-9}});
+  for (const auto& response : sampled(problem)) {
+    const auto poles = creep_compliance(response, matrix), network = creep_compliance(response, trace);
+    for (const double time : test::logarithmic(1e-12, 1e4, 3)) {
+      EXPECT_NEAR(network.at(time) / poles.at(time), 1.0, 1e-7) << time;
+    }
+  }
+}
+
+TEST(ReducedResponse, AHomogeneousBoxIsItsMatrix) {
+  const Material matrix = {"m", 1000.0, PronySeries(2e6, {{3e-3, 1e6}}), PronySeries(0.1e6, {{1e-3, 0.5e6}})};
+  for (const auto boundary : test::boundaries) {
+    const auto problem = test::homogeneous(matrix, boundary);
+    const auto responses =
+        sample_responses(problem, 0, std::array{Load::diagonal_shear}, carson_path(matrix, {1e-4, 1.0})).responses;
+    EXPECT_NEAR(responses[0].modulus({.bulk = 7e6, .shear = 3e6}) / 3e6, 1.0, 1e-9);
+    const auto found = relaxation_modulus(creep_compliance(responses[0], matrix));
+    for (const double time : test::logarithmic(1e-5, 1.0, 4))
+      EXPECT_NEAR(found.at(time) / matrix.shear.at(time), 1.0, 1e-8);
+  }
+}
+
+TEST(ReducedResponse, MoreSnapshotsMeetAFinerToleranceAndTheEstimateTells) {
+  const auto problem = test::random_composite(24, 4, Boundary::displacement);
+  const auto path = carson_path(problem.materials.front(), window);
+  const auto exact = sampled(problem, 1e-10);
+  std::size_t snapshots = 0;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
+    const auto responses = sampled(problem, tolerance);
+    EXPECT_GT(responses[0].snapshots.size(), snapshots);
+    snapshots = responses[0].snapshots.size();
+    for (std::size_t l = 0; l < responses.size(); ++l) {
+      EXPECT_LE(responses[l].snapshots.back().error_before, tolerance);
+      for (const auto& moduli : path) {
+        const double error = responses[l].modulus(moduli) / exact[l].modulus(moduli) - 1.0;
+        EXPECT_GT(error, -1e-9) << "from above";
+        EXPECT_LT(error, tolerance);
+        EXPECT_LT(error, 20.0 * responses[l].error_estimate(moduli) + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ReducedResponse, LowerPeriodicAndUpperAreInOrderWithinVoigtAndReuss) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    std::vector<std::vector<ReducedResponse>> by_boundary;
+    for (const auto boundary : {Boundary::traction, Boundary::periodic, Boundary::displacement}) {
+      by_boundary.push_back(sampled(test::random_composite(24, seed, boundary), 1e-5));
+    }
+    const auto problem = test::random_composite(24, seed, Boundary::periodic);
+    const double filled = problem.discretisation.fractions(2)[1];
+    const auto& filler = problem.materials[1];
+    for (const auto& moduli : carson_path(problem.materials.front(), window)) {
+      for (std::size_t l = 0; l < shear_and_bulk.size(); ++l) {
+        const auto of = [&](double bulk, double shear) {
+          return shear_and_bulk[l] == Load::bulk ? bulk + shear / 3.0 : shear;
+        };
+        const double in_matrix = of(moduli.bulk, moduli.shear);
+        const double in_filler = of(filler.bulk.equilibrium(), filler.shear.equilibrium());
+        const double lower = by_boundary[0][l].modulus(moduli), periodic = by_boundary[1][l].modulus(moduli),
+                     upper = by_boundary[2][l].modulus(moduli);
+        EXPECT_LT(1.0 / ((1.0 - filled) / in_matrix + filled / in_filler), lower);
+        EXPECT_LT(lower, periodic);
+        EXPECT_LT(periodic, upper);
+        EXPECT_LT(upper, (1.0 - filled) * in_matrix + filled * in_filler);
+      }
+    }
+  }
+}
+
+TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
+  for (const auto boundary : test::boundaries) {
+    auto problem = test::random_composite(32, 5, boundary);
+    problem.linear.method = LinearMethod::direct;
+    const auto direct = sampled(problem);
+    problem.linear.method = LinearMethod::iterative;
+    const auto iterative = sampled(problem);
+    for (const auto& moduli : carson_path(problem.materials.front(), window)) {
+      EXPECT_NEAR(iterative[0].modulus(moduli) / direct[0].modulus(moduli), 1.0, 1e-7);
+    }
+  }
+}
+
+TEST(ReducedResponse, AnotherMatrixMustStayWithinWhatWasSampled) {
+  const auto problem = test::random_composite(20, 6, Boundary::periodic);
+  const auto& matrix = problem.materials.front();
+  const auto response = sampled(problem).front();
+  EXPECT_LT(require_sampled(response, matrix, window), 1e-5);
+  auto other = matrix;
+  other.shear = PronySeries(0.4e6, {{2e-6, 200e6}});
+  EXPECT_LT(require_sampled(response, other, window), 1e-5);
+  other.shear = PronySeries(2e9);
+  EXPECT_THAT([&] { static_cast<void>(require_sampled(response, other, window)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("a shear modulus of 2e+09 Pa")));
+  other = matrix;
+  other.bulk = PronySeries(2e9);
+  EXPECT_THAT([&] { static_cast<void>(require_sampled(response, other, window)); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("a bulk modulus of 2e+09 Pa")));
+}
+
+TEST(Sampling, NeedsAnElasticFillerAndCanFailToMeetATolerance) {
+  auto problem = test::random_composite(12, 7, Boundary::displacement);
+  const auto path = carson_path(problem.materials.front(), window);
+  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, path, {.tolerance = 1e-9, .most_snapshots = 4}),
+               NumericalError);
+  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, {}), InputError);
+  problem.materials[1].shear = PronySeries(1e9, {{1e-6, 1e9}});
+  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, path), InputError);
+}
+
+}  // namespace
+}  // namespace breccia
