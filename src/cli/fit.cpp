@@ -2,7 +2,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,9 +18,12 @@
 namespace breccia::cli {
 namespace {
 
+const std::map<std::string, CurveKind> kinds = {
+    {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
+
 struct FitArguments {
   std::filesystem::path file;
-  std::optional<CurveKind> to;
+  std::string to;  ///< a kind of curve; empty: that of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -200,7 +202,7 @@ std::string table(const FitResult& result, CurveKind kind) {
 void fit(const FitArguments& arguments) {
   const auto data = read_fit_data(arguments.file);
   const auto result = std::visit(Fitter(arguments), data);
-  const auto kind = arguments.to.value_or(result.measured);
+  const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory =
       arguments.directory.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.directory;
   const auto files = write_fit(directory, arguments.file, data, result, kind);
@@ -220,10 +222,8 @@ void add_fit(CLI::App& application) {
   command->add_option("FILE", arguments->file, "measured data or a Prony series, a CSV file")
       ->required()
       ->type_name("");
-  const std::map<std::string, CurveKind> kinds = {
-      {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
   command->add_option("--to", arguments->to, "the curve wanted (default: of the kind of the data)")
-      ->transform(CLI::CheckedTransformer(kinds))
+      ->check(CLI::IsMember(kinds).description(""))
       ->type_name("relaxation|creep|dynamic");
   command
       ->add_option("--times-per-decade", arguments->times_per_decade,

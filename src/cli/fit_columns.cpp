@@ -100,7 +100,7 @@ std::map<Quantity, MeasuredColumn> measured_columns(const CsvTable& table) {
       MeasuredColumn column{name, table.numbers(name)};
       for (double& value : column.values) value = factor * value + offset;
       const auto [earlier, is_new] = columns.emplace(recognised->column->quantity, std::move(column));
-      if (!is_new) mistakes.push_back(fmt::format("\"{}\" says the same as \"{}\"", name, earlier->second.name));
+      if (!is_new) mistakes.push_back(fmt::format(R"("{}" says the same as "{}")", name, earlier->second.name));
     } catch (const InputError& error) {
       mistakes.push_back(fmt::format("the unit of \"{}\": {}", name, error.what()));
     }

@@ -62,8 +62,8 @@ std::vector<std::size_t> rising_rows(const std::vector<double>& column) {
 }
 
 std::vector<double> in_order(const std::vector<double>& column, const std::vector<std::size_t>& rows) {
-  std::vector<double> values;
-  for (const auto row : rows) values.push_back(column[row]);
+  std::vector<double> values(rows.size());
+  std::ranges::transform(rows, values.begin(), [&](std::size_t row) { return column[row]; });
   return values;
 }
 

@@ -18,7 +18,7 @@ enum class CurveKind { relaxation, creep, dynamic };
 
 /// What `breccia fit` has found.
 struct FitResult {
-  CurveKind measured;
+  CurveKind measured = CurveKind::relaxation;
   PronySeries modulus;
   CreepCompliance compliance;
   TimeWindow reach;                        ///< of the data; of dynamic ones 1 / omega

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -83,8 +84,10 @@ std::vector<double> relaxation_times(const std::vector<FrequencySweep>& sweeps, 
     fastest = std::min(fastest, -shift - std::log10(sweeps[i].frequencies.back()) - beyond);
   }
   const auto count = static_cast<int>(std::ceil(per_decade * (slowest - fastest))) + 1;
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i) times.push_back(std::pow(10.0, fastest + (slowest - fastest) * i / (count - 1)));
+  std::vector<double> times(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    times[static_cast<std::size_t>(i)] = std::pow(10.0, fastest + (slowest - fastest) * i / (count - 1));
+  }
   return times;
 }
 
@@ -251,6 +254,7 @@ std::size_t reference_sweep(const std::vector<FrequencySweep>& sweeps, double re
   });
   if (found != sweeps.end()) return static_cast<std::size_t>(found - sweeps.begin());
   std::vector<std::string> temperatures;
+  temperatures.reserve(sweeps.size());
   for (const auto& sweep : sweeps) temperatures.push_back(fmt::format("{:.6g}", sweep.temperature));
   throw InputError(fmt::format("master curve: no sweep at the reference temperature {:.6g} K; there are {} K",
                                reference_temperature, fmt::join(temperatures, ", ")));
