@@ -10,8 +10,8 @@ namespace breccia {
 
 struct WilliamsLandelFerryFit {
   WilliamsLandelFerry law;
-  double c1_error = 0.0;         ///< standard error [-]
-  double c2_error = 0.0;         ///< standard error [K]
+  double c1_error = 0.0;         ///< standard error [-], of factors that are independent
+  double c2_error = 0.0;         ///< standard error [K], likewise
   double worst_deviation = 0.0;  ///< of log10 a_T from the law [-]
   double worst_at = 0.0;         ///< its temperature [K]
 };
