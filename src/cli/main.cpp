@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   breccia::cli::add_check(application);
   breccia::cli::add_pack(application);
   breccia::cli::add_respond(application);
+  breccia::cli::add_fit(application);
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");

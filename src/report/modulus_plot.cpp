@@ -19,19 +19,17 @@ namespace breccia {
 
 namespace {
 
-constexpr double megapascal = 1e6;
-
 /// Colours that remain distinct to the colour-blind (Okabe and Ito, 2008), without the yellow, which is lost on white.
 constexpr std::array<std::string_view, 7> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000"};
 
 struct Point {
   double time;     // [s]
-  double modulus;  // [MPa]
+  double modulus;  // in the unit of the plot
 };
 
 /// The points of a curve that logarithmic axes can show.
-std::vector<Point> visible_points(const PlotCurve& curve) {
+std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
   if (curve.times.size() != curve.moduli.size()) {
     throw InputError(fmt::format("plot: the curve \"{}\" has {} times but {} moduli", curve.label, curve.times.size(),
                                  curve.moduli.size()));
@@ -40,7 +38,7 @@ std::vector<Point> visible_points(const PlotCurve& curve) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < curve.times.size(); ++i) {
     if (can_show(curve.times[i]) && can_show(curve.moduli[i])) {
-      points.push_back({curve.times[i], curve.moduli[i] / megapascal});
+      points.push_back({curve.times[i], curve.moduli[i] / unit});
     }
   }
   return points;
@@ -73,9 +71,9 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       "set logscale xy\n"
       "set xrange [{:.17g}:{:.17g}]\nset yrange [{:.17g}:{:.17g}]\n"
       "set xtics ({})\nset ytics ({})\n"
-      "set xlabel 'Time / s' offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
-      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus),
-      quoted(plot.quantity + " / MPa"), quoted(plot.title));
+      "set xlabel {} noenhanced offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
+      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus), quoted(plot.abscissa),
+      quoted(fmt::format("{} / {}", plot.quantity, plot.unit)), quoted(plot.title));
 }
 
 /// Where a label centred between two times goes, as a share of the width of the graph: it must not leave the graph.
@@ -146,7 +144,7 @@ std::string gnuplot_script(const ModulusPlot& plot) {
   auto smallest = Point{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   auto largest = Point{0.0, 0.0};
   for (const auto& curve : plot.curves) {
-    points.push_back(visible_points(curve));
+    points.push_back(visible_points(curve, plot.unit_size));
     for (const auto& [time, modulus] : points.back()) {
       smallest = {std::min(smallest.time, time), std::min(smallest.modulus, modulus)};
       largest = {std::max(largest.time, time), std::max(largest.modulus, modulus)};

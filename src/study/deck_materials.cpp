@@ -1,13 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/study/prony_file.hpp"
 #include "breccia/study/respond.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
@@ -16,46 +14,6 @@
 namespace breccia {
 
 namespace {
-
-/// A Prony series that may still lack its equilibrium modulus.
-struct Spectrum {
-  std::optional<double> equilibrium;
-  std::vector<MaxwellTerm> terms;
-};
-
-std::string modulus_column(const CsvTable& table) {
-  std::vector<std::string> found;
-  for (const auto& name : table.names()) {
-    if (name.ends_with("modulus_Pa")) found.push_back(name);
-  }
-  if (found.size() == 1) return found.front();
-  throw InputError(fmt::format("{}: expected one column whose name ends in modulus_Pa; it has \"{}\"",
-                               table.path().string(), fmt::join(table.names(), "\", \"")));
-}
-
-/// A table of Maxwell elements; an infinite relaxation time marks the equilibrium modulus.
-Spectrum read_spectrum(const std::filesystem::path& path) {
-  const auto table = read_csv(path);
-  const auto& times = table.numbers("relaxation_time_s");
-  const auto& moduli = table.numbers(modulus_column(table));
-  Spectrum spectrum;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (!(times[row] > 0.0)) {
-      throw InputError(fmt::format("{}: expected a positive relaxation time, got {}", table.place(row), times[row]));
-    }
-    if (!(moduli[row] >= 0.0) || !std::isfinite(moduli[row])) {
-      throw InputError(fmt::format("{}: expected a non-negative modulus, got {}", table.place(row), moduli[row]));
-    }
-    if (std::isfinite(times[row])) {
-      spectrum.terms.push_back({times[row], moduli[row]});
-    } else if (!spectrum.equilibrium) {
-      spectrum.equilibrium = moduli[row];
-    } else {
-      throw InputError(fmt::format("{}: a second term with an infinite relaxation time", table.place(row)));
-    }
-  }
-  return spectrum;
-}
 
 std::vector<MaxwellTerm> read_terms(const Section& modulus) {
   std::vector<MaxwellTerm> terms;
@@ -68,11 +26,11 @@ std::vector<MaxwellTerm> read_terms(const Section& modulus) {
 
 /// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
 PronySeries read_series(const Section& modulus) {
-  Spectrum spectrum;
+  PronyFile spectrum;
   const auto source = modulus.exactly_one({"prony", "terms"});
   if (source == "prony") {
     const auto path = modulus.file("prony");
-    if (!path.empty()) modulus.report_errors_of("prony", [&] { spectrum = read_spectrum(path); });
+    if (!path.empty()) modulus.report_errors_of("prony", [&] { spectrum = read_prony_file(path); });
   } else if (source == "terms") {
     spectrum.terms = read_terms(modulus);
   }

@@ -48,8 +48,9 @@ void require_data(std::span<const double> at, std::initializer_list<std::span<co
   if (at.size() < fewest)
     throw InputError(fmt::format("{}: expected at least {} data, got {}", what, fewest, at.size()));
   for (std::size_t i = 0; i < at.size(); ++i) {
-    if (!(at[i] > 0.0) || !std::isfinite(at[i]) || (i > 0 && at[i] <= at[i - 1])) {
-      throw InputError(fmt::format("{}: datum {}: expected rising positive numbers, got {}", what, i + 1, at[i]));
+    if (!(at[i] > 0.0) || !std::isfinite(at[i]) || (i > 0 && at[i] < at[i - 1])) {
+      throw InputError(
+          fmt::format("{}: datum {}: expected positive numbers that do not fall, got {}", what, i + 1, at[i]));
     }
     for (const auto& column : values) {
       if (column[i] > 0.0 && std::isfinite(column[i])) continue;

@@ -55,6 +55,17 @@ TEST(ModulusPlot, IsWellFormedAndNamesItsCurvesAndAxes) {
   EXPECT_THAT(svg, HasSubstr(">Shear modulus / MPa<"));
 }
 
+TEST(ModulusPlot, ShowsOtherQuantitiesInTheirUnits) {
+  ModulusPlot plot{"creep", {{"J(t)", {1.0, 10.0, 100.0}, {1e-9, 1e-8, 1e-7}}}, {}, "Creep compliance"};
+  plot.unit = "(1/GPa)";
+  plot.unit_size = 1e-9;
+  plot.abscissa = "Hours / h";
+  const auto svg = modulus_plot(plot);
+  EXPECT_THAT(svg, HasSubstr(">Creep compliance / (1/GPa)<"));
+  EXPECT_THAT(svg, HasSubstr(">Hours / h<"));
+  EXPECT_THAT(svg, HasSubstr(">100<"));
+}
+
 TEST(ModulusPlot, IsTheSameForTheSameInput) {
   const ModulusPlot plot{"", {relaxation("a", 1e6)}, {}};
   EXPECT_EQ(modulus_plot(plot), modulus_plot(plot));

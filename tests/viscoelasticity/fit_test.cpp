@@ -1,7 +1,6 @@
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include <cmath>
-#include <random>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "viscoelasticity/binder.hpp"
+#include "viscoelasticity/noise.hpp"
 
 namespace breccia {
 namespace {
@@ -20,22 +20,6 @@ std::vector<double> logarithmic(double first, double last, int per_decade) {
   for (int i = 0; i <= count; ++i) values.push_back(first * std::pow(10.0, static_cast<double>(i) / per_decade));
   return values;
 }
-
-/// Normal deviates by Box and Muller, the same with every library.
-class Noise {
- public:
-  explicit Noise(double deviation) : deviation_(deviation) {}
-  double operator()(double value) {
-    constexpr double two_pi = 6.283185307179586;
-    const double radius = std::sqrt(-2.0 * std::log(uniform()));
-    return value * (1.0 + deviation_ * radius * std::cos(two_pi * uniform()));
-  }
-
- private:
-  double uniform() { return (static_cast<double>(random_() >> 11) + 0.5) * 0x1p-53; }
-  std::mt19937_64 random_{7};
-  double deviation_;
-};
 
 struct Errors {
   double median, worst;

@@ -15,7 +15,7 @@ enum class PlotStyle {
   line_and_points
 };
 
-/// One curve of modulus against time.
+/// One curve of modulus against time, or of what else the axes of its plot say.
 struct PlotCurve {
   std::string label;
   std::vector<double> times = {};   ///< [s]
@@ -31,12 +31,16 @@ struct PlotWindow {
   double end;    ///< [s]
 };
 
-/// A plot of moduli against time on logarithmic axes.
+/// A plot of moduli against time on logarithmic axes; with other words on its axes, of compliances or against
+/// frequency.
 struct ModulusPlot {
   std::string title;
   std::vector<PlotCurve> curves;
   std::vector<PlotWindow> windows = {};
   std::string quantity = "Relaxation modulus";
+  std::string unit = "MPa";  ///< that the axis is labelled with
+  double unit_size = 1e6;    ///< in the SI unit of the values
+  std::string abscissa = "Time / s";
 };
 
 /// SVG of a plot, drawn by gnuplot. Points that logarithmic axes cannot show (time or modulus not positive and finite)

@@ -37,8 +37,8 @@ struct CreepFit {
 };
 
 /// Fits with non-negative spectra at logarithmic times over the range of the data, in the least squares of the relative
-/// deviations. All throw InputError when the data are fewer than three, not rising, or not positive, and NumericalError
-/// when a fit does not converge.
+/// deviations. All throw InputError when the data are fewer than three, out of order, or not positive, and
+/// NumericalError when a fit does not converge.
 RelaxationFit fit_relaxation(std::span<const double> times, std::span<const double> moduli,
                              const FitOptions& options = {});
 CreepFit fit_creep(std::span<const double> times, std::span<const double> compliances, const FitOptions& options = {});

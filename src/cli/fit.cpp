@@ -1,0 +1,247 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "command.hpp"
+#include "fit_data.hpp"
+#include "fit_results.hpp"
+
+namespace breccia::cli {
+namespace {
+
+const std::map<std::string, CurveKind> kinds = {
+    {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
+
+struct FitArguments {
+  std::filesystem::path file;
+  std::string to;  ///< a kind of curve; empty: that of the data
+  double times_per_decade = FitOptions{}.times_per_decade;
+  std::string ramp;
+  std::string reference_temperature;
+  std::filesystem::path directory;  ///< empty: results/<name of the file>
+  bool quiet = false;
+};
+
+double quantity(const char* option, const std::string& text, Dimension dimension) {
+  try {
+    return parse_quantity(text, dimension);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+/// The temperature of the sweep that the user means.
+double reference_temperature(const FitArguments& arguments, const std::vector<FrequencySweep>& sweeps) {
+  std::vector<std::string> temperatures;
+  for (const auto& sweep : sweeps) {
+    constexpr double zero_celsius = 273.15;
+    temperatures.push_back(fmt::format("{:.4g} degC", sweep.temperature - zero_celsius));
+  }
+  const auto known = fmt::format("the sweeps are at {}", fmt::join(temperatures, ", "));
+  if (arguments.reference_temperature.empty()) {
+    throw InputError(
+        fmt::format("{}: several temperatures: expected --reference-temperature; {}", arguments.file.string(), known));
+  }
+  const double wanted = quantity("--reference-temperature", arguments.reference_temperature, Dimension::temperature);
+  constexpr double close = 0.5;
+  for (const auto& sweep : sweeps) {
+    if (std::abs(sweep.temperature - wanted) <= close) return sweep.temperature;
+  }
+  throw InputError(fmt::format("--reference-temperature: no sweep at {}; {}", arguments.reference_temperature, known));
+}
+
+/// Fits whatever data there are.
+class Fitter {
+ public:
+  explicit Fitter(const FitArguments& arguments) : arguments_(arguments) {
+    options_.times_per_decade = arguments.times_per_decade;
+    if (!arguments.ramp.empty()) options_.ramp = quantity("--ramp", arguments.ramp, Dimension::time);
+    if (options_.ramp < 0.0) throw InputError(fmt::format("--ramp: expected a time, got {}", arguments.ramp));
+  }
+
+  FitResult operator()(const RelaxationData& data) const {
+    refuse_reference();
+    auto fit = fit_relaxation(data.times, data.moduli, options_);
+    return {CurveKind::relaxation,
+            fit.series,
+            creep_compliance(fit.series),
+            {data.times.front(), data.times.back()},
+            std::move(fit.quality)};
+  }
+
+  FitResult operator()(const CreepData& data) const {
+    refuse_reference();
+    auto fit = fit_creep(data.times, data.compliances, options_);
+    return {CurveKind::creep,
+            relaxation_modulus(fit.compliance),
+            fit.compliance,
+            {data.times.front(), data.times.back()},
+            std::move(fit.quality)};
+  }
+
+  FitResult operator()(const DynamicData& data) const {
+    refuse_ramp();
+    if (data.sweeps.size() == 1) {
+      refuse_reference();
+      const auto& sweep = data.sweeps.front();
+      return dynamic(fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss, options_), sweep.frequencies);
+    }
+    auto curve = master_curve(data.sweeps, reference_temperature(arguments_, data.sweeps), options_);
+    auto result = dynamic(curve.fit, curve.frequencies);
+    constexpr std::size_t fewest = 3;
+    if (data.sweeps.size() >= fewest) {
+      result.law = fit_williams_landel_ferry(curve.shift_factors, curve.reference_temperature);
+    }
+    result.master_curve = std::move(curve);
+    return result;
+  }
+
+  FitResult operator()(const PronySeries& series) const {
+    refuse_ramp();
+    refuse_reference();
+    if (series.is_elastic()) throw InputError("a Prony series without a term has nothing to convert");
+    constexpr double beyond = 10.0;
+    const auto& terms = series.terms();
+    return {CurveKind::relaxation,
+            series,
+            creep_compliance(series),
+            {terms.back().relaxation_time / beyond, terms.front().relaxation_time * beyond}};
+  }
+
+ private:
+  [[nodiscard]] static FitResult dynamic(RelaxationFit fit, const std::vector<double>& frequencies) {
+    return {CurveKind::dynamic,
+            fit.series,
+            creep_compliance(fit.series),
+            {1.0 / frequencies.back(), 1.0 / frequencies.front()},
+            std::move(fit.quality)};
+  }
+  void refuse_ramp() const {
+    if (!arguments_.ramp.empty()) throw InputError("--ramp: expected data against time");
+  }
+  void refuse_reference() const {
+    if (arguments_.reference_temperature.empty()) return;
+    throw InputError("--reference-temperature: expected dynamic moduli at several temperatures");
+  }
+
+  const FitArguments& arguments_;
+  FitOptions options_;
+};
+
+std::string time(double value) {
+  return readable(value, Dimension::time);
+}
+std::string pressure(double value) {
+  return readable(value, Dimension::pressure);
+}
+
+std::string shifts(const FitResult& result) {
+  std::string text = fmt::format("\n{:>12}  {:>12}  {:>8}\n", "temperature", "log10 a_T", "+-");
+  for (const auto& [temperature, log10_factor, standard_error] : result.master_curve->shift_factors) {
+    text += fmt::format("{:>10.2f} K  {:>12.4f}  {:>8.4f}\n", temperature, log10_factor, standard_error);
+  }
+  if (const auto& law = result.law) {
+    text += fmt::format(
+        "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {:.6g} K; log10 a_T deviates by {:.2g} at worst, at "
+        "{:.6g} K\n",
+        law->law.c1, law->c1_error, law->law.c2, law->c2_error, law->law.reference_temperature, law->worst_deviation,
+        law->worst_at);
+  } else {
+    text += "\nWLF: these shift factors do not determine a law\n";
+  }
+  return text;
+}
+
+std::string describe(const PronySeries& series) {
+  return fmt::format("{} terms; {} relaxing to {}", series.terms().size(), pressure(series.unrelaxed()),
+                     pressure(series.equilibrium()));
+}
+
+std::string quality(const FitResult& result) {
+  const auto& [median, worst, worst_at, fitted, standard_errors] = *result.quality;
+  const auto where = result.measured == CurveKind::dynamic ? fmt::format("{:.4g} rad/s", worst_at) : time(worst_at);
+  return fmt::format(
+      "deviation from the data: median {:.2g} %, worst {:.2g} % at {}; standard error of the fit: at most {:.2g} %\n",
+      100.0 * median, 100.0 * worst, where, 100.0 * *std::ranges::max_element(standard_errors));
+}
+
+std::string dynamic_table(const ConvertedCurve& curve) {
+  auto text = fmt::format("\n{:>16}  {:>14}  {:>14}  {:>10}\n", "frequency", "G'", "G''", "tan delta");
+  for (std::size_t i = 0; i < curve.at.size(); ++i) {
+    text += fmt::format("{:>16}  {:>14}  {:>14}  {:>10.4g}\n", fmt::format("{:.4g} rad/s", curve.at[i]),
+                        pressure(curve.values[i]), pressure(curve.loss[i]), curve.loss[i] / curve.values[i]);
+  }
+  return text;
+}
+
+std::string time_table(const ConvertedCurve& curve, const char* symbol, std::string (*in_words)(double)) {
+  auto text = fmt::format("\n{:>16}  {:>18}\n", "time", symbol);
+  for (std::size_t i = 0; i < curve.at.size(); ++i) {
+    text += fmt::format("{:>16}  {:>18}\n", time(curve.at[i]), in_words(curve.values[i]));
+  }
+  return text;
+}
+
+/// The wanted curve at whole decades.
+std::string table(const FitResult& result, CurveKind kind) {
+  const auto curve = converted(result, kind, 1);
+  if (kind == CurveKind::dynamic) return dynamic_table(curve);
+  if (kind == CurveKind::relaxation) return time_table(curve, "G", pressure);
+  return time_table(curve, "J", [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
+}
+
+void fit(const FitArguments& arguments) {
+  const auto data = read_fit_data(arguments.file);
+  const auto result = std::visit(Fitter(arguments), data);
+  const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
+  const auto directory =
+      arguments.directory.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.directory;
+  const auto files = write_fit(directory, arguments.file, data, result, kind);
+  if (arguments.quiet) return;
+  fmt::print("{}: {}\n", arguments.file.string(), describe(result.modulus));
+  if (result.quality) fmt::print("{}", quality(result));
+  if (result.master_curve) fmt::print("{}", shifts(result));
+  fmt::print("{}\nResults are in {}: {}\n", table(result, kind), directory.string(), fmt::join(files, ", "));
+}
+
+}  // namespace
+
+void add_fit(CLI::App& application) {
+  auto* command = application.add_subcommand(
+      "fit", "fit a Prony series to measured data; convert between relaxation, creep and dynamic moduli");
+  auto arguments = std::make_shared<FitArguments>();
+  command->add_option("FILE", arguments->file, "measured data or a Prony series, a CSV file")
+      ->required()
+      ->type_name("");
+  command->add_option("--to", arguments->to, "the curve wanted (default: of the kind of the data)")
+      ->check(CLI::IsMember(kinds).description(""))
+      ->type_name("relaxation|creep|dynamic");
+  command
+      ->add_option("--times-per-decade", arguments->times_per_decade,
+                   "relaxation times among which the fit chooses (default: 10)")
+      ->type_name("X")
+      ->check(CLI::Range(0.5, 50.0));
+  command
+      ->add_option("--ramp", arguments->ramp,
+                   "how long the load rose at a constant rate, times counted from its beginning, as in \"1 ms\"")
+      ->type_name("TIME");
+  command
+      ->add_option("--reference-temperature", arguments->reference_temperature,
+                   "of the master curve, as in \"19 degC\": the temperature of one sweep")
+      ->type_name("TEMPERATURE");
+  command->add_option("--out", arguments->directory, "where the results go (default: results/<name of the file>)")
+      ->type_name("DIR");
+  command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
+  command->callback([arguments] { fit(*arguments); });
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/viscoelasticity/creep_compliance.hpp"
+#include "breccia/viscoelasticity/reduction.hpp"
+#include "breccia/viscoelasticity/temperature_shift_fit.hpp"
+
+#include "fit_data.hpp"
+
+namespace breccia::cli {
+
+/// The function that a curve shows.
+enum class CurveKind { relaxation, creep, dynamic };
+
+/// What `breccia fit` has found.
+struct FitResult {
+  CurveKind measured = CurveKind::relaxation;
+  PronySeries modulus;
+  CreepCompliance compliance;
+  TimeWindow reach;                        ///< of the data; of dynamic ones 1 / omega
+  std::optional<FitQuality> quality = {};  ///< none of a Prony series as given
+  std::optional<MasterCurve> master_curve = {};
+  std::optional<WilliamsLandelFerryFit> law = {};
+};
+
+/// A curve at logarithmic times or frequencies over the reach of the data.
+struct ConvertedCurve {
+  std::vector<double> at;      ///< times [s] or angular frequencies [rad/s]
+  std::vector<double> values;  ///< G [Pa], J [1/Pa] or G' [Pa]
+  std::vector<double> loss;    ///< G'' [Pa] of a dynamic curve
+};
+ConvertedCurve converted(const FitResult& result, CurveKind kind, int points_per_decade);
+
+/// Writes all files of a fit to a directory, which is made, and returns their names. Throws FileError.
+std::vector<std::string> write_fit(const std::filesystem::path& directory, const std::filesystem::path& source,
+                                   const FitData& data, const FitResult& result, CurveKind kind);
+
+}  // namespace breccia::cli

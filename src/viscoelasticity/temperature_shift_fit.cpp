@@ -1,0 +1,103 @@
+#include "breccia/viscoelasticity/temperature_shift_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+/// Deviations of log10 a_T from -S d / (1 + k d), d = T - T_ref. Its unknowns, the slope S = c1 / c2 at the reference
+/// and the bend k = 1 / c2, stay finite for factors that are nearly straight, where c1 and c2 do not.
+class Deviations {
+ public:
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  Deviations(Eigen::VectorXd differences, Eigen::VectorXd factors)
+      : differences_(std::move(differences)), factors_(std::move(factors)) {}
+
+  [[nodiscard]] int values() const { return static_cast<int>(factors_.size()); }
+
+  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& deviations) const {
+    for (Eigen::Index i = 0; i < factors_.size(); ++i) {
+      const double reach = 1.0 + x[1] * differences_[i];
+      // Beyond the pole of the law no trial is accepted.
+      constexpr double forbidden = 1e6;
+      deviations[i] = reach > 0.0 ? -x[0] * differences_[i] / reach - factors_[i] : forbidden;
+    }
+    return 0;
+  }
+
+  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
+    for (Eigen::Index i = 0; i < factors_.size(); ++i) {
+      const double d = differences_[i], reach = 1.0 + x[1] * d;
+      jacobian(i, 0) = -d / reach;
+      jacobian(i, 1) = x[0] * d * d / (reach * reach);
+    }
+    return 0;
+  }
+
+ private:
+  Eigen::VectorXd differences_;  ///< T - T_ref [K]
+  Eigen::VectorXd factors_;      ///< log10 a_T
+};
+
+}  // namespace
+
+std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const ShiftFactor> factors,
+                                                                double reference_temperature) {
+  std::vector<ShiftFactor> used;
+  std::ranges::copy_if(factors, std::back_inserter(used),
+                       [&](const ShiftFactor& factor) { return factor.temperature != reference_temperature; });
+  const auto count = static_cast<Eigen::Index>(used.size());
+  if (count < 2) throw InputError("WLF fit: expected at least two temperatures beside the reference");
+  Eigen::VectorXd differences(count), logarithms(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    differences[i] = used[static_cast<std::size_t>(i)].temperature - reference_temperature;
+    logarithms[i] = used[static_cast<std::size_t>(i)].log10_factor;
+  }
+  const double mean_slope = -differences.dot(logarithms) / differences.squaredNorm();
+  if (!(mean_slope > 0.0)) throw InputError("WLF fit: the shift factors do not fall as the temperature rises");
+
+  // From a nearly straight law, which has its pole far from every datum.
+  const double furthest = differences.cwiseAbs().maxCoeff();
+  Eigen::VectorXd x(2);
+  x << mean_slope, 0.01 / furthest;
+  Deviations deviations(differences, logarithms);
+  Eigen::LevenbergMarquardt<Deviations> search(deviations);
+  search.parameters.xtol = 1e-12;
+  search.parameters.ftol = 1e-14;
+  search.minimize(x);
+
+  // A bend of less than this cannot be told from none: c2 would be a thousand times the range of the data.
+  constexpr double least_bend = 1e-3;
+  if (!(x[0] > 0.0) || !(x[1] * furthest > least_bend)) return std::nullopt;
+  const double c2 = 1.0 / x[1], c1 = x[0] * c2;
+  WilliamsLandelFerryFit fit{{c1, c2, reference_temperature}};
+  Eigen::VectorXd residual(count);
+  Eigen::MatrixXd jacobian(count, 2);
+  deviations(x, residual);
+  deviations.df(x, jacobian);
+  Eigen::Index worst = 0;
+  fit.worst_deviation = residual.cwiseAbs().maxCoeff(&worst);
+  fit.worst_at = used[static_cast<std::size_t>(worst)].temperature;
+  if (count > 2) {
+    const double variance = residual.squaredNorm() / static_cast<double>(count - 2);
+    const Eigen::Matrix2d covariance = variance * (jacobian.transpose() * jacobian).inverse();
+    const Eigen::Vector2d c1_gradient(c2, -c1 * c2);
+    fit.c1_error = std::sqrt(c1_gradient.dot(covariance * c1_gradient));
+    fit.c2_error = c2 * c2 * std::sqrt(covariance(1, 1));
+  }
+  return fit;
+}
+
+}  // namespace breccia

@@ -1,0 +1,211 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/study/prony_file.hpp"
+
+#include "command.hpp"
+#include "good_deck.hpp"
+#include "messages.hpp"
+#include "report/xml.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using ::testing::HasSubstr;
+using Function = std::function<double(double)>;
+
+const std::filesystem::path data = std::filesystem::path(BRECCIA_EXAMPLES_DIRECTORY) / ".." / "data";
+
+std::vector<double> logarithmic(double first, double last, int per_decade) {
+  std::vector<double> values;
+  const int count = static_cast<int>(std::lround(per_decade * std::log10(last / first)));
+  for (int i = 0; i <= count; ++i) values.push_back(first * std::pow(10.0, static_cast<double>(i) / per_decade));
+  return values;
+}
+
+class Fit : public ::testing::Test {
+ protected:
+  [[nodiscard]] test::Outcome run(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "fit");
+    return test::run_breccia(directory.path(), arguments);
+  }
+  [[nodiscard]] CsvTable result(const std::string& name) const { return read_csv(directory.path() / name); }
+
+  /// Two columns: a value at each of some times.
+  void write_curve(const std::string& name, const std::string& header, const std::vector<double>& at,
+                   const Function& function) const {
+    std::string text = header + "\n";
+    for (const double x : at) text += fmt::format("{},{}\n", x, function(x));
+    directory.write(name, text);
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+/// The largest relative difference of a column from a function of another.
+double worst_difference(const CsvTable& table, const std::string& at, const std::string& column,
+                        const Function& function) {
+  double worst = 0.0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    worst = std::max(worst, std::abs(table.numbers(column)[row] / function(table.numbers(at)[row]) - 1.0));
+  }
+  return worst;
+}
+
+// A standard linear solid: springs of 2 MPa and 6 MPa, the latter with a dashpot of 0.3 s.
+constexpr double spring = 2e6, maxwell = 6e6, tau = 0.3;
+double relaxation(double t) {
+  return spring + maxwell * std::exp(-t / tau);
+}
+double creep(double t) {
+  return 1.0 / spring - (1.0 / spring - 1.0 / (spring + maxwell)) * std::exp(-t * spring / (tau * (spring + maxwell)));
+}
+
+TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
+  write_curve("g.csv", "time_ms,shear_modulus_MPa", logarithmic(1.0, 1e5, 20),
+              [](double ms) { return 1e-6 * relaxation(1e-3 * ms); });
+  const auto outcome = run({"g.csv", "--to", "creep"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g: prony.csv, retardation.csv, fit.csv, creep.csv, "
+                                        "fit.svg, creep.svg"));
+  EXPECT_LT(worst_difference(result("results/g/creep.csv"), "time_s", "compliance_1_per_Pa", creep), 3e-3);
+  EXPECT_LT(worst_difference(result("results/g/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
+  for (const auto* name : {"fit.svg", "creep.svg"}) {
+    EXPECT_EQ(testing::xml_mistake(read_text(directory.path() / "results/g" / name)), "");
+  }
+}
+
+TEST_F(Fit, CreepBecomesRelaxation) {
+  write_curve("j.csv", "time_s,compliance_1_per_MPa", logarithmic(1e-3, 1e2, 20),
+              [](double t) { return 1e6 * creep(t); });
+  const auto outcome = run({"j.csv", "--to", "relaxation", "--out", "there"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_LT(worst_difference(result("there/relaxation.csv"), "time_s", "modulus_Pa", relaxation), 0.01);
+}
+
+TEST_F(Fit, RampIsTakenOut) {
+  // The stress after a strain that rises for 50 ms; for a step it would be 40 % off at the end of the ramp.
+  const double ramp = 0.05;
+  write_curve("g.csv", "time_s,modulus_Pa", logarithmic(5e-3, 10.0, 20), [&](double t) {
+    const double end = std::min(t, ramp);
+    return (spring * end + maxwell * tau * (std::exp(-(t - end) / tau) - std::exp(-t / tau))) / ramp;
+  });
+  const auto outcome = run({"g.csv", "--ramp", "50 ms"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_LT(worst_difference(result("results/g/relaxation.csv"), "time_s", "modulus_Pa", relaxation), 0.02);
+}
+
+TEST_F(Fit, SeriesBecomeDynamic) {
+  directory.write("maxwell.csv", "relaxation_time_s,modulus_Pa\n0.5,8e6\n");
+  const auto outcome = run({"maxwell.csv", "--to", "dynamic"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("tan delta"));
+  const auto table = result("results/maxwell/dynamic.csv");
+  const auto* at = "angular_frequency_rad_per_s";
+  EXPECT_LT(worst_difference(table, at, "tan_delta", [](double omega) { return 2.0 / omega; }), 1e-12);
+  EXPECT_LT(worst_difference(table, at, "loss_modulus_Pa",
+                             [](double omega) { return 4e6 * omega / (1.0 + 0.25 * omega * omega); }),
+            1e-12);
+}
+
+TEST_F(Fit, MasterCurveOfTheExampleIsTheBinder) {
+  const auto outcome =
+      run({(data / "synthetic_dma.csv").string(), "--reference-temperature", "19 degC", "--to", "relaxation"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("WLF: c1 = 6."));
+  const auto file = read_prony_file(data / "pbx9501_binder_prony.csv");
+  const PronySeries binder(0.0, file.terms);
+  const auto at = [&](double t) { return binder.at(t); };
+  EXPECT_LT(worst_difference(result("results/synthetic_dma/relaxation.csv"), "time_s", "modulus_Pa", at), 0.03);
+  const auto shifts = result("results/synthetic_dma/shift_factors.csv");
+  for (std::size_t row = 0; row < shifts.rows(); ++row) {
+    const double difference = shifts.numbers("temperature_K")[row] - 292.15;
+    EXPECT_NEAR(shifts.numbers("log10_shift_factor")[row], -6.5 * difference / (120.0 + difference), 0.03);
+  }
+}
+
+TEST_F(Fit, ItsSeriesGoesIntoADeck) {
+  write_curve("g.csv", "time_s,modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
+  ASSERT_EQ(run({"g.csv", "--quiet"}).exit_code, 0);
+  directory.write("deck.toml", test::replaced(std::string(test::good_deck),
+                                              R"({ terms = [ { time = "10 ms", modulus = "1 MPa" } ] })",
+                                              R"({ prony = "results/g/prony.csv" })"));
+  const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, ::testing::ContainsRegex("relaxing to (1[.]99|2[.]00)[0-9]* MPa"));
+}
+
+struct BadData {
+  const char* text;
+  const char* message;
+};
+
+TEST_F(Fit, RefusesBadFiles) {
+  const std::vector<BadData> cases = {
+      {"a,b\n1,2\n", "bad.csv: expected the columns of one of"},
+      {"time_s,modulus_Pa,compliance_1_per_Pa\n1,2,3\n", "expected the columns of one of"},
+      {"time_s,modulus_PA\n1,2\n", R"(bad.csv: the unit of "modulus_PA": expected a pressure, got "1 PA")"},
+      {"time_s,compliance_Pa\n1,2\n", "expected a unit such as 1_per_Pa, got \"Pa\""},
+      {"time_s,time_ms,modulus_Pa\n1,2,3\n", R"("time_ms" says the same as "time_s")"},
+      {"time_s,modulus_Pa\n1,2\n2,1\n", "bad.csv: expected at least 3 rows, got 2"},
+      {"time_s,modulus_Pa\n0,2\n1,-2\n2,1\n",
+       "bad.csv:2: time_s: expected a positive number, got 0\n"
+       "bad.csv:3: modulus_Pa: expected a positive number, got -2"},
+      {"time_s,modulus_Pa\n1,x\n", "bad.csv:2: modulus_Pa: expected a number, got \"x\""},
+      {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa\n1,2,3\n2,3,4\n1,2,3\n",
+       "bad.csv:4: frequency_Hz: 1 stands already at bad.csv:2, at the same temperature"},
+      {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa,temperature_degC\n1,2,3,-300\n2,3,4,5\n3,4,5,6\n",
+       "bad.csv:2: temperature_degC: expected a temperature above absolute zero, got -300"},
+      {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa,temperature_degC\n1,2,3,0\n2,3,4,0\n1,4,5,60\n",
+       "bad.csv: several temperatures: expected --reference-temperature; the sweeps are at 0 degC, 60 degC"},
+      {"relaxation_time_s,modulus_Pa\n0,2\n1,-2\n",
+       "bad.csv:2: expected a positive relaxation time, got 0\nbad.csv:3: expected a non-negative modulus, got -2"},
+      {"relaxation_time_s,modulus_Pa\ninf,2\n", "without a term"},
+  };
+  for (const auto& [text, message] : cases) {
+    directory.write("bad.csv", text);
+    const auto outcome = run({"bad.csv"});
+    EXPECT_EQ(outcome.exit_code, 2) << message;
+    EXPECT_THAT(outcome.errors, HasSubstr(message));
+    EXPECT_EQ(outcome.output, "");
+  }
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "results"));
+}
+
+TEST_F(Fit, RefusesBadOptions) {
+  write_curve("g.csv", "time_s,modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
+  directory.write("maxwell.csv", "relaxation_time_s,modulus_Pa\n0.5,8e6\n");
+  const auto dma = (data / "synthetic_dma.csv").string();
+  const std::vector<std::pair<std::vector<std::string>, const char*>> cases = {
+      {{}, "FILE is required"},
+      {{"none.csv"}, "none.csv"},
+      {{"g.csv", "--to", "loss"}, "--to"},
+      {{"g.csv", "--times-per-decade", "0"}, "--times-per-decade"},
+      {{"g.csv", "--ramp", "1 um"}, "--ramp: expected a time, got \"1 um\""},
+      {{"g.csv", "--ramp=-1 s"}, "--ramp: expected a time, got -1 s"},
+      {{"g.csv", "--reference-temperature", "19 degC"}, "expected dynamic moduli at several temperatures"},
+      {{"maxwell.csv", "--ramp", "1 s"}, "--ramp: expected data against time"},
+      {{dma, "--reference-temperature", "20 degC"}, "no sweep at 20 degC; the sweeps are at -41 degC, -31 degC"},
+      {{dma, "--reference-temperature", "20 m"}, "--reference-temperature: expected a temperature, got \"20 m\""},
+      {{dma, "--reference-temperature", "19 degC", "--ramp", "1 s"}, "--ramp: expected data against time"},
+  };
+  for (const auto& [arguments, message] : cases) {
+    const auto outcome = run(arguments);
+    EXPECT_NE(outcome.exit_code, 0) << message;
+    EXPECT_THAT(outcome.errors, HasSubstr(message));
+    EXPECT_EQ(outcome.output, "");
+  }
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,42 @@
+#include "breccia/study/prony_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+TEST(PronyFile, ReadsWhatItWrites) {
+  const test::TemporaryDirectory directory;
+  const auto path = directory.path() / "g.csv";
+  const PronySeries series(1.5e5, {{1.0 / 3.0, 2e6}, {1e-7, 3e8}});
+  write_prony_file(path, series, "Made up.");
+  EXPECT_EQ(read_text(path),
+            "# Made up.\nrelaxation_time_s,modulus_Pa\ninf,150000\n0.3333333333333333,2000000\n"
+            "1e-07,300000000\n");
+  const auto file = read_prony_file(path);
+  EXPECT_EQ(PronySeries(file.equilibrium.value(), file.terms), series);
+}
+
+TEST(PronyFile, WithoutAnEquilibriumModulusSaysSo) {
+  const test::TemporaryDirectory directory;
+  EXPECT_FALSE(read_prony_file(directory.written("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,2\n")).equilibrium);
+}
+
+TEST(PronyFile, TellsAllMistakesAtOnce) {
+  const test::TemporaryDirectory directory;
+  const auto path = directory.written("g.csv", "relaxation_time_s,modulus_Pa\n-1,2\n1,inf\ninf,1\ninf,2\n");
+  const auto message = test::message_of<InputError>([&] { static_cast<void>(read_prony_file(path)); });
+  const auto file = path.string();
+  EXPECT_EQ(message, file + ":2: expected a positive relaxation time, got -1\n" + file +
+                         ":3: expected a non-negative modulus, got inf\n" + file +
+                         ":5: a second term with an infinite relaxation time");
+}
+
+}  // namespace
+}  // namespace breccia
