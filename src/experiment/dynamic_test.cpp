@@ -88,9 +88,9 @@ int steps_to_average(double time, double time_step, std::size_t points) {
   return std::max(1, static_cast<int>(steps));
 }
 
-Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, double first_time, double time_step) {
+Sample averaged_sample(Load load, const std::vector<Averages>& stresses, double first_time, double time_step) {
   double sum = 0.0;
-  for (const auto& stress : stresses) sum += modulus_of(load, stress);
+  for (const auto& [stress, strain] : stresses) sum += modulus_of(load, stress);
   const auto count = static_cast<double>(stresses.size());
   return {first_time + 0.5 * (count - 1.0) * time_step, sum / count};
 }
@@ -102,7 +102,7 @@ void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, Domai
   constexpr double ramps_to_wait = 1.5;
   const auto points = test.discretisation.points();
   const auto start = Clock::now();
-  std::vector<PlaneStress> stresses;
+  std::vector<Averages> stresses;
   for (bool go_on = true; go_on;) {
     stresses.clear();
     const double time = solver.time();
@@ -179,7 +179,7 @@ double trial_speed(const DynamicTest& test) {
   const DomainSequence sequence(rules, bounds.lower(test.times.begin));
   auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
-  std::vector<PlaneStress> stresses;
+  std::vector<Averages> stresses;
   constexpr double trial_seconds = 0.2;
   const auto start = Clock::now();
   while (seconds_since(start) < trial_seconds) solver->advance(10, stresses);
