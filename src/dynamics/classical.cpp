@@ -104,7 +104,9 @@ void Classical::take_steps(std::int64_t first, int steps, Averages* averages) {
 /// Lets a point that has left a periodic box enter it on the opposite side.
 void Classical::bring_back(Point& point, std::int64_t step) const {
   const auto& grid = problem().discretisation.grid();
-  const auto periods = [&](double x, int cells) { return cells * static_cast<int>(std::floor(x / (cells * grid.cell_side))); };
+  const auto periods = [&](double x, int cells) {
+    return cells * static_cast<int>(std::floor(x / (cells * grid.cell_side)));
+  };
   const int columns = periods(point.position[0], grid.columns), rows = periods(point.position[1], grid.rows);
   if (columns == 0 && rows == 0) return;
   const auto velocity = load_velocity(columns, rows, step - 1);
@@ -136,11 +138,10 @@ void Classical::sort_points() {
   const auto& grid = problem().discretisation.grid();
   const auto lost = std::ranges::find(points_, -1, &Point::cell);
   if (lost != points_.end()) {
-    throw NumericalError(
-        fmt::format("dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
-                    "likely cause: too large a time step or too large an amplitude",
-                    lost->position[0] - lost->displacement[0], lost->position[1] - lost->displacement[1],
-                    steps_taken()));
+    throw NumericalError(fmt::format(
+        "dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
+        "likely cause: too large a time step or too large an amplitude",
+        lost->position[0] - lost->displacement[0], lost->position[1] - lost->displacement[1], steps_taken()));
   }
   std::ranges::stable_sort(points_, {}, &Point::cell);
   cell_begin_.assign(grid.cells() + 1, 0);

@@ -53,7 +53,8 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
   auto mass = masses_.begin();
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column, ++mass) {
-      step_over_mass(row)[column] = is_prescribed(this->problem(), column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
+      step_over_mass(row)[column] =
+          is_prescribed(this->problem(), column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
     }
   }
   row_sums_.assign(2 * static_cast<std::size_t>(grid.rows + 1), RowSums{});

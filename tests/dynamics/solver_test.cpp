@@ -62,7 +62,8 @@ TEST_P(BothFormulations, OneHomogeneousCellRelaxesExactlyInShearAndBulk) {
     };
     const bool shear = load.xy != 0.0;
     const double expected = shear ? modulus(relaxing.shear) : modulus(relaxing.bulk) + modulus(relaxing.shear) / 3.0;
-    const double found = shear ? averages.back().stress.xy : 0.5 * (averages.back().stress.xx + averages.back().stress.yy);
+    const double found =
+        shear ? averages.back().stress.xy : 0.5 * (averages.back().stress.xx + averages.back().stress.yy);
     EXPECT_NEAR(found / expected, 1.0, 1e-6);
   }
 }
