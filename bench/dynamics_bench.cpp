@@ -49,7 +49,7 @@ void steps_on_one_thread(benchmark::State& state) {
   auto problem = problem_with(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   const auto points = static_cast<double>(problem.discretisation.points());
   const auto solver = make_dynamic_solver(formulation, std::move(problem), 1);
-  std::vector<PlaneStress> stresses;
+  std::vector<Averages> stresses;
   constexpr int steps = 20;
   for (auto _ : state) {
     stresses.clear();

@@ -8,6 +8,8 @@
 
 #include "breccia/error.hpp"
 
+#include "boundary_nodes.hpp"
+
 namespace breccia::dynamics {
 namespace {
 
@@ -59,7 +61,7 @@ Classical::Classical(DynamicProblem given, int threads)
         if (material == no_material) continue;
         const auto position = discretisation.position(column, row, p);
         Point point{};
-        point.position = point.origin = position;
+        point.position = position;
         point.mass = problem().density_factor * problem().materials[material].density * point_area;
         point.material = material;
         point.cell = row * grid.columns + column;
@@ -84,14 +86,14 @@ void Classical::set_velocities(const VelocityField& velocity) {
   }
 }
 
-void Classical::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
+void Classical::take_steps(std::int64_t first, int steps, Averages* averages) {
   for (int i = 0; i < steps; ++i) {
     const auto step = first + i;
-    locate_points();
+    locate_points(step);
     extrapolate_momenta(step - 1);
     update_strains();
-    stresses[i] = average_stress();
-    find_forces();
+    averages[i] = this->averages();
+    find_forces(step);
     update_momenta(step);
     update_points();
     extrapolate_momenta(step);
@@ -99,11 +101,28 @@ void Classical::take_steps(std::int64_t first, int steps, PlaneStress* stresses)
   }
 }
 
-void Classical::locate_points() {
+/// Lets a point that has left a periodic box enter it on the opposite side.
+void Classical::bring_back(Point& point, std::int64_t step) const {
   const auto& grid = problem().discretisation.grid();
+  const auto periods = [&](double x, int cells) {
+    return cells * static_cast<int>(std::floor(x / (cells * grid.cell_side)));
+  };
+  const int columns = periods(point.position[0], grid.columns), rows = periods(point.position[1], grid.rows);
+  if (columns == 0 && rows == 0) return;
+  const auto velocity = load_velocity(columns, rows, step - 1);
+  point.position[0] -= columns * grid.cell_side;
+  point.position[1] -= rows * grid.cell_side;
+  point.velocity[0] -= velocity[0];
+  point.velocity[1] -= velocity[1];
+}
+
+void Classical::locate_points(std::int64_t step) {
+  const auto& grid = problem().discretisation.grid();
+  const bool wraps = problem().boundary == Boundary::periodic;
   bool sorted = true;
 #pragma omp parallel for num_threads(threads_) reduction(&& : sorted)
   for (auto& point : points_) {  // NOLINT(modernize-loop-convert)
+    if (wraps) bring_back(point, step);
     const double x = point.position[0] / grid.cell_side, y = point.position[1] / grid.cell_side;
     const double column = std::floor(x), row = std::floor(y);
     const bool inside = column >= 0.0 && row >= 0.0 && column < grid.columns && row < grid.rows;
@@ -119,10 +138,10 @@ void Classical::sort_points() {
   const auto& grid = problem().discretisation.grid();
   const auto lost = std::ranges::find(points_, -1, &Point::cell);
   if (lost != points_.end()) {
-    throw NumericalError(
-        fmt::format("dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
-                    "likely cause: too large a time step or too large an amplitude",
-                    lost->origin[0], lost->origin[1], steps_taken()));
+    throw NumericalError(fmt::format(
+        "dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
+        "likely cause: too large a time step or too large an amplitude",
+        lost->position[0] - lost->displacement[0], lost->position[1] - lost->displacement[1], steps_taken()));
   }
   std::ranges::stable_sort(points_, {}, &Point::cell);
   cell_begin_.assign(grid.cells() + 1, 0);
@@ -144,42 +163,41 @@ void Classical::for_nodes(Action&& action) {
 template <class Visit>
 void Classical::for_points_around(int node_column, int node_row, Visit&& visit) const {
   const auto& grid = problem().discretisation.grid();
+  const bool wraps = problem().boundary == Boundary::periodic;
   for (int node = 3; node >= 0; --node) {
     const int column = node_column - (node & 1), row = node_row - (node >> 1);
-    if (column < 0 || row < 0 || column >= grid.columns || row >= grid.rows) continue;
-    const auto cell = grid.cell_index(column, row);
+    const int first = wraps ? (column + grid.columns) % grid.columns : column;
+    const int lowest = wraps ? (row + grid.rows) % grid.rows : row;
+    if (first < 0 || lowest < 0 || first >= grid.columns || lowest >= grid.rows) continue;
+    const auto cell = grid.cell_index(first, lowest);
     for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
-      visit(points_[p], shape(static_cast<std::size_t>(node), points_[p].local));
+      visit(points_[p], shape(static_cast<std::size_t>(node), points_[p].local), column - first, row - lowest);
     }
   }
 }
 
-bool Classical::is_prescribed(int node_column, int node_row) const noexcept {
-  const auto& grid = problem().discretisation.grid();
-  return problem().boundary == Boundary::displacement &&
-         (node_column == 0 || node_row == 0 || node_column == grid.columns || node_row == grid.rows);
-}
-
 /// Velocity of the affine motion of the load between a step and the next.
 Vector<2> Classical::load_velocity(int node_column, int node_row, std::int64_t step) const {
-  const double h = problem().discretisation.grid().cell_side;
-  const auto& load = problem().load;
   const double rate = problem().amplitude * (load_at(step + 1) - load_at(step)) / problem().time_step;
-  const double x = node_column * h, y = node_row * h;
-  return {rate * (load.xx * x + load.xy * y), rate * (load.xy * x + load.yy * y)};
+  const auto affine = affine_motion(problem(), node_column, node_row);
+  return {rate * affine[0], rate * affine[1]};
 }
 
 void Classical::extrapolate_momenta(std::int64_t step) {
   for_nodes([&](Node& node, int column, int row) {
     node.mass = 0.0;
     node.momentum = {0.0, 0.0};
-    for_points_around(column, row, [&](const Point& point, const Shape& s) {
+    for_points_around(column, row, [&](const Point& point, const Shape& s, int columns_away, int rows_away) {
       const double mass = s.weight * point.mass;
       node.mass += mass;
       node.momentum[0] += mass * point.velocity[0];
       node.momentum[1] += mass * point.velocity[1];
+      if (columns_away == 0 && rows_away == 0) return;
+      const auto velocity = load_velocity(columns_away, rows_away, step);
+      node.momentum[0] += mass * velocity[0];
+      node.momentum[1] += mass * velocity[1];
     });
-    if (is_prescribed(column, row)) {
+    if (is_prescribed(problem(), column, row)) {
       const auto velocity = load_velocity(column, row, step);
       node.momentum = {node.mass * velocity[0], node.mass * velocity[1]};
     }
@@ -262,7 +280,7 @@ void Classical::update_stress(Point& point, const std::array<double, 3>& strain_
   }
 }
 
-void Classical::find_forces() {
+void Classical::find_forces(std::int64_t step) {
   const double h = problem().discretisation.grid().cell_side;
   const bool averaged = problem().volumetric == Volumetric::averaged;
   if (averaged) {
@@ -275,9 +293,15 @@ void Classical::find_forces() {
       mean_stress_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
     }
   }
+  const bool is_pulled = problem().boundary == Boundary::traction;
+  const double pull = problem().amplitude * load_at(step);
   for_nodes([&](Node& node, int column, int row) {
     node.force = {0.0, 0.0};
-    for_points_around(column, row, [&](const Point& point, const Shape& s) {
+    if (is_pulled) {
+      const auto force = traction_force(problem(), column, row);
+      node.force = {pull * force[0], pull * force[1]};
+    }
+    for_points_around(column, row, [&](const Point& point, const Shape& s, int, int) {
       const auto& [sxx, syy, sxy] = point.deviator;
       // The mean in-plane stress of averaged points works on the mean volumetric strain of the cell.
       const double pressure =
@@ -291,16 +315,17 @@ void Classical::find_forces() {
 
 void Classical::update_momenta(std::int64_t step) {
   const double dt = problem().time_step;
+  const bool follows = follows_affinely(problem());
   for_nodes([&](Node& node, int column, int row) {
     node.acceleration = {0.0, 0.0};
     if (node.mass == 0.0) return;
     const auto before = load_velocity(column, row, step - 1), after = load_velocity(column, row, step);
-    const bool prescribed = is_prescribed(column, row);
+    const bool prescribed = is_prescribed(problem(), column, row);
     for (std::size_t i = 0; i < 2; ++i) {
       double acceleration = node.force[i] / node.mass;
       if (prescribed) {
         acceleration = (after[i] - before[i]) / dt;
-      } else if (problem().boundary == Boundary::displacement && problem().start == Start::affine) {
+      } else if (follows) {
         acceleration += (after[i] - before[i]) / dt;
       }
       node.acceleration[i] = acceleration;
@@ -318,22 +343,29 @@ void Classical::update_points() {
       const double weight = shape(node, point.local).weight;
       for (std::size_t i = 0; i < 2; ++i) {
         point.velocity[i] += dt * weight * nodes_[nodes[node]].acceleration[i];
-        point.position[i] += dt * weight * nodes_[nodes[node]].velocity[i];
+        const double step = dt * weight * nodes_[nodes[node]].velocity[i];
+        point.position[i] += step;
+        point.displacement[i] += step;
       }
     }
   }
 }
 
-PlaneStress Classical::average_stress() const {
+Averages Classical::averages() const {
   const auto& grid = problem().discretisation.grid();
-  PlaneStress sum;
+  PlaneStress stress;
+  PlaneStrain strain;
   for (const auto& point : points_) {
-    sum.xx += point.pressure + point.deviator[0];
-    sum.yy += point.pressure + point.deviator[1];
-    sum.xy += point.deviator[2];
+    stress.xx += point.pressure + point.deviator[0];
+    stress.yy += point.pressure + point.deviator[1];
+    stress.xy += point.deviator[2];
+    strain.xx += point.strain[0];
+    strain.yy += point.strain[1];
+    strain.xy += 0.5 * point.strain[2];
   }
   const double scale = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * problem().amplitude);
-  return {scale * sum.xx, scale * sum.yy, scale * sum.xy};
+  return {{scale * stress.xx, scale * stress.yy, scale * stress.xy},
+          {scale * strain.xx, scale * strain.yy, scale * strain.xy}};
 }
 
 Vector<2> Classical::momentum() const {
@@ -372,8 +404,7 @@ PointFields Classical::fields() const {
     const auto i = point.lattice;
     const auto& [sxx, syy, sxy] = point.deviator;
     fields.material[i] = point.material;
-    fields.displacement[i] = {scale * (point.position[0] - point.origin[0]),
-                              scale * (point.position[1] - point.origin[1])};
+    fields.displacement[i] = {scale * point.displacement[0], scale * point.displacement[1]};
     fields.strain[i] = {scale * point.strain[0], scale * point.strain[1], 0.5 * scale * point.strain[2]};
     fields.stress[i] = {scale * (point.pressure + sxx), scale * (point.pressure + syy),
                         scale * (point.pressure - sxx - syy), scale * sxy};

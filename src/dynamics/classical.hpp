@@ -15,6 +15,8 @@ namespace breccia::dynamics {
 /// momenta.
 ///
 /// Nodes gather from the points of the cells around them in a fixed order: no result depends on the number of threads.
+/// Around the boundary nodes of a periodic box lie the cells of the opposite side, whose points differ in velocity by
+/// the affine motion of the load.
 class Classical final : public DynamicSolver {
  public:
   Classical(DynamicProblem problem, int threads);
@@ -28,7 +30,7 @@ class Classical final : public DynamicSolver {
   struct Point {
     Vector<2> position;
     Vector<2> velocity;
-    Vector<2> origin;                ///< where the point was at the start
+    Vector<2> displacement;          ///< [m], summed up apart from the position, which would round it off
     Vector<2> local;                 ///< position relative to the centre of its cell, in cell sides
     std::array<double, 3> strain;    ///< as the stress sees it: xx, yy, engineering xy
     std::array<double, 3> deviator;  ///< stress deviator xx, yy, xy [Pa]
@@ -58,13 +60,13 @@ class Classical final : public DynamicSolver {
     std::vector<TermStep> shear_terms;
   };
 
-  void take_steps(std::int64_t first, int steps, PlaneStress* stresses) override;
+  void take_steps(std::int64_t first, int steps, Averages* averages) override;
 
   // One step, in this order.
-  void locate_points();
+  void locate_points(std::int64_t step);
   void extrapolate_momenta(std::int64_t step);
   void update_strains();
-  void find_forces();
+  void find_forces(std::int64_t step);
   void update_momenta(std::int64_t step);
   void update_points();
 
@@ -72,9 +74,9 @@ class Classical final : public DynamicSolver {
   void update_stress(Point& point, const std::array<double, 3>& strain_step);
   [[nodiscard]] double mean_volumetric_step(int cell) const;
   [[nodiscard]] std::array<double, 3> strain_step(const Point& point) const;
+  void bring_back(Point& point, std::int64_t step) const;
   [[nodiscard]] Vector<2> load_velocity(int node_column, int node_row, std::int64_t step) const;
-  [[nodiscard]] bool is_prescribed(int node_column, int node_row) const noexcept;
-  [[nodiscard]] PlaneStress average_stress() const;
+  [[nodiscard]] Averages averages() const;
   [[nodiscard]] std::array<std::size_t, 4> nodes_of(int cell) const noexcept;
   template <class Visit>
   void for_points_around(int node_column, int node_row, Visit&& visit) const;

@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 
+#include "boundary_nodes.hpp"
 #include "classical.hpp"
 #include "total_lagrangian.hpp"
 
@@ -16,6 +17,7 @@ namespace breccia {
 
 DynamicSolver::DynamicSolver(DynamicProblem problem) : problem_(std::move(problem)) {
   require_stable(problem_);
+  dynamics::require_points_under_traction(problem_);
 }
 
 double DynamicSolver::load_at(std::int64_t step) const noexcept {
@@ -26,17 +28,17 @@ double DynamicSolver::time_at(std::int64_t step) const noexcept {
   return static_cast<double>(step) * problem_.time_step - 0.5 * problem_.ramp.duration();
 }
 
-void DynamicSolver::advance(int steps, std::vector<PlaneStress>& stresses) {
-  const auto before = stresses.size();
-  stresses.resize(before + static_cast<std::size_t>(steps));
-  take_steps(step_, steps, stresses.data() + before);
-  const auto finite = [](const PlaneStress& s) { return std::isfinite(s.xx + s.yy + s.xy); };
-  const auto bad = std::find_if_not(stresses.begin() + static_cast<std::ptrdiff_t>(before), stresses.end(), finite);
-  if (bad != stresses.end()) {
-    const auto step = step_ + (bad - stresses.begin()) - static_cast<std::ptrdiff_t>(before);
+void DynamicSolver::advance(int steps, std::vector<Averages>& averages) {
+  const auto before = averages.size();
+  averages.resize(before + static_cast<std::size_t>(steps));
+  take_steps(step_, steps, averages.data() + before);
+  const auto finite = [](const Averages& a) { return std::isfinite(a.stress.xx + a.stress.yy + a.stress.xy); };
+  const auto bad = std::find_if_not(averages.begin() + static_cast<std::ptrdiff_t>(before), averages.end(), finite);
+  if (bad != averages.end()) {
+    const auto step = step_ + (bad - averages.begin()) - static_cast<std::ptrdiff_t>(before);
     throw NumericalError(
         fmt::format("dynamic run: the average stress is no longer finite at step {}, {:.3e} s after the "
-                    "strain; likely cause: a time step above the stable limit",
+                    "load; likely cause: a time step above the stable limit",
                     step, time_at(step)));
   }
   step_ += steps;

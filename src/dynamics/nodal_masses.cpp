@@ -7,6 +7,18 @@
 
 namespace breccia::dynamics {
 
+namespace {
+
+void join_images(const Grid& grid, std::vector<double>& masses) {
+  const auto join = [&](std::size_t node, std::size_t image) { masses[node] = masses[image] += masses[node]; };
+  for (int row = 0; row <= grid.rows; ++row) join(grid.node_index(0, row), grid.node_index(grid.columns, row));
+  for (int column = 0; column <= grid.columns; ++column) {
+    join(grid.node_index(column, 0), grid.node_index(column, grid.rows));
+  }
+}
+
+}  // namespace
+
 std::vector<double> nodal_masses(const DynamicProblem& problem) {
   const auto& grid = problem.discretisation.grid();
   const double point_area = 0.25 * grid.cell_side * grid.cell_side;
@@ -24,6 +36,7 @@ std::vector<double> nodal_masses(const DynamicProblem& problem) {
       }
     }
   }
+  if (problem.boundary == Boundary::periodic) join_images(grid, masses);
   return masses;
 }
 

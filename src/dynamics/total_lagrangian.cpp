@@ -8,6 +8,7 @@
 #include "breccia/mpm/cell.hpp"
 
 #include "barrier.hpp"
+#include "boundary_nodes.hpp"
 #include "instruction_set.hpp"
 #include "nodal_masses.hpp"
 
@@ -19,6 +20,14 @@ namespace {
 std::size_t padded_length(int blocks_per_row) {
   const auto length = static_cast<std::size_t>(blocks_per_row + 1) * lanes;
   return length % 64 == 0 ? length + lanes : length;
+}
+
+/// Gives the nodes at both ends of a row the forces of the cells at the other end.
+void join_ends(const RowForces& forces, int columns) {
+  forces.right_x[0] = forces.right_x[columns];
+  forces.right_y[0] = forces.right_y[columns];
+  forces.left_x[columns] = forces.left_x[0];
+  forces.left_y[columns] = forces.left_y[0];
 }
 
 }  // namespace
@@ -44,10 +53,11 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
   auto mass = masses_.begin();
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column, ++mass) {
-      step_over_mass(row)[column] = is_prescribed(column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
+      step_over_mass(row)[column] =
+          is_prescribed(this->problem(), column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
     }
   }
-  row_stresses_.assign(static_cast<std::size_t>(grid.rows) * 6, 0.0);
+  row_sums_.assign(2 * static_cast<std::size_t>(grid.rows + 1), RowSums{});
   // With less to do than this a thread would mostly wait for the others.
   constexpr std::size_t points_per_thread = 8192;
   const auto useful = static_cast<int>(this->problem().discretisation.points() / points_per_thread);
@@ -58,25 +68,21 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
   }
 }
 
-bool TotalLagrangian::is_prescribed(int column, int row) const noexcept {
-  const auto& grid = problem().discretisation.grid();
-  return problem().boundary == Boundary::displacement &&
-         (column == 0 || row == 0 || column == grid.columns || row == grid.rows);
-}
-
 void TotalLagrangian::set_velocities(const VelocityField& velocity) {
   const auto& grid = problem().discretisation.grid();
+  const bool wraps = problem().boundary == Boundary::periodic;
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column) {
-      if (is_prescribed(column, row)) continue;
-      const auto v = velocity({column * grid.cell_side, row * grid.cell_side});
+      if (is_prescribed(problem(), column, row)) continue;
+      const int x = wraps ? column % grid.columns : column, y = wraps ? row % grid.rows : row;
+      const auto v = velocity({x * grid.cell_side, y * grid.cell_side});
       increment(row).x[column] = problem().time_step * v[0];
       increment(row).y[column] = problem().time_step * v[1];
     }
   }
 }
 
-void TotalLagrangian::take_steps(std::int64_t first, int steps, PlaneStress* stresses) {
+void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
   Barrier barrier;
 #pragma omp parallel num_threads(bands_.size())
   {
@@ -91,13 +97,15 @@ void TotalLagrangian::take_steps(std::int64_t first, int steps, PlaneStress* str
       for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
         join_bands(band, first + i);
       }
-      if (thread == 0) stresses[i] = average_stress(first + i);
+      if (thread == 0) averages[i] = this->averages(first + i);
       barrier.wait(threads);
     }
   }
 }
 
 void TotalLagrangian::sweep(Band& band, std::int64_t step) {
+  const auto& grid = problem().discretisation.grid();
+  auto* sums = row_sums(step);
   for (int row = band.first; row < band.end; ++row) {
     const auto below = displacement(row), above = displacement(row + 1);
     const auto step_below = increment(row), step_above = increment(row + 1);
@@ -110,11 +118,23 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step) {
                            .increment_above = {step_above.x, step_above.y},
                            .below = bottom.view(),
                            .above = band.top.view(),
-                           .stress = stress_of_row(row, step)};
+                           .stress = sums[row].stress.data()};
     if (problem().volumetric == Volumetric::averaged) {
       kernels_->cell_row_averaged(cells);
     } else {
       kernels_->cell_row_standard(cells);
+    }
+    switch (problem().boundary) {
+      case Boundary::displacement:
+        break;
+      case Boundary::traction:
+        sums[row].strain = boundary_strain(row);
+        if (row + 1 == grid.rows) sums[grid.rows].strain = boundary_strain(grid.rows);
+        break;
+      case Boundary::periodic:
+        join_ends(cells.below, grid.columns);
+        join_ends(cells.above, grid.columns);
+        break;
     }
     if (row > band.first) move_row(row, band.highest.view(), bottom.view(), step);
     std::swap(band.top, band.highest);
@@ -122,9 +142,17 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step) {
 }
 
 void TotalLagrangian::join_bands(std::size_t band, std::int64_t step) {
+  const bool wraps = problem().boundary == Boundary::periodic;
   auto& own = bands_[band];
-  move_row(own.first, band > 0 ? bands_[band - 1].highest.view() : nothing_.view(), own.lowest.view(), step);
-  if (band + 1 == bands_.size()) move_row(own.end, own.highest.view(), nothing_.view(), step);
+  if (band > 0) {
+    move_row(own.first, bands_[band - 1].highest.view(), own.lowest.view(), step);
+  } else if (wraps) {
+    move_row(0, bands_.back().highest.view(), own.lowest.view(), step);
+    copy_lowest_row(step);
+  } else {
+    move_row(0, nothing_.view(), own.lowest.view(), step);
+  }
+  if (band + 1 == bands_.size() && !wraps) move_row(own.end, own.highest.view(), nothing_.view(), step);
 }
 
 void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above,
@@ -138,25 +166,35 @@ void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const
                       .step_over_mass = step_over_mass(row),
                       .from_cells_below = from_cells_below,
                       .from_cells_above = from_cells_above});
-  if (problem().boundary == Boundary::displacement && load_at(step - 1) < 1.0) follow_load(row, step);
+  switch (problem().boundary) {
+    case Boundary::displacement:
+      if (load_at(step - 1) < 1.0) follow_load(row, step);
+      break;
+    case Boundary::traction:
+      add_traction(row, step);
+      break;
+    case Boundary::periodic:
+      if (load_at(step - 1) < 1.0) follow_load(row, step);
+      close_row(row, step);
+      break;
+  }
 }
 
 void TotalLagrangian::follow_load(int row, std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const auto& load = problem().load;
+  const bool all_follow = follows_affinely(problem());
   const double now = load_at(step);
   const double next = load_at(step + 1);
   const double acceleration = next - 2.0 * now + load_at(step - 1);
   const auto u = displacement(row), du = increment(row);
   for (int column = 0; column <= grid.columns; ++column) {
-    const double x = column * grid.cell_side, y = row * grid.cell_side;
-    const Vector<2> affine = {load.xx * x + load.xy * y, load.xy * x + load.yy * y};
-    if (is_prescribed(column, row)) {
+    const auto affine = affine_motion(problem(), column, row);
+    if (is_prescribed(problem(), column, row)) {
       u.x[column] = next * affine[0];
       u.y[column] = next * affine[1];
       du.x[column] = (next - now) * affine[0];
       du.y[column] = (next - now) * affine[1];
-    } else if (problem().start == Start::affine) {
+    } else if (all_follow) {
       u.x[column] += acceleration * affine[0];
       u.y[column] += acceleration * affine[1];
       du.x[column] += acceleration * affine[0];
@@ -165,23 +203,88 @@ void TotalLagrangian::follow_load(int row, std::int64_t step) {
   }
 }
 
-double* TotalLagrangian::stress_of_row(int row, std::int64_t step) {
-  const auto half = row_stresses_.size() / 2;
-  return row_stresses_.data() + (step % 2 == 0 ? 0 : half) + 3 * static_cast<std::size_t>(row);
+void TotalLagrangian::add_traction(int row, std::int64_t step) {
+  const auto& grid = problem().discretisation.grid();
+  const double now = load_at(step);
+  const auto u = displacement(row), du = increment(row);
+  for_boundary_nodes(grid, row, [&](int column) {
+    const auto force = traction_force(problem(), column, row);
+    const double scale = now * step_over_mass(row)[column];
+    u.x[column] += scale * force[0];
+    u.y[column] += scale * force[1];
+    du.x[column] += scale * force[0];
+    du.y[column] += scale * force[1];
+  });
 }
 
-PlaneStress TotalLagrangian::average_stress(std::int64_t step) const {
+/// Makes the last node of a row the image of the first.
+void TotalLagrangian::close_row(int row, std::int64_t step) {
+  const int last = problem().discretisation.grid().columns;
+  const auto across = affine_motion(problem(), last, 0);
+  const double next = load_at(step + 1), rise = next - load_at(step);
+  const auto u = displacement(row), du = increment(row);
+  u.x[last] = u.x[0] + next * across[0];
+  u.y[last] = u.y[0] + next * across[1];
+  du.x[last] = du.x[0] + rise * across[0];
+  du.y[last] = du.y[0] + rise * across[1];
+}
+
+/// Makes the highest row of nodes the image of the lowest.
+void TotalLagrangian::copy_lowest_row(std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const auto half = row_stresses_.size() / 2;
-  const double* row = row_stresses_.data() + (step % 2 == 0 ? 0 : half);
-  PlaneStress sum;
-  for (int j = 0; j < grid.rows; ++j, row += 3) {
-    sum.xx += row[0];
-    sum.yy += row[1];
-    sum.xy += row[2];
+  const auto up = affine_motion(problem(), 0, grid.rows);
+  const double next = load_at(step + 1), rise = next - load_at(step);
+  const auto from_u = displacement(0), from_du = increment(0);
+  const auto u = displacement(grid.rows), du = increment(grid.rows);
+  for (int column = 0; column <= grid.columns; ++column) {
+    u.x[column] = from_u.x[column] + next * up[0];
+    u.y[column] = from_u.y[column] + next * up[1];
+    du.x[column] = from_du.x[column] + rise * up[0];
+    du.y[column] = from_du.y[column] + rise * up[1];
   }
-  const double scale = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * grid.cell_side);
-  return {scale * sum.xx, scale * sum.yy, scale * sum.xy};
+}
+
+/// Share of a row of nodes in the integral of sym(u n) over the boundary [m^2].
+PlaneStrain TotalLagrangian::boundary_strain(int row) const {
+  const auto& grid = problem().discretisation.grid();
+  PlaneStrain sum;
+  for_boundary_nodes(grid, row, [&](int column) {
+    const auto side = outward_side(grid, column, row);
+    const double u = field(row, 0)[column], v = field(row, 1)[column];
+    sum.xx += u * side[0];
+    sum.yy += v * side[1];
+    sum.xy += 0.5 * (u * side[1] + v * side[0]);
+  });
+  return sum;
+}
+
+TotalLagrangian::RowSums* TotalLagrangian::row_sums(std::int64_t step) noexcept {
+  return row_sums_.data() + (step % 2 == 0 ? 0 : row_sums_.size() / 2);
+}
+
+Averages TotalLagrangian::averages(std::int64_t step) {
+  const auto& grid = problem().discretisation.grid();
+  PlaneStress stress;
+  PlaneStrain strain;
+  const auto* sums = row_sums(step);
+  for (int row = 0; row <= grid.rows; ++row) {
+    stress.xx += sums[row].stress[0];
+    stress.yy += sums[row].stress[1];
+    stress.xy += sums[row].stress[2];
+    strain.xx += sums[row].strain.xx;
+    strain.yy += sums[row].strain.yy;
+    strain.xy += sums[row].strain.xy;
+  }
+  const double per_point = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * grid.cell_side);
+  const double per_area = 1.0 / grid.area();
+  Averages averages = {{per_point * stress.xx, per_point * stress.yy, per_point * stress.xy},
+                       {per_area * strain.xx, per_area * strain.yy, per_area * strain.xy}};
+  if (problem().boundary != Boundary::traction) {
+    const auto& load = problem().load;
+    const double now = load_at(step);
+    averages.strain = {now * load.xx, now * load.yy, now * load.xy};
+  }
+  return averages;
 }
 
 Vector<2> TotalLagrangian::momentum() const {
@@ -190,6 +293,7 @@ Vector<2> TotalLagrangian::momentum() const {
   auto mass = masses_.begin();
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column, ++mass) {
+      if (is_image(problem(), column, row)) continue;
       sum[0] += *mass * field(row, 2)[column] / problem().time_step;
       sum[1] += *mass * field(row, 3)[column] / problem().time_step;
     }
@@ -214,6 +318,7 @@ Energy TotalLagrangian::energy() const {
   auto mass = masses_.begin();
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column, ++mass) {
+      if (is_image(problem(), column, row)) continue;
       const double vx = field(row, 2)[column] / problem().time_step, vy = field(row, 3)[column] / problem().time_step;
       energy.kinetic += 0.5 * *mass * (vx * vx + vy * vy);
     }

@@ -18,6 +18,9 @@ namespace breccia::dynamics {
 ///
 /// Rows are dealt to threads in bands. The row of nodes between two bands moves after both are done, from the same two
 /// sums as any other row, so results do not depend on the number of threads.
+///
+/// Opposite nodes of a periodic box move as one: the forces at the ends of a row are added crosswise, the lowest row of
+/// nodes takes the forces of the highest row of cells, too, and images are copies but for the affine motion.
 class TotalLagrangian final : public DynamicSolver {
  public:
   TotalLagrangian(DynamicProblem problem, int threads);
@@ -49,13 +52,23 @@ class TotalLagrangian final : public DynamicSolver {
     ForceRow highest;  ///< of the row of cells below: what is carried to the present row's lower nodes
   };
 
-  void take_steps(std::int64_t first, int steps, PlaneStress* stresses) override;
+  /// What a row of cells, and the row of nodes below it, adds to the averages.
+  struct RowSums {
+    std::array<double, 3> stress;
+    PlaneStrain strain;
+  };
+
+  void take_steps(std::int64_t first, int steps, Averages* averages) override;
   void sweep(Band& band, std::int64_t step);
   void join_bands(std::size_t band, std::int64_t step);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
   void follow_load(int row, std::int64_t step);
-  [[nodiscard]] PlaneStress average_stress(std::int64_t step) const;
-  [[nodiscard]] double* stress_of_row(int row, std::int64_t step);
+  void add_traction(int row, std::int64_t step);
+  void close_row(int row, std::int64_t step);
+  void copy_lowest_row(std::int64_t step);
+  [[nodiscard]] PlaneStrain boundary_strain(int row) const;
+  [[nodiscard]] Averages averages(std::int64_t step);
+  [[nodiscard]] RowSums* row_sums(std::int64_t step) noexcept;
 
   [[nodiscard]] Row displacement(int row) noexcept { return {field(row, 0), field(row, 1)}; }
   [[nodiscard]] Row increment(int row) noexcept { return {field(row, 2), field(row, 3)}; }
@@ -67,7 +80,6 @@ class TotalLagrangian final : public DynamicSolver {
     return nodes_.data() + (static_cast<std::size_t>(row) * 5 + static_cast<std::size_t>(which)) * stride_;
   }
   [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
-  [[nodiscard]] bool is_prescribed(int column, int row) const noexcept;
 
   const KernelTable* kernels_;
   BlockLayout layout_;
@@ -76,7 +88,7 @@ class TotalLagrangian final : public DynamicSolver {
   std::vector<double> masses_;
   ForceRow nothing_;
   std::vector<Band> bands_;
-  std::vector<double> row_stresses_;  ///< of the present and the next step, in turn
+  std::vector<RowSums> row_sums_;  ///< by row of nodes, of the present and the next step in turn
 };
 
 }  // namespace breccia::dynamics

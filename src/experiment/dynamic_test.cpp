@@ -11,6 +11,8 @@
 #include "breccia/error.hpp"
 #include "breccia/experiment/modulus_bounds.hpp"
 #include "breccia/experiment/time_domains.hpp"
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
 
 namespace breccia {
 namespace {
@@ -58,8 +60,10 @@ Preparation prepare(const DynamicTest& test, const DomainRules& rules, const She
   // A factor that falls again is valid long before its window begins. The composite is stiffer during the ramp.
   const double transit = std::min(begin / (2.0 * there_and_back_transits),
                                   rules.transit(domain.density_factor, bounds.lower(early * begin)));
-  domain.ramp = test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor)
-                                       : test.options.ramp_transits * transit;
+  const double ramp_transits =
+      test.boundary == Boundary::traction ? test.options.creep_ramp_transits : test.options.ramp_transits;
+  domain.ramp =
+      test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor) : ramp_transits * transit;
   constexpr double most_steps = 1e10;
   if (!(end / domain.time_step < most_steps)) {
     throw NumericalError(
@@ -73,7 +77,7 @@ Preparation prepare(const DynamicTest& test, const DomainRules& rules, const She
                             .volumetric = test.options.volumetric,
                             .density_factor = domain.density_factor,
                             .time_step = domain.time_step,
-                            .boundary = Boundary::displacement,
+                            .boundary = test.boundary,
                             .load = unit_strain(test.load),
                             .ramp = StrainRamp(domain.ramp),
                             .start = test.options.start};
@@ -88,32 +92,46 @@ int steps_to_average(double time, double time_step, std::size_t points) {
   return std::max(1, static_cast<int>(steps));
 }
 
-Sample averaged_sample(Load load, const std::vector<PlaneStress>& stresses, double first_time, double time_step) {
+/// What the mean of a few steps tells: the modulus, or under a traction boundary 1 / J.
+Sample averaged_sample(const DynamicTest& test, const std::vector<Averages>& steps, double first_time,
+                       double time_step) {
+  const bool creeps = test.boundary == Boundary::traction;
   double sum = 0.0;
-  for (const auto& stress : stresses) sum += modulus_of(load, stress);
-  const auto count = static_cast<double>(stresses.size());
-  return {first_time + 0.5 * (count - 1.0) * time_step, sum / count};
+  for (const auto& [stress, strain] : steps) {
+    sum += creeps ? compliance_of(test.load, strain) : modulus_of(test.load, stress);
+  }
+  const auto count = static_cast<double>(steps.size());
+  const double mean = sum / count;
+  return {first_time + 0.5 * (count - 1.0) * time_step, creeps ? 1.0 / mean : mean};
 }
+
+/// Ramp durations from its midpoint after which what is measured is the answer to a step.
+double ramps_to_wait(Boundary boundary) {
+  return boundary == Boundary::traction ? 1.0 : 1.5;
+}
+
+/// Told how far a domain is, and the time that it has reached.
+using DomainReport = std::function<void(const TimeDomain&, double)>;
 
 /// Runs until the sequence has seen enough.
 void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, DomainSequence& sequence,
-                DynamicSolver& solver, TimeDomain& domain, const std::function<void(const TimeDomain&)>& report) {
-  // While the strain is ramped, and shortly after, the stress is no relaxation modulus.
-  constexpr double ramps_to_wait = 1.5;
+                DynamicSolver& solver, TimeDomain& domain, const DomainReport& report) {
+  const bool creeps = test.boundary == Boundary::traction;
   const auto points = test.discretisation.points();
   const auto start = Clock::now();
-  std::vector<PlaneStress> stresses;
+  std::vector<Averages> steps;
   for (bool go_on = true; go_on;) {
-    stresses.clear();
+    steps.clear();
     const double time = solver.time();
-    solver.advance(steps_to_average(std::max(time, sequence.expected_begin()), domain.time_step, points), stresses);
-    const auto& sample = domain.history.emplace_back(averaged_sample(test.load, stresses, time, domain.time_step));
+    solver.advance(steps_to_average(std::max(time, sequence.expected_begin()), domain.time_step, points), steps);
+    const auto sample = averaged_sample(test, steps, time, domain.time_step);
+    if (!creeps || time >= 0.5 * domain.ramp) domain.history.push_back(sample);
     domain.steps = solver.steps_taken();
     domain.seconds = seconds_since(start);
     // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
     const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
-    go_on = sample.time <= ramps_to_wait * domain.ramp || sequence.observe(sample.time, shear_modulus);
-    if (report) report(domain);
+    go_on = sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
+    report(domain, sample.time);
   }
 }
 
@@ -136,11 +154,14 @@ std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
   return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
 }
 
-void cut(TimeDomain& domain, const DomainSequence& sequence, bool first) {
-  domain.window = sequence.window().value_or(TimeWindow{});
-  // Nearly all of a window that begins earlier than needed is known better from the domain before.
-  if (!first)
-    domain.window.begin = std::max(domain.window.begin, std::min(sequence.expected_begin(), domain.window.end));
+/// The window of a domain as far as it is wanted. Only the first domain may be valid earlier than expected without the
+/// times before being known better from another.
+TimeWindow window_wanted(const DomainSequence& sequence) {
+  auto window = sequence.window().value_or(TimeWindow{});
+  if (!sequence.is_first()) {
+    window.begin = std::max(window.begin, std::min(sequence.expected_begin(), window.end));
+  }
+  return window;
 }
 
 }  // namespace
@@ -163,7 +184,7 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
     constexpr double increase = 1.01;
     double time = std::min(0.5 * sequence.expected_begin(), test.times.end);
     while (sequence.observe(time, bounds.estimate(time))) time *= increase;
-    cut(domain, sequence, plan.domains.empty());
+    domain.window = window_wanted(sequence);
     domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
     plan.bytes = std::max(plan.bytes, memory_of(test, domain.terms));
     plan.domains.push_back(std::move(domain));
@@ -179,13 +200,29 @@ double trial_speed(const DynamicTest& test) {
   const DomainSequence sequence(rules, bounds.lower(test.times.begin));
   auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
-  std::vector<PlaneStress> stresses;
+  std::vector<Averages> averages;
   constexpr double trial_seconds = 0.2;
   const auto start = Clock::now();
-  while (seconds_since(start) < trial_seconds) solver->advance(10, stresses);
+  while (seconds_since(start) < trial_seconds) solver->advance(10, averages);
   return static_cast<double>(test.discretisation.points()) * static_cast<double>(solver->steps_taken()) /
          seconds_since(start);
 }
+
+namespace {
+
+/// From 1 / J to the compliance, and on to the relaxation modulus.
+void convert_creep(DynamicTestResult& result) {
+  std::vector<double> times, compliances;
+  for (const auto& [time, reciprocal] : result.curve) {
+    times.push_back(time);
+    compliances.push_back(1.0 / reciprocal);
+    result.compliance.push_back({time, 1.0 / reciprocal});
+  }
+  const auto series = relaxation_modulus(fit_creep(times, compliances).compliance);
+  for (auto& [time, modulus] : result.curve) modulus = series.at(time);
+}
+
+}  // namespace
 
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer) {
   require_complete(test);
@@ -193,24 +230,23 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   const ShearModulusBounds bounds(test.discretisation, test.materials);
   DomainSequence sequence(rules, bounds.lower(test.times.begin));
   const auto points = static_cast<double>(test.discretisation.points());
-  const double decades = std::log(test.times.end / test.times.begin);
+  const double log_range = std::log(test.times.end / test.times.begin);
   double furthest = test.times.begin;
   DynamicTestResult result;
   for (;;) {
     auto [problem, domain] = prepare(test, rules, bounds, sequence);
     const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
-    run_domain(test, bounds, sequence, *solver, domain, [&](const TimeDomain& running) {
+    run_domain(test, bounds, sequence, *solver, domain, [&](const TimeDomain& running, double time) {
       if (!observer.progress) return;
-      const double time = running.history.back().time;
       furthest = std::max(furthest, time);
       const double done = std::log(furthest / test.times.begin);
       observer.progress({.domain = result.domains.size(),
                          .density_factor = running.density_factor,
                          .time = time,
-                         .share = decades > 0.0 ? std::min(1.0, done / decades) : 0.0,
+                         .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
                          .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
     });
-    cut(domain, sequence, result.domains.empty());
+    domain.window = window_wanted(sequence);
     result.domains.push_back(std::move(domain));
     if (observer.finished) observer.finished(result.domains.back());
     if (sequence.is_complete()) {
@@ -221,6 +257,7 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   }
   result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
+  if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
 }
 

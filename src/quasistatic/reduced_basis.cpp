@@ -48,7 +48,7 @@ double ReducedBasis::reference_energy(const PartForces& forces, const Field& dis
 /// Makes a vector orthonormal to the others. False when nothing is left of it.
 bool ReducedBasis::normalise(Field& vector) const {
   constexpr double nothing = 1e-13;
-  const double before = work(box_->forces(parts_->with(reference_), load_, vector), vector);
+  double before = work(box_->forces(parts_->with(reference_), load_, vector), vector);
   // Twice is enough (Giraud, Langou and Rozloznik 2005).
   for (int pass = 0; pass < 2; ++pass) {
     for (std::size_t i = 0; i < vectors_.size(); ++i) {
@@ -57,6 +57,7 @@ bool ReducedBasis::normalise(Field& vector) const {
     const double energy = work(box_->forces(parts_->with(reference_), load_, vector), vector);
     if (!(energy > nothing * before)) return false;
     vector.scale(1.0 / std::sqrt(energy));
+    before = 1.0;
   }
   return true;
 }

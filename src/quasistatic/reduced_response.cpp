@@ -63,7 +63,8 @@ double ReducedResponse::error_estimate(const Moduli& matrix) const {
   Eigen::VectorXd residual(residual_products.rows());
   residual << weights, matrix.shear * weights, matrix.bulk * weights, -1.0;
   const double squared = std::max(0.0, residual.dot(residual_products * residual));
-  return residual_scale * squared / load_forces.dot(weights);
+  // The error of e' K^-1 e is r' K^-1 r. What is left of r is held by the matrix, as stiff as its shear modulus.
+  return residual_scale * squared / (matrix.shear * load_forces.dot(weights));
 }
 
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix) {

@@ -64,18 +64,22 @@ double modulus_of(const ElasticBox& box, const ReducedBasis& basis, const std::v
   return box.boundary() == Boundary::traction ? 1.0 / energy : energy;
 }
 
-/// Where on the path an estimate that has not been calibrated yet is largest over all loads.
-Moduli worst_on(std::span<const Moduli> path, const std::vector<ReducedBasis>& bases) {
-  double largest = -1.0;
-  Moduli worst{};
-  for (const auto& moduli : path) {
-    for (const auto& basis : bases) {
-      auto response = basis.response();
-      response.residual_scale = 1.0;
+/// Where on the path an error is expected to be largest.
+struct Worst {
+  Moduli moduli{};
+  double estimate = -1.0;
+};
+
+/// Over all loads, with the ratios of error to residual found so far.
+Worst worst_on(std::span<const Moduli> path, const std::vector<ReducedBasis>& bases,
+               const std::vector<double>& scales) {
+  Worst worst;
+  for (std::size_t l = 0; l < bases.size(); ++l) {
+    auto response = bases[l].response();
+    response.residual_scale = scales[l] > 0.0 ? scales[l] : 1.0;
+    for (const auto& moduli : path) {
       const double estimate = response.error_estimate(moduli);
-      if (estimate <= largest) continue;
-      largest = estimate;
-      worst = moduli;
+      if (estimate > worst.estimate) worst = {moduli, estimate};
     }
   }
   return worst;
@@ -110,8 +114,11 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
         auto response = bases[l].response();
         response.residual_scale = 1.0;
         relative = std::abs(response.modulus(at) / modulus_of(box, bases[l], moduli, solution) - 1.0);
-        const double uncalibrated = response.error_estimate(at);
-        if (uncalibrated > 0.0) scales[l] = std::max(scales[l], relative / uncalibrated);
+        // Far below the tolerance an error tells of the linear solver, not of the basis.
+        constexpr double telling = 0.1;
+        if (relative > telling * options.tolerance || scales[l] == 0.0) {
+          scales[l] = std::max(scales[l], relative / std::max(response.error_estimate(at), 1e-300));
+        }
         error = std::max(error, relative);
       }
       measured[l].push_back(relative);
@@ -125,14 +132,16 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   for (const auto& end : {path.front(), path.back()}) {
     if (end.bulk != middle.bulk || end.shear != middle.shear) add_snapshot(end, false);
   }
-  while (path.size() > 1 && error > options.tolerance) {
+  auto worst = worst_on(path, bases, scales);
+  while (path.size() > 1 && std::max(error, worst.estimate) > options.tolerance) {
     if (snapshots == options.most_snapshots) {
       throw NumericalError(
           fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
                       "or solver = \"stepping\" may serve",
                       error, options.most_snapshots, options.tolerance));
     }
-    add_snapshot(worst_on(path, bases), true);
+    add_snapshot(worst.moduli, true);
+    worst = worst_on(path, bases, scales);
   }
 
   SampledResponses sampled;

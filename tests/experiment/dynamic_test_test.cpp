@@ -12,21 +12,14 @@
 #include "breccia/error.hpp"
 #include "breccia/experiment/modulus_bounds.hpp"
 
+#include "experiment/composites.hpp"
+
 namespace breccia {
 namespace {
 
-// Table 1 of the paper.
-const Material binder = {"binder", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})};
-const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
-
-/// The paper's Fig. 2: a box of 6 mm with four discs of 2 mm.
-Discretisation model_composite(int cells) {
-  Microstructure four_discs = {6e-3, Walls::hard, {}};
-  for (const double x : {1.5e-3, 4.5e-3}) {
-    for (const double y : {1.5e-3, 4.5e-3}) four_discs.discs.push_back({{x, y}, 2e-3});
-  }
-  return discretise(four_discs, cells);
-}
+using testing_composites::binder;
+using testing_composites::model_composite;
+using testing_composites::particle;
 
 DynamicTest relaxation(Discretisation discretisation, std::vector<Material> materials, TimeWindow times) {
   return {.discretisation = std::move(discretisation), .materials = std::move(materials), .times = times};
@@ -54,6 +47,45 @@ TEST(RunDynamicTest, BulkLoadGivesThePlaneStrainBulkModulus) {
   test.load = Load::bulk;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
     EXPECT_NEAR(modulus / (relaxing_bulk.bulk.at(time) + relaxing_bulk.shear.at(time) / 3.0), 1.0, 1e-3);
+  }
+}
+
+TEST(RunDynamicTest, HomogeneousPeriodicBoxRelaxesAsItsMaterial) {
+  auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.05});
+  test.boundary = Boundary::periodic;
+  for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
+    EXPECT_NEAR(modulus / (0.5e6 * std::exp(-time / 0.01)), 1.0, 1e-3) << "at " << time;
+  }
+}
+
+DynamicTest creep(Discretisation discretisation, std::vector<Material> materials, TimeWindow times) {
+  auto test = relaxation(std::move(discretisation), std::move(materials), times);
+  test.boundary = Boundary::traction;
+  return test;
+}
+
+TEST(RunDynamicTest, HomogeneousBoxCreepsAsItsMaterial) {
+  // A Maxwell element flows: J = (1 + t / tau) / G.
+  const auto result = run_dynamic_test(creep(model_composite(24), {binder, binder}, {1e-3, 0.05}));
+  for (const auto& [time, compliance] : result.compliance) {
+    EXPECT_NEAR(compliance * 0.5e6 / (1.0 + time / 0.01), 1.0, 3e-3) << "at " << time;
+  }
+  for (const auto& [time, modulus] : result.curve) {
+    if (time > 0.02) break;  // later G hardly shows in J
+    EXPECT_NEAR(modulus / (0.5e6 * std::exp(-time / 0.01)), 1.0, 0.03) << "at " << time;
+  }
+}
+
+TEST(RunDynamicTest, AnElasticBoxUnderTractionHardlyRings) {
+  // Nothing damps it: what its free boundary rings with is what the ramp lets through.
+  const Material elastic = {"elastic", 1000.0, PronySeries(1e6), PronySeries(0.5e6)};
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    auto test = creep(model_composite(24), {elastic, elastic}, {1e-3, 0.02});
+    test.load = load;
+    const double expected = load == Load::bulk ? 1e6 + 0.5e6 / 3.0 : 0.5e6;
+    for (const auto& [time, compliance] : run_dynamic_test(test).compliance) {
+      EXPECT_NEAR(compliance * expected, 1.0, 0.01) << "at " << time;
+    }
   }
 }
 

@@ -16,7 +16,8 @@ enum class Formulation {
   classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
 };
 
-/// What moves while the strain is ramped.
+/// What moves while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary that
+/// could move first. Under a traction boundary nothing is made to move.
 enum class Start {
   boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
   affine     ///< the whole field
@@ -30,7 +31,7 @@ class StrainRamp {
   /// Duration T [s]; a ramp of duration 0 is a step. Throws InputError when negative.
   explicit StrainRamp(double duration = 0.0);
   [[nodiscard]] double duration() const noexcept { return duration_; }
-  /// Share of the strain reached at time t [s], 0 to 1.
+  /// Share of the load reached at time t [s], 0 to 1.
   [[nodiscard]] double at(double t) const noexcept;
 
  private:
@@ -45,7 +46,9 @@ struct DynamicProblem {
   double density_factor = 1.0;  ///< multiplies all masses [-]
   double time_step = 0.0;       ///< [s]; at most stable_time_step
   Boundary boundary = Boundary::displacement;
-  PlaneStrain load = {};  ///< strain at the end of the ramp [-]
+  /// At the end of the ramp: mean strain [-]; under a traction boundary half the stress of the traction [Pa], so that
+  /// unit_strain(load) stands for a unit load under either. Without a load a traction boundary is free.
+  PlaneStrain load = {};
   StrainRamp ramp = StrainRamp();
   Start start = Start::boundary;
   /// Factor on the load with which the points of the classical formulation really move [-].
@@ -59,6 +62,8 @@ struct DynamicProblem {
 double stable_time_step(const Discretisation& discretisation, const std::vector<Material>& materials,
                         Volumetric volumetric, double density_factor);
 
+/// The same for the time step of every boundary: a node that stands for two or four of a periodic box has the mass and
+/// the stiffness of them all, and restrained nodes only lower the eigenvalues.
 /// Throws InputError when the time step of the problem is not positive or above the stable one, naming both.
 void require_stable(const DynamicProblem& problem);
 

@@ -10,6 +10,14 @@
 
 namespace breccia {
 
+/// Volume averages, per unit of the load.
+struct Averages {
+  PlaneStress stress;  ///< [Pa]
+  PlaneStrain strain;  ///< that of the boundary's displacement, sym(u n) integrated over it and divided by the area [-]
+
+  friend bool operator==(const Averages&, const Averages&) = default;
+};
+
 /// Fields at the material points, per unit of the load. Points come in rows of the lattice with spacing h/2, from the
 /// lower left corner: a cell's points lie in two neighbouring rows.
 struct PointFields {
@@ -38,9 +46,9 @@ class DynamicSolver {
   DynamicSolver(DynamicSolver&&) = delete;
   DynamicSolver& operator=(DynamicSolver&&) = delete;
 
-  /// Takes steps and appends, for each, the volume-averaged stress [Pa per unit load] at the time where the step
-  /// begins. Throws NumericalError when the stress is no longer finite.
-  void advance(int steps, std::vector<PlaneStress>& stresses);
+  /// Takes steps and appends, for each, the averages at the time where the step begins.
+  /// Throws NumericalError when the stress is no longer finite.
+  void advance(int steps, std::vector<Averages>& averages);
 
   /// Time where the next step begins [s], counted from the midpoint of the ramp.
   [[nodiscard]] double time() const noexcept { return time_at(step_); }
@@ -54,7 +62,8 @@ class DynamicSolver {
   [[nodiscard]] virtual PointFields fields() const = 0;
 
  protected:
-  /// Throws InputError when the problem is incomplete or its time step not stable.
+  /// Throws InputError when the problem is incomplete or its time step not stable, or when the traction of a load would
+  /// act where the box has no points.
   explicit DynamicSolver(DynamicProblem problem);
 
   [[nodiscard]] const DynamicProblem& problem() const noexcept { return problem_; }
@@ -65,8 +74,8 @@ class DynamicSolver {
   void require_elastic() const;
 
  private:
-  /// Takes steps from `first` on, storing the average stress where each begins.
-  virtual void take_steps(std::int64_t first, int steps, PlaneStress* stresses) = 0;
+  /// Takes steps from `first` on, storing the averages where each begins.
+  virtual void take_steps(std::int64_t first, int steps, Averages* averages) = 0;
 
   DynamicProblem problem_;
   std::int64_t step_ = 0;

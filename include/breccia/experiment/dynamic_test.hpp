@@ -12,10 +12,11 @@
 
 namespace breccia {
 
-/// What a dynamic relaxation test is made on.
+/// What a dynamic test is made on: relaxation under a displacement or periodic boundary, creep under a traction one.
 struct DynamicTest {
   Discretisation discretisation;
   std::vector<Material> materials;  ///< by MaterialIndex
+  Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
   TimeWindow times;            ///< wanted [s]
   int points_per_decade = 20;  ///< of the stitched curve
@@ -27,13 +28,15 @@ struct DynamicTest {
 struct TimeDomain {
   double density_factor = 1.0;
   double time_step = 0.0;  ///< [s]
-  double ramp = 0.0;       ///< duration of the strain ramp [s]
+  double ramp = 0.0;       ///< duration of the ramp [s]
   TimeWindow window;       ///< where it is valid [s]
   std::int64_t steps = 0;
   std::size_t terms = 0;         ///< Prony terms with state in the material that has most
   double reduction_error = 0.0;  ///< bound on the relative error of the materials' moduli by leaving out the others [-]
   double seconds = 0.0;          ///< wall time
-  Curve history;                 ///< all of it, from the start of the ramp; each sample is a mean over a few steps
+  /// The modulus from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from its end on.
+  /// Each sample is a mean over a few steps.
+  Curve history;
 
   [[nodiscard]] double point_steps_per_second(std::size_t points) const {
     return static_cast<double>(points) * static_cast<double>(steps) / seconds;
@@ -49,7 +52,8 @@ struct Overlap {
 struct DynamicTestResult {
   std::vector<TimeDomain> domains;
   std::vector<Overlap> overlaps;
-  Curve curve;         ///< stitched, at logarithmic times
+  Curve curve;         ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
+  Creep compliance;    ///< creep compliance at the same times, stitched, of a traction boundary alone
   PointFields fields;  ///< at the end of the last domain
 };
 

@@ -52,6 +52,7 @@ class DomainSequence {
   /// Throws NumericalError when the first domain becomes valid only after the first time requested.
   [[nodiscard]] bool observe(double time, double modulus);
 
+  [[nodiscard]] bool is_first() const noexcept { return is_first_; }
   [[nodiscard]] bool is_complete() const noexcept { return complete_; }
   /// Goes on to the next domain.
   /// Throws NumericalError when the present one never was valid, or no given factor is left, naming times and factors.

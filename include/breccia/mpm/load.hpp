@@ -31,6 +31,12 @@ constexpr double modulus_of(Load load, const PlaneStress& stress) noexcept {
   return stress.xx * strain.xx + stress.yy * strain.yy + 2.0 * stress.xy * strain.xy;
 }
 
+/// Compliance [1/Pa] that a strain under the traction of the stress 2 unit_strain(load) [1 Pa] tells.
+constexpr double compliance_of(Load load, const PlaneStrain& strain) noexcept {
+  const auto unit = unit_strain(load);
+  return 2.0 * (strain.xx * unit.xx + strain.yy * unit.yy + 2.0 * strain.xy * unit.xy);
+}
+
 /// What holds the box.
 enum class Boundary {
   displacement,  ///< nodes on the boundary follow the affine motion of the load: an upper bound

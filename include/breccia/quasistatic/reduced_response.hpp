@@ -32,7 +32,7 @@ struct ReducedResponse {
   Eigen::VectorXd load_forces;   ///< e, r; the compliance is e' K^-1 e
   /// Scalar products of the residual's parts A v, B v, C v (of r vectors each) and the load.
   Eigen::MatrixXd residual_products;
-  double residual_scale = 0.0;  ///< relative error over squared residual and modulus, where it was measured
+  double residual_scale = 0.0;  ///< largest ratio of a measured error to what the residual tells
   std::vector<Snapshot> snapshots;
 
   /// Modulus of the composite [Pa] with an elastic matrix.
