@@ -85,8 +85,8 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
-  // Sums of rows are put together at the end of a chunk, which bounds what there is to store.
-  constexpr int most_sums = 1 << 18;
+  // Sums of rows are put together at the end of a chunk; few enough to leave the caches to the nodes.
+  constexpr int most_sums = 1 << 10;
   const int chunk = std::max(1, most_sums / (problem().discretisation.grid().rows + 1));
   for (int done = 0; done < steps; done += chunk) {
     take_chunk(first + done, std::min(chunk, steps - done), averages + done);
@@ -207,25 +207,27 @@ void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const
 
 void TotalLagrangian::follow_load(int row, std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const bool all_follow = follows_affinely(problem());
   const double now = load_at(step);
   const double next = load_at(step + 1);
-  const double acceleration = next - 2.0 * now + load_at(step - 1);
   const auto u = displacement(row), du = increment(row);
-  for (int column = 0; column <= grid.columns; ++column) {
-    const auto affine = affine_motion(problem(), column, row);
-    if (is_prescribed(problem(), column, row)) {
-      u.x[column] = next * affine[0];
-      u.y[column] = next * affine[1];
-      du.x[column] = (next - now) * affine[0];
-      du.y[column] = (next - now) * affine[1];
-    } else if (all_follow) {
+  if (follows_affinely(problem())) {
+    const double acceleration = next - 2.0 * now + load_at(step - 1);
+    for (int column = 0; column <= grid.columns; ++column) {
+      const auto affine = affine_motion(problem(), column, row);
       u.x[column] += acceleration * affine[0];
       u.y[column] += acceleration * affine[1];
       du.x[column] += acceleration * affine[0];
       du.y[column] += acceleration * affine[1];
     }
   }
+  if (problem().boundary != Boundary::displacement) return;
+  for_boundary_nodes(grid, row, [&](int column) {
+    const auto affine = affine_motion(problem(), column, row);
+    u.x[column] = next * affine[0];
+    u.y[column] = next * affine[1];
+    du.x[column] = (next - now) * affine[0];
+    du.y[column] = (next - now) * affine[1];
+  });
 }
 
 void TotalLagrangian::add_traction(int row, std::int64_t step) {
