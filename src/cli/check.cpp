@@ -13,14 +13,15 @@
 namespace breccia::cli {
 namespace {
 
-std::string dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation, Load load) {
-  const auto test = make_dynamic_test(study, stage, discretisation, load, 0);
+std::string dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation,
+                         Boundary boundary, Load load) {
+  const auto test = make_dynamic_test(study, stage, discretisation, boundary, load, 0);
   const auto plan = plan_dynamic_test(test);
   const double speed = trial_speed(test);
   const auto points = test.discretisation.points();
   std::int64_t steps = 0;
-  auto text = fmt::format("  {} {}, dynamic: {} points, about {:.0f} MB\n", stage.name, name_of(load), points,
-                          static_cast<double>(plan.bytes) / 1e6);
+  auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {:.0f} MB\n", stage.name, name_of(load),
+                          bound_of(boundary), points, static_cast<double>(plan.bytes) / 1e6);
   for (const auto& domain : plan.domains) {
     steps += domain.steps;
     text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {} terms\n",
@@ -48,9 +49,8 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
       for (const auto method : study.tests.methods) {
         const auto boundary = boundary_of(bound);
         if (method == Method::quasistatic) text += quasistatic_plan(stage, boundary, cells);
-        if (method == Method::dynamic && boundary == Boundary::displacement) {
-          for (const auto load : study.tests.loads) text += dynamic_plan(study, stage, discretisation, load);
-        }
+        if (method == Method::quasistatic) continue;
+        for (const auto load : study.tests.loads) text += dynamic_plan(study, stage, discretisation, boundary, load);
       }
     }
   }

@@ -74,13 +74,13 @@ StudyObserver narrate(Progress& progress) {
   observer.finished = [&progress](const Stage& stage, const TestResult& test) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
   };
-  observer.domain_finished = [&progress](const Stage& stage, Load load, const TimeDomain& domain) {
+  observer.domain_finished = [&progress](const Stage& stage, Boundary boundary, Load load, const TimeDomain& domain) {
     const auto points = 4 * static_cast<std::size_t>(stage.cells) * static_cast<std::size_t>(stage.cells);
-    progress.print(
-        fmt::format("{} {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {} terms, {:.1f} s, {:.0f} million "
-                    "points x steps/s",
-                    stage.name, name_of(load), domain.density_factor, domain.window.begin, domain.window.end,
-                    domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
+    progress.print(fmt::format(
+        "{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {} terms, {:.1f} s, {:.0f} million "
+        "points x steps/s",
+        stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin, domain.window.end,
+        domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
   return observer;
 }
@@ -116,8 +116,8 @@ std::string closing_table(const Study& study, const StudyResult& result) {
       if (dynamic == nullptr || dynamic->overlaps.empty()) continue;
       double worst = 0.0;
       for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);
-      text += fmt::format("\n{} {}: {} time domains, worst mismatch where they overlap {:.2f} %", stage.name,
-                          name_of(test.load), dynamic->domains.size(), 100.0 * worst);
+      text += fmt::format("\n{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %", stage.name,
+                          name_of(test.load), bound_of(test.boundary), dynamic->domains.size(), 100.0 * worst);
     }
   }
   return text;

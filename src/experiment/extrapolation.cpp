@@ -1,5 +1,6 @@
 #include "breccia/experiment/extrapolation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -23,8 +24,9 @@ Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const dou
     return values[coarse + 1] - slope * cell_sides[coarse + 1];
   };
   const double value = limit(count - 2);
-  const double half_band = count == 3 ? std::abs(value - limit(0)) : 0.5 * std::abs(value - values[1]);
-  return {value, half_band};
+  const double correction = std::abs(value - values[count - 1]);
+  if (count == 2) return {value, 0.5 * correction};
+  return {value, std::max(std::abs(value - limit(0)), 0.25 * correction)};
 }
 
 }  // namespace breccia

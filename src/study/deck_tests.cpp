@@ -124,10 +124,6 @@ Tests read_tests(const Section& deck) {
         "volumetric", {{"averaged", Volumetric::averaged}, {"standard", Volumetric::standard}});
     tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
   }
-  const bool is_dynamic = std::ranges::find(tests.methods, Method::dynamic) != tests.methods.end();
-  if (is_dynamic && std::ranges::find(tests.bounds, Bound::upper) == tests.bounds.end()) {
-    section.report("method", "the dynamic method gives the upper bound; add \"upper\" to the bounds");
-  }
   return tests;
 }
 

@@ -45,14 +45,15 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
     times.push_back(time);
     moduli.push_back(modulus);
   }
-  Hdf5Writer file(directory /
-                  fmt::format("{}-displacement-dynamic-{}-{}.h5", name_of(name.load), name.cells, name.number));
+  Hdf5Writer file(directory / fmt::format("{}-{}-dynamic-{}-{}.h5", name_of(name.load), name_of(name.boundary),
+                                          name.cells, name.number));
   file.write("/history/time_s", times);
   file.write("/history/modulus_Pa", moduli);
   const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
       {"deck_hash", study.hash},
       {"stage", stage.name},
       {"load", name_of(name.load)},
+      {"boundary", name_of(name.boundary)},
       {"cells", std::int64_t{name.cells}},
       {"density_factor", domain.density_factor},
       {"time_step_s", domain.time_step},

@@ -15,12 +15,13 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
 
 /// Which time domain a history is of.
 struct HistoryName {
+  Boundary boundary;
   Load load;
   int cells;           ///< per side
   std::size_t number;  ///< from 1
 };
 
-/// Writes the history of one time domain as `<load>-displacement-dynamic-<cells>-<number>.h5`.
+/// Writes the history of one time domain as `<load>-<boundary>-dynamic-<cells>-<number>.h5`.
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                    const HistoryName& name, const TimeDomain& domain);
 

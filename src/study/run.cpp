@@ -38,7 +38,7 @@ void remove_old_results(const Study& study, const fs::path& directory) {
       remove(stage_directory / name);
     }
     for (const auto& entry : fs::directory_iterator(stage_directory)) {
-      if (entry.path().filename().string().find("-displacement-dynamic-") != std::string::npos) remove(entry.path());
+      if (entry.path().filename().string().find("-dynamic-") != std::string::npos) remove(entry.path());
     }
   }
 }
@@ -101,10 +101,9 @@ class StageRun {
       write_once([&] { write_responses(grid.directory, study_, stage_, done_.tests); });
       return;
     }
-    if (boundary != Boundary::displacement) return;
     for (const auto load : study_.tests.loads) {
       PointFields fields;
-      auto test = run_dynamic(grid, load, observer_, fields);
+      auto test = run_dynamic(grid, boundary, load, observer_, fields);
       // Fields are large: the first test's are written, and none is kept.
       if (!has_fields_) write_once([&] { write_fields(grid.directory, grid.discretisation.grid(), fields); });
       has_fields_ = true;

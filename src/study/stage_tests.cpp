@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/experiment/extrapolation.hpp"
+#include "breccia/parallel/session.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include "named_errors.hpp"
@@ -78,10 +79,11 @@ TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResu
 
 }  // namespace
 
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation, Load load,
-                              int threads) {
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
+                              Boundary boundary, Load load, int threads) {
   return {.discretisation = discretisation,
           .materials = materials_of(stage),
+          .boundary = boundary,
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
@@ -122,10 +124,11 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary
   return results;
 }
 
-TestResult run_dynamic(const StageGrid& grid, Load load, const StudyObserver& observer, PointFields& fields) {
+TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, const StudyObserver& observer,
+                       PointFields& fields) {
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
-  const auto name = fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(Boundary::displacement), cells);
+  const auto name = fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(boundary), cells);
   std::size_t number = 0;
   DynamicObserver follow;
   follow.progress = [&](const DynamicProgress& progress) {
@@ -135,14 +138,17 @@ TestResult run_dynamic(const StageGrid& grid, Load load, const StudyObserver& ob
                                   progress.time, progress.point_steps_per_second / 1e6));
   };
   follow.finished = [&](const TimeDomain& domain) {
-    write_history(grid.directory, *grid.study, stage, {load, cells, ++number}, domain);
-    if (observer.domain_finished) observer.domain_finished(stage, load, domain);
+    if (parallel::rank() == 0) {
+      write_history(grid.directory, *grid.study, stage, {boundary, load, cells, ++number}, domain);
+    }
+    if (observer.domain_finished) observer.domain_finished(stage, boundary, load, domain);
   };
-  const auto test = make_dynamic_test(*grid.study, stage, grid.discretisation, load, grid.threads);
+  const auto test = make_dynamic_test(*grid.study, stage, grid.discretisation, boundary, load, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] { return run_dynamic_test(test, follow); });
   fields = std::exchange(done.fields, {});
-  TestResult result{.load = load, .boundary = Boundary::displacement, .method = Method::dynamic, .cells = cells};
+  TestResult result{.load = load, .boundary = boundary, .method = Method::dynamic, .cells = cells};
   result.modulus = std::exchange(done.curve, {});
+  result.compliance = std::exchange(done.compliance, {});
   result.series = fitted(result.modulus);
   result.record = std::move(done);
   return result;
@@ -168,10 +174,10 @@ std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test)
   if (dynamic == nullptr) return warnings;
   for (const auto& [window, mismatch] : dynamic->overlaps) {
     if (mismatch <= tolerance) continue;
-    warnings.push_back(
-        fmt::format("{} {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
-                    "or another ramp bring them together",
-                    stage.name, name_of(test.load), 100.0 * mismatch, window.begin, window.end));
+    warnings.push_back(fmt::format(
+        "{} {}, {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
+        "or another ramp bring them together",
+        stage.name, name_of(test.load), bound_of(test.boundary), 100.0 * mismatch, window.begin, window.end));
   }
   return warnings;
 }

@@ -19,9 +19,9 @@ struct StageGrid {
 /// All loads under one boundary by the quasi-static method.
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary, const StudyObserver& observer);
 
-/// One load under a displacement boundary by the dynamic method, with its histories written. `fields` receives those at
-/// the end.
-TestResult run_dynamic(const StageGrid& grid, Load load, const StudyObserver& observer, PointFields& fields);
+/// One load under one boundary by the dynamic method, with its histories written. `fields` receives those at the end.
+TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, const StudyObserver& observer,
+                       PointFields& fields);
 
 /// The limits of vanishing cells of all tests that were made on all grids of a stage.
 /// Throws NumericalError where a limit is not positive.

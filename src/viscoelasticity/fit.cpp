@@ -14,8 +14,8 @@
 namespace breccia {
 namespace {
 
-/// exp(-t / tau) after a step at 0; after a ramp of duration T, its mean over the instants of the ramp (theory, section
-/// 9).
+/// exp(-t / tau) after a step at 0; after a ramp of duration T, its mean over the instants of the ramp (theory, Eq.
+/// 26).
 double decay(double t, double tau, double ramp) {
   if (ramp == 0.0) return std::exp(-t / tau);
   if (t <= ramp) return -std::expm1(-t / tau) * tau / ramp;

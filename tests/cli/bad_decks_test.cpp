@@ -53,7 +53,6 @@ const std::vector<BadDeck> bad_decks{
     {R"("10 us", "100 ms")", "\"10 us\"", "tests.times: expected two rising times"},
     {"[tests]", "[tests]\nbounds = [\"lover\"]", R"(got "lover", did you mean "lower"?)"},
     {"[tests]", "[tests]\nsolver = \"steps\"", R"(tests.solver: expected one of "reduced", "stepping", got "steps")"},
-    {"[tests]", "[tests]\nmethod = \"dynamic\"\nbounds = [\"lower\"]", "the dynamic method gives the upper bound"},
     {"cells   = 60", "cells   = [60, 30]", "stages.A.cells: expected an integer, or two or three rising ones"},
 };
 

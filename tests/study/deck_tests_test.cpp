@@ -105,8 +105,6 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("bounds = [\"lowest\"]"), HasSubstr("got \"lowest\", did you mean \"lower\"?"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
   EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));
-  EXPECT_THAT(with_times("method = \"dynamic\"\nbounds = [\"lower\"]"),
-              HasSubstr("tests.method: the dynamic method gives the upper bound"));
   EXPECT_THAT(with_times("solver = \"stepped\""), HasSubstr("got \"stepped\""));
   EXPECT_THAT(with_times("quasistatic = { tolerance = 1 }"), HasSubstr("tests.quasistatic.tolerance: expected"));
   EXPECT_THAT(with_times("quasistatic = { steps = 10 }"), HasSubstr("unknown key \"steps\""));

@@ -59,7 +59,7 @@ struct StudyObserver {
   std::function<void(const StageResult&)> packed = {};
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
-  std::function<void(const Stage&, Load, const TimeDomain&)> domain_finished = {};
+  std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};
 };
 
 /// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every
@@ -72,8 +72,8 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const StudyObserver& observer = {});
 
 /// A stage with its microstructure on a grid, ready to be tested.
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation, Load load,
-                              int threads);
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
+                              Boundary boundary, Load load, int threads);
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
                                       Boundary boundary);
 

@@ -13,7 +13,7 @@ struct FitOptions {
   /// as that would miss the times of a spectrum of few terms by up to 4 % of the modulus.
   double times_per_decade = 10.0;
   /// Duration [s] of the constant-rate ramp in which strain (or stress) was applied, times counted from its beginning;
-  /// 0: a step. The fit is to the answer to the ramp, so that data from its first moment on count (theory, section 9).
+  /// 0: a step. The fit is to the answer to the ramp, so that data from its first moment on count (theory, Eq. 26).
   double ramp = 0.0;
 };
 

@@ -6,7 +6,7 @@
 namespace breccia {
 
 /// The creep compliance of a solid with this relaxation modulus: exact, one retardation time between each two
-/// neighbouring relaxation times (theory, Eqs. 16 and 17; Park and Schapery, Int. J. Solids Struct. 36, 1653, 1999).
+/// neighbouring relaxation times (theory, Eqs. 22 and 23; Park and Schapery, Int. J. Solids Struct. 36, 1653, 1999).
 /// Without an equilibrium modulus it flows. Every time and strength has full relative precision however far the
 /// spectrum reaches. Throws InputError when the modulus is zero.
 CreepCompliance creep_compliance(const PronySeries& modulus);
