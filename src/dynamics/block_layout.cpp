@@ -2,33 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
+#include "maxwell_step.hpp"
+
 namespace breccia::dynamics {
-namespace {
-
-/// Exact step of a Maxwell term for a strain that is linear in the step (theory, Eq. 10).
-TermStep term_step(const MaxwellTerm& term, double time_step) {
-  const double x = time_step / term.relaxation_time;
-  return {std::exp(-x), -term.modulus * std::expm1(-x) / x};
-}
-
-std::vector<TermStep> term_steps(const PronySeries& series, double time_step) {
-  std::vector<TermStep> steps;
-  for (const auto& term : series.terms()) steps.push_back(term_step(term, time_step));
-  return steps;
-}
-
-}  // namespace
 
 BlockLayout::BlockLayout(const DynamicProblem& problem)
     : blocks_per_row_((problem.discretisation.grid().columns + lanes - 1) / lanes),
       bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard) {
   terms_.reserve(2 * problem.materials.size());
   for (const auto& material : problem.materials) {
-    const auto& shear = terms_.emplace_back(term_steps(material.shear, problem.time_step));
-    const auto& bulk = terms_.emplace_back(term_steps(material.bulk, problem.time_step));
+    const auto& shear = terms_.emplace_back(maxwell_steps(material.shear, problem.time_step));
+    const auto& bulk = terms_.emplace_back(maxwell_steps(material.bulk, problem.time_step));
     materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(), shear.data(), bulk.data(),
                           static_cast<int>(shear.size()), static_cast<int>(bulk.size())});
   }

@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 
 #include "boundary_nodes.hpp"
+#include "maxwell_step.hpp"
 
 namespace breccia::dynamics {
 namespace {
@@ -38,17 +39,10 @@ int useful_threads(int threads, std::size_t points) {
 
 Classical::Classical(DynamicProblem given, int threads)
     : DynamicSolver(std::move(given)), threads_(useful_threads(threads, problem().discretisation.points())) {
-  const auto half_steps = [&](const PronySeries& series) {
-    std::vector<TermStep> steps;
-    for (const auto& [relaxation_time, modulus] : series.terms()) {
-      const double x = 0.5 * problem().time_step / relaxation_time;
-      steps.push_back({std::exp(-x), -modulus * std::expm1(-x) / x});
-    }
-    return steps;
-  };
+  const double half_step = 0.5 * problem().time_step;
   for (const auto& material : problem().materials) {
-    materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(), half_steps(material.bulk),
-                          half_steps(material.shear)});
+    materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(),
+                          maxwell_steps(material.bulk, half_step), maxwell_steps(material.shear, half_step)});
   }
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();

@@ -7,6 +7,8 @@
 
 #include "breccia/dynamics/dynamic_solver.hpp"
 
+#include "cell_row_kernel.hpp"
+
 namespace breccia::dynamics {
 
 /// The paper's formulation: points carry position, velocity, strain and stress and may move through the grid; momenta
@@ -48,12 +50,8 @@ class Classical final : public DynamicSolver {
     Vector<2> velocity;
     Vector<2> acceleration;
   };
-  /// Decay and gain of one Maxwell term over half a step.
-  struct TermStep {
-    double decay;
-    double gain;
-  };
-  struct MaterialStep {
+  /// A material over half a step.
+  struct MaterialHalfStep {
     double bulk;
     double shear;
     std::vector<TermStep> bulk_terms;
@@ -84,7 +82,7 @@ class Classical final : public DynamicSolver {
   void for_nodes(Action&& action);
 
   int threads_;
-  std::vector<MaterialStep> materials_;
+  std::vector<MaterialHalfStep> materials_;
   std::vector<Point> points_;            ///< sorted by cell
   std::vector<std::size_t> cell_begin_;  ///< first point of each cell, and the end
   std::vector<double> mean_stress_;      ///< mean in-plane stress of the points of the cell [Pa]

@@ -46,7 +46,9 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
       layout_(this->problem()),
       stride_(padded_length(layout_.blocks_per_row())),
       masses_(nodal_masses(this->problem())),
-      nothing_(stride_) {
+      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic),
+      from_below_(stride_),
+      from_above_(stride_) {
   const auto& grid = this->problem().discretisation.grid();
   nodes_.assign(stride_ * 5 * static_cast<std::size_t>(grid.rows + 1), 0.0);
   const double squared_step = this->problem().time_step * this->problem().time_step;
@@ -57,14 +59,14 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
           is_prescribed(this->problem(), column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
     }
   }
-  row_sums_.assign(2 * static_cast<std::size_t>(grid.rows + 1), RowSums{});
   // With less to do than this a thread would mostly wait for the others.
   constexpr std::size_t points_per_thread = 8192;
   const auto useful = static_cast<int>(this->problem().discretisation.points() / points_per_thread);
-  const int bands = std::clamp(std::min(threads, useful), 1, grid.rows);
+  const int first = exchange_.first(), rows = exchange_.end() - first;
+  const int bands = std::clamp(std::min(threads, useful), 1, rows);
   for (int band = 0; band < bands; ++band) {
-    bands_.push_back({grid.rows * band / bands, grid.rows * (band + 1) / bands, ForceRow(stride_), ForceRow(stride_),
-                      ForceRow(stride_), ForceRow(stride_)});
+    bands_.push_back({first + rows * band / bands, first + rows * (band + 1) / bands, ForceRow(stride_),
+                      ForceRow(stride_), ForceRow(stride_), ForceRow(stride_)});
   }
 }
 
@@ -83,6 +85,17 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
+  // Sums of rows are put together at the end of a chunk; few enough to leave the caches to the nodes.
+  constexpr int most_sums = 1 << 10;
+  const int chunk = std::max(1, most_sums / (problem().discretisation.grid().rows + 1));
+  for (int done = 0; done < steps; done += chunk) {
+    take_chunk(first + done, std::min(chunk, steps - done), averages + done);
+  }
+}
+
+void TotalLagrangian::take_chunk(std::int64_t first, int steps, Averages* averages) {
+  const auto node_rows = static_cast<std::size_t>(problem().discretisation.grid().rows) + 1;
+  row_sums_.assign(node_rows * static_cast<std::size_t>(steps), RowSums{});
   Barrier barrier;
 #pragma omp parallel num_threads(bands_.size())
   {
@@ -91,21 +104,32 @@ void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averag
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     for (int i = 0; i < steps; ++i) {
       for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
-        sweep(bands_[band], first + i);
+        sweep(bands_[band], first + i, steps, i);
       }
       barrier.wait(threads);
+      if (exchange_.has_neighbours()) {
+        if (thread == 0) {
+          exchange_.swap(bands_.back().highest.view(), bands_.front().lowest.view(), from_below_.view(),
+                         from_above_.view(), static_cast<int>(stride_));
+        }
+        barrier.wait(threads);
+      }
       for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
         join_bands(band, first + i);
       }
-      if (thread == 0) averages[i] = this->averages(first + i);
       barrier.wait(threads);
     }
   }
+  static_assert(sizeof(RowSums) == 6 * sizeof(double));
+  exchange_.gather_node_rows({row_sums_.front().stress.data(), 6 * row_sums_.size()});
+  for (int i = 0; i < steps; ++i) averages[i] = this->averages(first + i, steps, i);
 }
 
-void TotalLagrangian::sweep(Band& band, std::int64_t step) {
+void TotalLagrangian::sweep(Band& band, std::int64_t step, int steps, int place) {
   const auto& grid = problem().discretisation.grid();
-  auto* sums = row_sums(step);
+  const auto sums = [&](int row) -> RowSums& {
+    return row_sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(steps) + static_cast<std::size_t>(place)];
+  };
   for (int row = band.first; row < band.end; ++row) {
     const auto below = displacement(row), above = displacement(row + 1);
     const auto step_below = increment(row), step_above = increment(row + 1);
@@ -118,7 +142,7 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step) {
                            .increment_above = {step_above.x, step_above.y},
                            .below = bottom.view(),
                            .above = band.top.view(),
-                           .stress = sums[row].stress.data()};
+                           .stress = sums(row).stress.data()};
     if (problem().volumetric == Volumetric::averaged) {
       kernels_->cell_row_averaged(cells);
     } else {
@@ -128,8 +152,8 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step) {
       case Boundary::displacement:
         break;
       case Boundary::traction:
-        sums[row].strain = boundary_strain(row);
-        if (row + 1 == grid.rows) sums[grid.rows].strain = boundary_strain(grid.rows);
+        sums(row).strain = boundary_strain(row);
+        if (row + 1 == grid.rows) sums(grid.rows).strain = boundary_strain(grid.rows);
         break;
       case Boundary::periodic:
         join_ends(cells.below, grid.columns);
@@ -142,17 +166,18 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step) {
 }
 
 void TotalLagrangian::join_bands(std::size_t band, std::int64_t step) {
+  const int rows = problem().discretisation.grid().rows;
   const bool wraps = problem().boundary == Boundary::periodic;
   auto& own = bands_[band];
-  if (band > 0) {
-    move_row(own.first, bands_[band - 1].highest.view(), own.lowest.view(), step);
-  } else if (wraps) {
-    move_row(0, bands_.back().highest.view(), own.lowest.view(), step);
+  move_row(own.first, (band > 0 ? bands_[band - 1].highest : from_below_).view(), own.lowest.view(), step);
+  if (wraps && own.first == 0 && exchange_.end() == rows) copy_lowest_row(step);
+  if (band + 1 < bands_.size()) return;
+  if (!wraps || own.end < rows) {
+    move_row(own.end, own.highest.view(), from_above_.view(), step);
+  } else if (exchange_.first() > 0) {
+    move_row(0, own.highest.view(), from_above_.view(), step);
     copy_lowest_row(step);
-  } else {
-    move_row(0, nothing_.view(), own.lowest.view(), step);
   }
-  if (band + 1 == bands_.size() && !wraps) move_row(own.end, own.highest.view(), nothing_.view(), step);
 }
 
 void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above,
@@ -182,25 +207,27 @@ void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const
 
 void TotalLagrangian::follow_load(int row, std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const bool all_follow = follows_affinely(problem());
   const double now = load_at(step);
   const double next = load_at(step + 1);
-  const double acceleration = next - 2.0 * now + load_at(step - 1);
   const auto u = displacement(row), du = increment(row);
-  for (int column = 0; column <= grid.columns; ++column) {
-    const auto affine = affine_motion(problem(), column, row);
-    if (is_prescribed(problem(), column, row)) {
-      u.x[column] = next * affine[0];
-      u.y[column] = next * affine[1];
-      du.x[column] = (next - now) * affine[0];
-      du.y[column] = (next - now) * affine[1];
-    } else if (all_follow) {
+  if (follows_affinely(problem())) {
+    const double acceleration = next - 2.0 * now + load_at(step - 1);
+    for (int column = 0; column <= grid.columns; ++column) {
+      const auto affine = affine_motion(problem(), column, row);
       u.x[column] += acceleration * affine[0];
       u.y[column] += acceleration * affine[1];
       du.x[column] += acceleration * affine[0];
       du.y[column] += acceleration * affine[1];
     }
   }
+  if (problem().boundary != Boundary::displacement) return;
+  for_boundary_nodes(grid, row, [&](int column) {
+    const auto affine = affine_motion(problem(), column, row);
+    u.x[column] = next * affine[0];
+    u.y[column] = next * affine[1];
+    du.x[column] = (next - now) * affine[0];
+    du.y[column] = (next - now) * affine[1];
+  });
 }
 
 void TotalLagrangian::add_traction(int row, std::int64_t step) {
@@ -258,22 +285,20 @@ PlaneStrain TotalLagrangian::boundary_strain(int row) const {
   return sum;
 }
 
-TotalLagrangian::RowSums* TotalLagrangian::row_sums(std::int64_t step) noexcept {
-  return row_sums_.data() + (step % 2 == 0 ? 0 : row_sums_.size() / 2);
-}
-
-Averages TotalLagrangian::averages(std::int64_t step) {
+/// Averages at a step, whose sums stand at a place among those of a chunk.
+Averages TotalLagrangian::averages(std::int64_t step, int steps, int place) const {
   const auto& grid = problem().discretisation.grid();
   PlaneStress stress;
   PlaneStrain strain;
-  const auto* sums = row_sums(step);
-  for (int row = 0; row <= grid.rows; ++row) {
-    stress.xx += sums[row].stress[0];
-    stress.yy += sums[row].stress[1];
-    stress.xy += sums[row].stress[2];
-    strain.xx += sums[row].strain.xx;
-    strain.yy += sums[row].strain.yy;
-    strain.xy += sums[row].strain.xy;
+  auto of_row = static_cast<std::size_t>(place);
+  for (int row = 0; row <= grid.rows; ++row, of_row += static_cast<std::size_t>(steps)) {
+    const auto& sums = row_sums_[of_row];
+    stress.xx += sums.stress[0];
+    stress.yy += sums.stress[1];
+    stress.xy += sums.stress[2];
+    strain.xx += sums.strain.xx;
+    strain.yy += sums.strain.yy;
+    strain.xy += sums.strain.xy;
   }
   const double per_point = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * grid.cell_side);
   const double per_area = 1.0 / grid.area();
@@ -287,7 +312,12 @@ Averages TotalLagrangian::averages(std::int64_t step) {
   return averages;
 }
 
+void TotalLagrangian::fetch_nodes() const {
+  exchange_.gather_node_rows(nodes_);
+}
+
 Vector<2> TotalLagrangian::momentum() const {
+  fetch_nodes();
   const auto& grid = problem().discretisation.grid();
   Vector<2> sum = {0.0, 0.0};
   auto mass = masses_.begin();
@@ -313,6 +343,7 @@ CellVector TotalLagrangian::cell_values(int column, int row, int first_field) co
 
 Energy TotalLagrangian::energy() const {
   require_elastic();
+  fetch_nodes();
   const auto& grid = problem().discretisation.grid();
   Energy energy;
   auto mass = masses_.begin();
@@ -349,11 +380,18 @@ PointFields TotalLagrangian::fields() const {
   fields.stress.resize(discretisation.points());
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
+      for (int p = 0; p < points_per_cell; ++p) {
+        fields.material[grid.point_index(column, row, p)] =
+            discretisation.cell(column, row)[static_cast<std::size_t>(p)];
+      }
+    }
+  }
+  for (int row = exchange_.first(); row < exchange_.end(); ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
       const CellVector u = cell_values(column, row, 0);
       for (int p = 0; p < points_per_cell; ++p) {
         const auto material = discretisation.cell(column, row)[static_cast<std::size_t>(p)];
         const auto point = grid.point_index(column, row, p);
-        fields.material[point] = material;
         if (material == no_material) continue;
         const auto weights = node_weights(p);
         for (std::size_t node = 0; node < 4; ++node) {
@@ -382,6 +420,9 @@ PointFields TotalLagrangian::fields() const {
       }
     }
   }
+  exchange_.gather_cell_rows({fields.displacement.front().data(), 2 * fields.displacement.size()});
+  exchange_.gather_cell_rows({fields.strain.front().data(), 3 * fields.strain.size()});
+  exchange_.gather_cell_rows({fields.stress.front().data(), 4 * fields.stress.size()});
   return fields;
 }
 

@@ -9,6 +9,7 @@
 
 #include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
+#include "row_exchange.hpp"
 
 namespace breccia::dynamics {
 
@@ -17,7 +18,8 @@ namespace breccia::dynamics {
 /// cells around it have given their forces.
 ///
 /// Rows are dealt to threads in bands. The row of nodes between two bands moves after both are done, from the same two
-/// sums as any other row, so results do not depend on the number of threads.
+/// sums as any other row, so results do not depend on the number of threads. Processes have bands of bands: the row
+/// of nodes between two processes is moved by both, from the same sums.
 ///
 /// Opposite nodes of a periodic box move as one: the forces at the ends of a row are added crosswise, the lowest row of
 /// nodes takes the forces of the highest row of cells, too, and images are copies but for the affine motion.
@@ -59,16 +61,17 @@ class TotalLagrangian final : public DynamicSolver {
   };
 
   void take_steps(std::int64_t first, int steps, Averages* averages) override;
-  void sweep(Band& band, std::int64_t step);
+  void sweep(Band& band, std::int64_t step, int steps, int place);
   void join_bands(std::size_t band, std::int64_t step);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
   void follow_load(int row, std::int64_t step);
   void add_traction(int row, std::int64_t step);
   void close_row(int row, std::int64_t step);
   void copy_lowest_row(std::int64_t step);
+  void fetch_nodes() const;
   [[nodiscard]] PlaneStrain boundary_strain(int row) const;
-  [[nodiscard]] Averages averages(std::int64_t step);
-  [[nodiscard]] RowSums* row_sums(std::int64_t step) noexcept;
+  void take_chunk(std::int64_t first, int steps, Averages* averages);
+  [[nodiscard]] Averages averages(std::int64_t step, int steps, int place) const;
 
   [[nodiscard]] Row displacement(int row) noexcept { return {field(row, 0), field(row, 1)}; }
   [[nodiscard]] Row increment(int row) noexcept { return {field(row, 2), field(row, 3)}; }
@@ -83,12 +86,15 @@ class TotalLagrangian final : public DynamicSolver {
 
   const KernelTable* kernels_;
   BlockLayout layout_;
-  std::size_t stride_;         ///< nodes a row holds, with the filling
-  std::vector<double> nodes_;  ///< rows of displacement x, y, increment x, y, dt^2 / m
+  std::size_t stride_;  ///< nodes a row holds, with the filling
+  /// Rows of displacement x, y, increment x, y, dt^2 / m. Those of other processes are fetched when they are asked for.
+  mutable std::vector<double> nodes_;
   std::vector<double> masses_;
-  ForceRow nothing_;
+  RowExchange exchange_;
+  ForceRow from_below_;  ///< of the row of cells below the rows of this process; zero below the box
+  ForceRow from_above_;
   std::vector<Band> bands_;
-  std::vector<RowSums> row_sums_;  ///< by row of nodes, of the present and the next step in turn
+  std::vector<RowSums> row_sums_;  ///< by row of nodes, and for each the steps of a chunk
 };
 
 }  // namespace breccia::dynamics

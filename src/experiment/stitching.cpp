@@ -45,11 +45,11 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
           "time domains: none is valid at {:.3e} s; give density factors whose windows cover the times", time));
     }
     double modulus = modulus_at(*first, time);
-    const auto second = std::next(first);
-    if (second != domains.end() && valid(*second)) {
-      const double width = std::log(first->window.end / second->window.begin);
-      const double share = width > 0.0 ? std::clamp(std::log(time / second->window.begin) / width, 0.0, 1.0) : 1.0;
-      modulus += share * (modulus_at(*second, time) - modulus);
+    // Each domain takes over from the one before in the course of their overlap.
+    for (auto later = std::next(first); later != domains.end() && valid(*later); ++later) {
+      const double width = std::log(std::prev(later)->window.end / later->window.begin);
+      const double share = width > 0.0 ? std::clamp(std::log(time / later->window.begin) / width, 0.0, 1.0) : 1.0;
+      modulus += share * (modulus_at(*later, time) - modulus);
     }
     curve.push_back({time, modulus});
   }

@@ -8,11 +8,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
 
 double DomainRules::transit(double density_factor, double modulus) const {
-  return side * std::sqrt(density_factor * density / modulus);
+  return side / shear_wave_speed(modulus, density_factor * density);
 }
 
 double DomainRules::admissible_factor(double time, double modulus) const {

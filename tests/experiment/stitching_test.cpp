@@ -31,6 +31,16 @@ TEST(Stitch, FollowsTheOnlyValidDomainAndBlendsWhereTwoAre) {
   }
 }
 
+TEST(Stitch, DoesNotJumpWhereThreeDomainsOverlap) {
+  const auto curve =
+      stitch({domain({1.0, 20.0}, 1.0), domain({5.0, 60.0}, 1.02), domain({10.0, 100.0}, 1.04)}, {1.0, 100.0}, 2000);
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const double before = curve[i - 1].modulus * std::sqrt(curve[i - 1].time);
+    EXPECT_NEAR(curve[i].modulus * std::sqrt(curve[i].time), before, 1e-4) << "at " << curve[i].time;
+  }
+  EXPECT_NEAR(curve.back().modulus * 10.0, 1.04, 1e-5);
+}
+
 TEST(Stitch, RefusesAGap) {
   EXPECT_THROW(stitch({domain({1.0, 9.0}, 1.0), domain({10.0, 100.0}, 1.0)}, {1.0, 100.0}, 20), NumericalError);
 }
