@@ -35,9 +35,9 @@ std::string describe(const Stage& stage, const TestResult& test) {
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, error by the method in time about {:.1g} %",
+  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {} about {:.1g} %",
                      stage.name, name_of(test.load), bound_of(test.boundary), test.cells, how, seconds,
-                     100.0 * response.error_estimate);
+                     response.reduced ? "error of the basis" : "error of the steps", 100.0 * response.error_estimate);
 }
 
 /// Those that a table shows: of several grids their limit alone.

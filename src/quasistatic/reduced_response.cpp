@@ -36,7 +36,8 @@ PronySeries combined(double p, double q, const PronySeries& series) {
 /// With an elastic bulk modulus the compliance is a sum of simple poles in G (theory, Eq. 19).
 CreepCompliance sum_of_poles(const ReducedResponse& response, double bulk, const PronySeries& shear) {
   const Eigen::MatrixXd fixed = response.filler + bulk * response.matrix_bulk;
-  const double reference = fixed.trace() / response.matrix_shear.trace();
+  // The basis is orthonormal for the matrix of the first snapshot.
+  const double reference = response.snapshots.front().matrix.shear;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(fixed,
                                                                         fixed + reference * response.matrix_shear);
   double instantaneous = 0.0, fluidity = 0.0;
@@ -72,9 +73,8 @@ CreepCompliance creep_compliance(const ReducedResponse& response, const Material
   return quasistatic::network_compliance(response, matrix);
 }
 
-std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window) {
-  // A response at time t depends on Laplace variables about 1/t; beyond these margins by less than 1e-6 of it.
-  constexpr double margin = 30.0, per_decade = 8.0, least_change = 0.05;
+std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin) {
+  constexpr double per_decade = 8.0, least_change = 0.05;
   const double first = margin / window.begin, last = 1.0 / (margin * window.end);
   const auto at = [&](double s) { return Moduli{carson_modulus(material.bulk, s), carson_modulus(material.shear, s)}; };
   std::vector<Moduli> path = {at(first)};
@@ -97,8 +97,10 @@ double require_sampled(const ReducedResponse& response, const Material& matrix, 
   // A bulk modulus off the sampled path costs little: the matrix is nearly incompressible, or its volume matters
   // little.
   constexpr double rounding = 1e-9, off_path = 0.1;
+  // What was sampled reaches well beyond the times of the run; a new matrix must stay inside for its own times alone.
+  constexpr double margin = 1.0;
   double error = 0.0;
-  for (const auto& [bulk, shear] : carson_path(matrix, window)) {
+  for (const auto& [bulk, shear] : carson_path(matrix, window, margin)) {
     const auto refuse = [&](const char* modulus, double value, double from, double to) {
       throw InputError(
           fmt::format("{}: a {} modulus of {:.4g} Pa, which it shows between {:.3g} and {:.3g} s, lies outside the "

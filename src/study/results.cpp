@@ -48,7 +48,12 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
   Hdf5Writer file(directory / fmt::format("{}-{}-dynamic-{}-{}.h5", name_of(name.load), name_of(name.boundary),
                                           name.cells, name.number));
   file.write("/history/time_s", times);
-  file.write("/history/modulus_Pa", moduli);
+  if (name.boundary == Boundary::traction) {
+    for (auto& value : moduli) value = 1.0 / value;
+    file.write("/history/compliance_1_per_Pa", moduli);
+  } else {
+    file.write("/history/modulus_Pa", moduli);
+  }
   const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
       {"deck_hash", study.hash},
       {"stage", stage.name},

@@ -86,6 +86,19 @@ TEST(ReducedResponse, AHomogeneousBoxIsItsMatrix) {
   }
 }
 
+TEST(ReducedResponse, ABoxOfOneMaterialWithAnElasticBulkModulusShowsItsShearModulus) {
+  const Material matrix = {"m", 1000.0, PronySeries(2e6), PronySeries(0.0, {{1e-3, 0.5e6}, {1e-2, 0.1e6}})};
+  for (const auto boundary : test::boundaries) {
+    const auto problem = test::homogeneous(matrix, boundary);
+    const auto response =
+        sample_responses(problem, 0, std::array{Load::shear}, carson_path(matrix, {1e-4, 0.1})).responses[0];
+    const auto found = relaxation_modulus(creep_compliance(response, matrix));
+    for (const double time : test::logarithmic(1e-4, 0.1, 4)) {
+      EXPECT_NEAR(found.at(time) / matrix.shear.at(time), 1.0, 1e-8);
+    }
+  }
+}
+
 TEST(ReducedResponse, MoreSnapshotsMeetAFinerToleranceAndTheEstimateTells) {
   const auto problem = test::random_composite(24, 4, Boundary::displacement);
   const auto path = carson_path(problem.materials.front(), window);
