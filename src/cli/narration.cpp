@@ -35,8 +35,8 @@ std::string describe(const Stage& stage, const TestResult& test) {
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {} about {:.1g} %",
-                     stage.name, name_of(test.load), bound_of(test.boundary), test.cells, how, seconds,
+  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {} about {:.1g} %", stage.name,
+                     name_of(test.load), bound_of(test.boundary), test.cells, how, seconds,
                      response.reduced ? "error of the basis" : "error of the steps", 100.0 * response.error_estimate);
 }
 

@@ -85,8 +85,8 @@ DynamicOptions read_dynamic(const Section& section) {
   options.ramp_time = section.optional_quantity("ramp", Dimension::time, Range::not_negative());
   options.ramp_transits =
       section.optional_number("ramp_transits", Range::not_negative()).value_or(options.ramp_transits);
-  options.creep_ramp_transits = section.optional_number("creep_ramp_transits", Range::not_negative())
-                                    .value_or(options.creep_ramp_transits);
+  options.creep_ramp_transits =
+      section.optional_number("creep_ramp_transits", Range::not_negative()).value_or(options.creep_ramp_transits);
   options.density_factors = read_density_factors(section);
   options.reduction_tolerance =
       section.optional_number("reduction_tolerance", Range::between(0.0, 1.0)).value_or(options.reduction_tolerance);
