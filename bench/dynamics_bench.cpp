@@ -32,6 +32,7 @@ const Microstructure& packed_box() {
 
 DynamicProblem problem_with(int cells, int terms) {
   std::vector<MaxwellTerm> spectrum;
+  spectrum.reserve(static_cast<std::size_t>(terms));
   for (int k = 0; k < terms; ++k) spectrum.push_back({1e-3 * std::pow(10.0, k), 1e8});
   DynamicProblem problem{discretise(packed_box(), cells),
                          {{"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)},

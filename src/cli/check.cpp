@@ -15,7 +15,7 @@ namespace {
 
 std::string dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation,
                          Boundary boundary, Load load) {
-  const auto test = make_dynamic_test(study, stage, discretisation, boundary, load, 0);
+  const auto test = make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
   const auto plan = plan_dynamic_test(test);
   const double speed = trial_speed(test);
   const auto points = test.discretisation.points();
@@ -50,7 +50,8 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
         const auto boundary = boundary_of(bound);
         if (method == Method::quasistatic) text += quasistatic_plan(stage, boundary, cells);
         if (method == Method::quasistatic) continue;
-        for (const auto load : study.tests.loads) text += dynamic_plan(study, stage, discretisation, boundary, load);
+        for (const auto load : loads_of(study, stage))
+          text += dynamic_plan(study, stage, discretisation, boundary, load);
       }
     }
   }

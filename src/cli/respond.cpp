@@ -98,7 +98,7 @@ void add_respond(CLI::App& application) {
   command->add_option("--stage", arguments->stage, "one stage alone (default: all)")->type_name("NAME");
   command
       ->add_option("--times", arguments->times,
-                   "first and last time, such as \"1 us\" \"1 s\" (default: those of the run)")
+                   R"(first and last time, such as "1 us" "1 s" (default: those of the run))")
       ->expected(2)
       ->type_name("BEGIN END");
   command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<name of the material>)")

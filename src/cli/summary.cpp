@@ -89,7 +89,7 @@ std::string describe(const Stage& stage) {
                                                                fmt::join(stage.coarser_cells, " and "));
   auto text = fmt::format(
       "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
-      stage.matrix.name, length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
+      name_of(stage.matrix), length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
   text += grids;
   return text + (stage.filler ? describe(*stage.filler, stage.cell_size()) : "    filler   none\n");
 }

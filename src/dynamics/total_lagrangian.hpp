@@ -56,8 +56,8 @@ class TotalLagrangian final : public DynamicSolver {
 
   /// What a row of cells, and the row of nodes below it, adds to the averages.
   struct RowSums {
-    std::array<double, 3> stress;
-    PlaneStrain strain;
+    std::array<double, 3> stress = {};
+    PlaneStrain strain = {};
   };
 
   void take_steps(std::int64_t first, int steps, Averages* averages) override;

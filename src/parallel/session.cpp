@@ -54,7 +54,7 @@ void set_petsc_options(const std::string& options) {
   start();
   if (PetscOptionsInsertString(nullptr, options.c_str()) != 0) {
     throw InputError(
-        fmt::format("PETSc options: cannot read \"{}\"; expected \"-name value -name value ...\"", options));
+        fmt::format(R"(PETSc options: cannot read "{}"; expected "-name value -name value ...")", options));
   }
 }
 

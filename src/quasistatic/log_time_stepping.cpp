@@ -229,6 +229,7 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   });
   const auto places = every_other(times.size());
   std::vector<double> coarse_times;
+  coarse_times.reserve(places.size());
   for (const auto place : places) coarse_times.push_back(times[place]);
   const auto coarse = run(problem, box, loads, coarse_times, solver, [&](double share) {
     if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 
 #include <lapacke.h>
 
@@ -10,11 +11,20 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// S with S' S = a positive semidefinite matrix; what is zero gets the size of its rounding.
-Eigen::MatrixXd square_root(const Eigen::MatrixXd& matrix) {
+/// S with S' S = a positive semidefinite matrix. What is zero, or is less than none by rounding, gets the size of the
+/// rounding in the stiffness as a whole, so that what nothing holds flows in a time beyond all others.
+Eigen::MatrixXd square_root(const Eigen::MatrixXd& matrix, double rounding) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(matrix);
-  const double rounding = 1e-15 * modes.eigenvalues().maxCoeff();
   return modes.eigenvalues().cwiseMax(rounding).cwiseSqrt().asDiagonal() * modes.eigenvectors().transpose();
+}
+
+/// The terms of both moduli by relaxation time [s]. Where a bulk term is negative, K + G/3 is not: each is the
+/// stiffness of a solid in plane strain.
+std::map<double, Moduli> joined(const Material& material) {
+  std::map<double, Moduli> terms;
+  for (const auto& [time, modulus] : material.shear.terms()) terms[time].shear += modulus;
+  for (const auto& [time, modulus] : material.bulk.terms()) terms[time].bulk += modulus;
+  return terms;
 }
 
 struct SingularValues {
@@ -41,27 +51,25 @@ SingularValues graded_singular_values(Eigen::MatrixXd matrix) {
 
 CreepCompliance network_compliance(const ReducedResponse& response, const Material& matrix) {
   // The springs of the network: first those without dashpot, then for every term those that its dashpots hold.
-  const auto at_rest = square_root(response.filler + matrix.shear.equilibrium() * response.matrix_shear +
-                                   matrix.bulk.equilibrium() * response.matrix_bulk);
-  const auto in_shear = square_root(response.matrix_shear), in_volume = square_root(response.matrix_bulk);
-  const auto& shear = matrix.shear.terms();
-  const auto& bulk = matrix.bulk.terms();
-  const auto dashpots = static_cast<Eigen::Index>(shear.size()) * in_shear.rows() +
-                        static_cast<Eigen::Index>(bulk.size()) * in_volume.rows();
+  const auto stiffness = [&](const Moduli& moduli) -> Eigen::MatrixXd {
+    return moduli.shear * response.matrix_shear + moduli.bulk * response.matrix_bulk;
+  };
+  const Eigen::MatrixXd unrelaxed = response.filler + stiffness({matrix.bulk.unrelaxed(), matrix.shear.unrelaxed()});
+  const double rounding = 1e-16 * unrelaxed.diagonal().maxCoeff();
+  const auto at_rest =
+      square_root(response.filler + stiffness({matrix.bulk.equilibrium(), matrix.shear.equilibrium()}), rounding);
+  const auto terms_of_both = joined(matrix);
   const auto size = response.filler.rows();
+  const auto dashpots = static_cast<Eigen::Index>(terms_of_both.size()) * size;
   Eigen::MatrixXd springs(at_rest.rows() + dashpots, size);
   Eigen::VectorXd rates(dashpots);
   springs.topRows(at_rest.rows()) = at_rest;
   Eigen::Index row = 0;
-  const auto add = [&](const std::vector<MaxwellTerm>& terms, const Eigen::MatrixXd& root) {
-    for (const auto& [time, modulus] : terms) {
-      springs.middleRows(at_rest.rows() + row, root.rows()) = std::sqrt(modulus) * root;
-      rates.segment(row, root.rows()).setConstant(1.0 / time);
-      row += root.rows();
-    }
-  };
-  add(shear, in_shear);
-  add(bulk, in_volume);
+  for (const auto& [time, moduli] : terms_of_both) {
+    springs.middleRows(at_rest.rows() + row, size) = square_root(stiffness(moduli), rounding);
+    rates.segment(row, size).setConstant(1.0 / time);
+    row += size;
+  }
 
   // S = Q R; the rates of the network are the squared singular values of N' D, with N the dashpots' part of an
   // orthonormal basis of all that is orthogonal to Q, and D the square roots of the terms' own rates.

@@ -88,7 +88,7 @@ std::vector<Material> read_materials(const Section& deck) {
 
 Material read_material_file(const std::filesystem::path& file) {
   const Deck document(file);
-  const auto material = read_material(document.root(), file.stem().string());
+  auto material = read_material(document.root(), file.stem().string());
   document.finish();
   return material;
 }

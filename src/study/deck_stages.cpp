@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/io/nearest_name.hpp"
+
 #include "deck_sections.hpp"
 
 namespace breccia {
@@ -22,7 +24,8 @@ bool is_safe(const std::string& name) {
          std::ranges::all_of(name, allowed);
 }
 
-std::string read_name(const Section& section, const std::vector<Stage>& earlier) {
+std::string read_name(const Section& section, const std::vector<Stage>& earlier,
+                      const std::vector<Material>& materials) {
   auto name = section.text("name");
   if (!name.empty() && !is_safe(name)) {
     section.report("name",
@@ -35,20 +38,28 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier)
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
     section.report("name", fmt::format("another stage is called \"{}\"", name));
   }
+  if (!name.empty() && std::ranges::find(materials, name, &Material::name) != materials.end()) {
+    section.report("name", fmt::format("a material is called \"{}\"", name));
+  }
   return name;
 }
 
-Material read_matrix(const Section& section, const std::vector<Stage>& earlier,
-                     const std::vector<Material>& materials) {
-  const auto name = section.kind("matrix") == Kind::text ? section.text("matrix") : "";
-  const bool is_material = std::ranges::find(materials, name, &Material::name) != materials.end();
-  const bool is_stage = std::ranges::find(earlier, name, &Stage::name) != earlier.end();
-  if (is_stage && !is_material) {
-    section.report("matrix",
-                   fmt::format("\"{}\" is a stage; a stage as the matrix of another is not available yet", name));
-    return {};
+/// A material or an earlier stage by name.
+StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlier,
+                        const std::vector<Material>& materials) {
+  const auto name = section.text("matrix");
+  if (name.empty()) return {};
+  std::vector<std::string> known;
+  for (const auto& material : materials) {
+    if (material.name == name) return material;
+    known.push_back(material.name);
   }
-  return read_material_reference(section, "matrix", materials);
+  for (const auto& stage : earlier) {
+    if (stage.name == name) return EarlierStage{name};
+    known.push_back(stage.name);
+  }
+  section.report("matrix", fmt::format("unknown material or earlier stage \"{}\"{}", name, suggestion(name, known)));
+  return {};
 }
 
 /// Cells per side of several grids, from which curves are extrapolated.
@@ -89,7 +100,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
     Stage stage;
-    stage.name = read_name(section, stages);
+    stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
     stage.side = section.quantity("box", Dimension::length, Range::positive());
     if (section.kind("cells") == Kind::array) {

@@ -112,6 +112,8 @@ Tests read_tests(const Section& deck) {
   read_times(section, tests);
   const Range points{.lower = 1.0, .upper = 1000.0};
   tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
+  tests.fit_tolerance =
+      section.optional_number("fit_tolerance", Range::above_and_up_to(0.0, 1.0)).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
     tests.quasistatic = read_quasistatic(*quasistatic);
   }

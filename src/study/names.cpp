@@ -2,6 +2,10 @@
 
 namespace breccia {
 
+const std::string& name_of(const StageMatrix& matrix) {
+  return std::visit([](const auto& named) -> const std::string& { return named.name; }, matrix);
+}
+
 std::string name_of(Load load) {
   switch (load) {
     case Load::shear:

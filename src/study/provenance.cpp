@@ -129,10 +129,19 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
     microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.filler->packing).seed;
     microstructure["events"] = packing.events;
   }
+  Json materials = Json::array();
+  for (const auto& [boundary, method, fit] : result.materials) {
+    materials.push_back({{"boundary", name_of(boundary)},
+                         {"method", name_of(method)},
+                         {"fitted_over_s", json_of(fit.fitted)},
+                         {"shear_fit_error", fit.shear_error},
+                         {"bulk_fit_error", fit.bulk_error},
+                         {"material", json_of(fit.material)}});
+  }
   Json tests = Json::array();
   for (const auto& test : result.tests) tests.push_back(json_of(test, study));
   Json json = {{"name", stage.name},
-               {"matrix", stage.matrix.name},
+               {"matrix", name_of(stage.matrix)},
                {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
                {"box_m", stage.side},
                {"cells", grids_of(stage)},
@@ -140,6 +149,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"filler_point_fraction", result.point_fraction},
                {"microstructure", std::move(microstructure)},
                {"tests", std::move(tests)},
+               {"materials", std::move(materials)},
                {"warnings", result.warnings}};
   return json;
 }

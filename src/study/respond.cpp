@@ -10,7 +10,7 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "results.hpp"
-#include "stage_tests.hpp"
+#include "stage_extrapolation.hpp"
 
 namespace breccia {
 namespace {

@@ -78,7 +78,7 @@ void write_responses(const std::filesystem::path& directory, const Study& study,
       file->write_attribute("/", "format_version", format_version);
       file->write_attribute("/", "deck_hash", study.hash);
       file->write_attribute("/", "stage", stage.name);
-      file->write_attribute("/", "matrix", stage.matrix.name);
+      file->write_attribute("/", "matrix", name_of(stage.matrix));
       file->write_attribute("/", "box_m", stage.side);
       file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
       file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
@@ -108,7 +108,7 @@ StoredResponses read_responses(const std::filesystem::path& path) {
       const auto group = fmt::format("/{}/{}", name_of(boundary), name_of(load));
       if (!file.has(group)) continue;
       for (const auto& cells : file.names(group)) {
-        auto response = read_response(file, group + "/" + cells);
+        auto response = read_response(file, fmt::format("{}/{}", group, cells));
         response.load = load;
         response.boundary = boundary;
         stored.entries.push_back({std::stoi(cells), std::move(response)});

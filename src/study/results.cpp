@@ -15,7 +15,6 @@
 #include "breccia/io/units.hpp"
 #include "breccia/io/vtkhdf.hpp"
 #include "breccia/report/microstructure_picture.hpp"
-#include "breccia/report/modulus_plot.hpp"
 
 namespace breccia {
 
@@ -84,50 +83,6 @@ void write_fields(const std::filesystem::path& directory, const Grid& grid, cons
                 {"displacement_m", 3, std::move(displacement)},
                 {"strain", 6, std::move(strain)},
                 {"stress_Pa", 6, std::move(stress)}});
-}
-
-namespace {
-
-/// "1030", not "1.03e+03".
-std::string three_digits(double value) {
-  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
-}
-
-}  // namespace
-
-void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                const StageResult& result) {
-  ModulusPlot plot;
-  plot.title = fmt::format("{}: {}", study.title, stage.name);
-  const bool has_limits = !stage.coarser_cells.empty(), has_methods = study.tests.methods.size() > 1;
-  for (const auto& test : result.tests) {
-    // Of several grids what they tell together.
-    if (has_limits && test.cells != 0) continue;
-    PlotCurve curve{.label = fmt::format("{}, {}{}", test.load == Load::bulk ? "K(t) + G(t)/3" : "G(t)",
-                                         bound_of(test.boundary), has_methods ? ", " + name_of(test.method) : "")};
-    if (test.method == Method::dynamic && has_methods) curve.style = PlotStyle::dashed;
-    for (const auto& [time, modulus] : test.modulus) {
-      curve.times.push_back(time);
-      curve.moduli.push_back(modulus);
-    }
-    plot.curves.push_back(std::move(curve));
-  }
-  PlotCurve matrix{.label = "G(t) of the matrix", .style = PlotStyle::dashed};
-  for (const auto& [time, modulus] : result.tests.front().modulus) {
-    matrix.times.push_back(time);
-    matrix.moduli.push_back(stage.matrix.shear.at(time));
-  }
-  plot.curves.push_back(std::move(matrix));
-  for (const auto& test : result.tests) {
-    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
-    if (dynamic == nullptr) continue;
-    for (const auto& domain : dynamic->domains) {
-      plot.windows.push_back(
-          {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
-    }
-    break;
-  }
-  write_text(directory / "modulus.svg", modulus_plot(plot));
 }
 
 }  // namespace breccia

@@ -28,10 +28,6 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
 /// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
 void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields);
 
-/// Writes `modulus.svg` of a stage: all its tests, the matrix for comparison, and the windows of the time domains.
-void write_plot(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                const StageResult& result);
-
 /// Writes `curves.csv` and `prony.csv`, and where there is something to put in `compliance.csv` and
 /// `extrapolation.csv`: all tests of all stages.
 void write_curves(const std::filesystem::path& directory, const StudyResult& result);

@@ -13,6 +13,9 @@
 
 #include "response_file.hpp"
 #include "results.hpp"
+#include "stage_extrapolation.hpp"
+#include "stage_materials.hpp"
+#include "stage_plot.hpp"
 #include "stage_tests.hpp"
 
 namespace breccia {
@@ -33,8 +36,8 @@ void remove_old_results(const Study& study, const fs::path& directory) {
   for (const auto& stage : study.stages) {
     const auto stage_directory = directory / stage.name;
     if (!fs::is_directory(stage_directory)) continue;
-    for (const auto* name :
-         {"microstructure.csv", "microstructure.svg", "modulus.svg", "fields.vtkhdf", "response.h5"}) {
+    for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
+                             "fields.vtkhdf", "response.h5"}) {
       remove(stage_directory / name);
     }
     for (const auto& entry : fs::directory_iterator(stage_directory)) {
@@ -91,24 +94,47 @@ class StageRun {
       }
     }
     for (auto& test : extrapolate_tests(stage_, done_.tests)) keep(std::move(test));
-    write_once([&] { write_plot(directory_ / stage_.name, study_, stage_, done_); });
+    if (serves_as_matrix(study_, stage_)) {
+      done_.materials = materials_from(study_, stage_, result_.stages, done_);
+      write_once([&] { write_provenance(directory_, study_, result_); });
+    }
+    write_once([&] { write_plots(directory_ / stage_.name, study_, stage_, done_, references()); });
   }
 
  private:
   void run(const StageGrid& grid, Boundary boundary, Method method) {
+    const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
-      for (auto& test : run_quasistatic(grid, boundary, observer_)) keep(std::move(test));
+      for (auto& test : run_quasistatic(grid, matrix, boundary, observer_)) keep(std::move(test));
       write_once([&] { write_responses(grid.directory, study_, stage_, done_.tests); });
       return;
     }
-    for (const auto load : study_.tests.loads) {
+    for (const auto load : loads_of(study_, stage_)) {
       PointFields fields;
-      auto test = run_dynamic(grid, boundary, load, observer_, fields);
+      auto test = run_dynamic(grid, matrix, boundary, load, observer_, fields);
       // Fields are large: the first test's are written, and none is kept.
       if (!has_fields_) write_once([&] { write_fields(grid.directory, grid.discretisation.grid(), fields); });
       has_fields_ = true;
       keep(std::move(test));
     }
+  }
+
+  /// The matrix, or of every boundary its own.
+  [[nodiscard]] std::vector<ReferenceCurve> references() const {
+    std::vector<ReferenceCurve> curves;
+    const bool is_one = std::holds_alternative<Material>(stage_.matrix);
+    for (const auto bound : study_.tests.bounds) {
+      const auto boundary = boundary_of(bound);
+      const auto& matrix = matrix_of(stage_, result_.stages, boundary, study_.tests.methods.front());
+      auto& curve = curves.emplace_back();
+      curve.label = is_one ? "matrix" : fmt::format("matrix, {}", bound_of(boundary));
+      for (const double time :
+           logarithmic_times({study_.tests.first_time, study_.tests.last_time}, study_.tests.points_per_decade)) {
+        curve.modulus.push_back({time, matrix.shear.at(time)});
+      }
+      if (is_one) break;
+    }
+    return curves;
   }
 
   void keep(TestResult test) {

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/experiment/extrapolation.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
@@ -17,13 +16,14 @@
 namespace breccia {
 namespace {
 
-std::vector<Material> materials_of(const Stage& stage) {
-  std::vector<Material> materials = {stage.matrix};
+std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
+  std::vector<Material> materials = {matrix};
   if (stage.filler) materials.push_back(stage.filler->material);
   return materials;
 }
 
-/// The series of a curve that a method gives as numbers.
+}  // namespace
+
 PronySeries fitted(const Curve& curve) {
   constexpr std::size_t fewest = 3;
   if (curve.size() < fewest) return PronySeries(curve.back().modulus);
@@ -35,54 +35,10 @@ PronySeries fitted(const Curve& curve) {
   return fit_relaxation(times, moduli).series;
 }
 
-/// The tests that differ from one in their grids alone, by rising number of cells.
-std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const std::vector<TestResult>& tests) {
-  std::vector<const TestResult*> same;
-  for (const auto& test : tests) {
-    if (test.load == one.load && test.boundary == one.boundary && test.method == one.method) same.push_back(&test);
-  }
-  return same;
-}
-
-TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResult*>& grids) {
-  const auto& finest = *grids.back();
-  TestResult result{.load = finest.load, .boundary = finest.boundary, .method = finest.method};
-  ExtrapolationRecord record;
-  std::vector<double> cell_sides;
-  for (const auto* grid : grids) {
-    record.cells.push_back(grid->cells);
-    cell_sides.push_back(stage.side / grid->cells);
-  }
-  const auto limit = [&](double time, const auto& value) {
-    std::vector<double> values;
-    std::ranges::transform(grids, std::back_inserter(values), value);
-    const auto extrapolated = extrapolate(cell_sides, values);
-    if (extrapolated.value > 0.0) return extrapolated;
-    throw NumericalError(
-        fmt::format("extrapolation to vanishing cells gives {:.3g} at {:.3g} s: the grids are too "
-                    "coarse for a law of first order; take finer ones",
-                    extrapolated.value, time));
-  };
-  for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
-    const double time = finest.modulus[i].time;
-    const auto [modulus, half_band] = limit(time, [&](const TestResult* grid) { return grid->modulus[i].modulus; });
-    result.modulus.push_back({time, modulus});
-    record.half_bands.push_back(half_band);
-    if (finest.compliance.empty()) continue;
-    const auto creep = limit(time, [&](const TestResult* grid) { return grid->compliance[i].compliance; });
-    result.compliance.push_back({time, creep.value});
-  }
-  result.series = fitted(result.modulus);
-  result.record = std::move(record);
-  return result;
-}
-
-}  // namespace
-
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
-                              Boundary boundary, Load load, int threads) {
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                              const Discretisation& discretisation, Boundary boundary, Load load, int threads) {
   return {.discretisation = discretisation,
-          .materials = materials_of(stage),
+          .materials = materials_of(stage, matrix),
           .boundary = boundary,
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
@@ -91,22 +47,23 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Disc
           .threads = threads};
 }
 
-QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
-                                      Boundary boundary) {
+QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                      const Discretisation& discretisation, Boundary boundary) {
   return {.discretisation = discretisation,
-          .materials = materials_of(stage),
+          .materials = materials_of(stage, matrix),
           .boundary = boundary,
-          .loads = study.tests.loads,
+          .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
           .options = study.tests.quasistatic};
 }
 
-std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary, const StudyObserver& observer) {
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
+                                        const StudyObserver& observer) {
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), cells);
-  const auto test = make_quasistatic_test(*grid.study, stage, grid.discretisation, boundary);
+  const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] {
     return run_quasistatic_test(test, [&](const std::string& details, double share) {
       if (observer.progress) observer.progress(stage, name, share, details);
@@ -124,8 +81,8 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary
   return results;
 }
 
-TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, const StudyObserver& observer,
-                       PointFields& fields) {
+TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
+                       const StudyObserver& observer, PointFields& fields) {
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(boundary), cells);
@@ -143,7 +100,7 @@ TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, cons
     }
     if (observer.domain_finished) observer.domain_finished(stage, boundary, load, domain);
   };
-  const auto test = make_dynamic_test(*grid.study, stage, grid.discretisation, boundary, load, grid.threads);
+  const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] { return run_dynamic_test(test, follow); });
   fields = std::exchange(done.fields, {});
   TestResult result{.load = load, .boundary = boundary, .method = Method::dynamic, .cells = cells};
@@ -152,19 +109,6 @@ TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, cons
   result.series = fitted(result.modulus);
   result.record = std::move(done);
   return result;
-}
-
-std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests) {
-  std::vector<TestResult> extrapolated;
-  if (stage.coarser_cells.empty()) return extrapolated;
-  for (const auto& test : tests) {
-    if (test.cells != stage.cells) continue;
-    const auto grids = same_on_all_grids(test, tests);
-    const auto name =
-        fmt::format("{} {} {} {}", stage.name, name_of(test.load), bound_of(test.boundary), name_of(test.method));
-    extrapolated.push_back(name_errors(name, [&] { return extrapolate_test(stage, grids); }));
-  }
-  return extrapolated;
 }
 
 std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test) {

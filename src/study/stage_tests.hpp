@@ -17,15 +17,15 @@ struct StageGrid {
 };
 
 /// All loads under one boundary by the quasi-static method.
-std::vector<TestResult> run_quasistatic(const StageGrid& grid, Boundary boundary, const StudyObserver& observer);
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
+                                        const StudyObserver& observer);
 
 /// One load under one boundary by the dynamic method, with its histories written. `fields` receives those at the end.
-TestResult run_dynamic(const StageGrid& grid, Boundary boundary, Load load, const StudyObserver& observer,
-                       PointFields& fields);
+TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
+                       const StudyObserver& observer, PointFields& fields);
 
-/// The limits of vanishing cells of all tests that were made on all grids of a stage.
-/// Throws NumericalError where a limit is not positive.
-std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests);
+/// The series of a curve that a method gives as numbers.
+PronySeries fitted(const Curve& curve);
 
 /// What makes a test doubtful.
 std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test);

@@ -36,6 +36,7 @@ std::vector<double> characteristic_times(double first, double last, double per_d
   const double from = first / beyond, to = last * beyond;
   const auto count = std::max(2, static_cast<int>(std::ceil(per_decade * std::log10(to / from))) + 1);
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) times.push_back(from * std::pow(to / from, static_cast<double>(i) / (count - 1)));
   return times;
 }

@@ -48,9 +48,42 @@ std::complex<double> PronySeries::complex_modulus(double omega) const noexcept {
 }
 
 PronySeries PronySeries::shifted(double shift_factor) const {
-  auto terms = terms_;
-  for (auto& term : terms) term.relaxation_time *= shift_factor;
-  return {equilibrium_, std::move(terms)};
+  auto result = *this;
+  for (auto& term : result.terms_) term.relaxation_time *= shift_factor;
+  return result;
+}
+
+PronySeries PronySeries::scaled(double factor) const {
+  auto result = *this;
+  result.equilibrium_ *= factor;
+  for (auto& term : result.terms_) term.modulus *= factor;
+  return result;
+}
+
+PronySeries PronySeries::truncated(std::size_t slow, std::size_t fast) const {
+  const auto first = terms_.begin() + static_cast<std::ptrdiff_t>(slow);
+  const auto last = terms_.end() - static_cast<std::ptrdiff_t>(fast);
+  PronySeries result;
+  result.equilibrium_ = equilibrium_;
+  for (auto term = terms_.begin(); term != first; ++term) result.equilibrium_ += term->modulus;
+  result.terms_.assign(first, last);
+  return result;
+}
+
+PronySeries PronySeries::difference(const PronySeries& whole, const PronySeries& part) {
+  PronySeries result = whole;
+  result.equilibrium_ -= part.equilibrium_;
+  auto& terms = result.terms_;
+  for (const auto& [time, modulus] : part.terms_) {
+    const auto same = std::ranges::find(terms, time, &MaxwellTerm::relaxation_time);
+    if (same != terms.end()) {
+      same->modulus -= modulus;
+    } else {
+      terms.push_back({time, -modulus});
+    }
+  }
+  std::ranges::stable_sort(terms, std::ranges::greater{}, &MaxwellTerm::relaxation_time);
+  return result;
 }
 
 }  // namespace breccia

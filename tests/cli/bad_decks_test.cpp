@@ -33,7 +33,7 @@ const std::vector<BadDeck> bad_decks{
      "materials.binder.shear.prony: no such file: none.csv"},
     {"[materials.hmx]", "[material.hmx]", R"(unknown key "material", did you mean "materials"?)"},
     {"matrix  = \"binder\"", "matrix  = \"bindre\"",
-     R"(stages.A.matrix: unknown material "bindre", did you mean "binder"?)"},
+     R"(stages.A.matrix: unknown material or earlier stage "bindre", did you mean "binder"?)"},
     {"material = \"hmx\"", "material = \"rdx\"", "stages.A.filler.material: unknown material \"rdx\""},
     {"name    = \"A\"", "name    = \"../A\"", "it names a directory"},
     {"name    = \"A\"", "", "stages.0.name: missing"},

@@ -67,8 +67,13 @@ class Results : public ::testing::Test {
 
 TEST_F(Results, AreTheseFiles) {
   const auto tests = provenance()["stages"][0]["tests"];
-  std::vector<std::string> expected{"A/fields.vtkhdf", "A/microstructure.csv", "A/microstructure.svg",
-                                    "A/modulus.svg",   "curves.csv",           "prony.csv",
+  std::vector<std::string> expected{"A/bulk_modulus.svg",
+                                    "A/fields.vtkhdf",
+                                    "A/microstructure.csv",
+                                    "A/microstructure.svg",
+                                    "A/modulus.svg",
+                                    "curves.csv",
+                                    "prony.csv",
                                     "study.json"};
   for (const auto& test : tests) {
     for (std::size_t i = 1; i <= test["time_domains"].size(); ++i) {
@@ -141,9 +146,12 @@ TEST_F(Results, PicturesAreWellFormed) {
   EXPECT_EQ(testing::count(picture, "<circle"), 4U);
   const auto plot = read_text(path("A/modulus.svg"));
   EXPECT_EQ(testing::xml_mistake(plot), "");
-  for (const auto* label : {"Model composite: A", "G(t), upper bound", "K(t) + G(t)/3, upper bound"}) {
+  for (const auto* label : {"Model composite: A", "Relaxation modulus G(t)", "upper bound", "matrix"}) {
     EXPECT_THAT(plot, HasSubstr(label));
   }
+  const auto bulk_plot = read_text(path("A/bulk_modulus.svg"));
+  EXPECT_EQ(testing::xml_mistake(bulk_plot), "");
+  EXPECT_THAT(bulk_plot, HasSubstr("Plane-strain bulk modulus K(t) + G(t)/3"));
 }
 
 TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {

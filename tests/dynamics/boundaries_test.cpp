@@ -167,7 +167,8 @@ TEST_P(Boundaries, ABodyUnderTractionNeitherDriftsNorTurns) {
     double largest = 0.0, turn = 0.0, weight = 0.0;
     Vector<2> drift = {0.0, 0.0};
     for (int i = 0; i < 256; ++i) {
-      const double x = (i % 16 - 7.5) / 16.0, y = (i / 16 - 7.5) / 16.0;
+      const int column = i % 16, row = i / 16;
+      const double x = (column - 7.5) / 16.0, y = (row - 7.5) / 16.0;
       const double mass = fields.material[static_cast<std::size_t>(i)] == 0 ? relaxing.density : stiff.density;
       const auto& [u, v] = fields.displacement[static_cast<std::size_t>(i)];
       largest = std::max({largest, std::abs(u), std::abs(v)});

@@ -132,12 +132,19 @@ TEST_F(DeckStages, StagesAreToldApart) {
               HasSubstr("stages.HB-1.name: another stage is called \"HB-1\""));
 }
 
-TEST_F(DeckStages, AStageAsMatrixIsForeseenButNotThereYet) {
-  const auto text = test::join(test::materials, test::stage,
-                               "[[stages]]\nname = \"b\"\nmatrix = \"HB-1\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
-  EXPECT_THAT(directory.mistakes(text),
-              HasSubstr("stages.b.matrix: \"HB-1\" is a stage; a stage as the matrix of another "
-                        "is not available yet"));
+TEST_F(DeckStages, AnEarlierStageServesAsMatrix) {
+  const auto stage_with = [](const std::string& name, const std::string& matrix) {
+    return test::join("[[stages]]\nname = \"", name, "\"\nmatrix = \"", matrix, "\"\nbox = \"1 mm\"\ncells = 4\n");
+  };
+  const auto study = directory.study(test::join(test::materials, test::stage, stage_with("b", "HB-1"), test::tests));
+  EXPECT_EQ(std::get<EarlierStage>(study.stages[1].matrix).name, "HB-1");
+  for (const auto* later : {"c", "b"}) {
+    EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, stage_with("b", later),
+                                              stage_with("c", "binder"), test::tests)),
+                HasSubstr("stages.b.matrix: unknown material or earlier stage"));
+  }
+  EXPECT_THAT(directory.mistakes(test::join(test::materials, stage_with("binder", "binder"), test::tests)),
+              HasSubstr("stages.binder.name: a material is called \"binder\""));
 }
 
 TEST_F(DeckStages, MistakesInThePacking) {

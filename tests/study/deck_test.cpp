@@ -17,7 +17,7 @@ TEST(StudyDeck, ResolvesEverything) {
   ASSERT_EQ(study.materials.size(), 2U);
   EXPECT_EQ(study.materials[0].name, "binder");
   ASSERT_EQ(study.stages.size(), 1U);
-  EXPECT_EQ(study.stages[0].matrix, study.materials[0]);
+  EXPECT_EQ(std::get<Material>(study.stages[0].matrix), study.materials[0]);
   EXPECT_DOUBLE_EQ(study.stages[0].cell_size(), 0.16e-6);
   EXPECT_EQ(study.tests.loads, std::vector{Load::shear});
 }
@@ -59,16 +59,17 @@ cels = 300
 [tests]
 times = ["10 ms", "10 ns"]
 )");
-  EXPECT_EQ(mistakes,
-            "deck.toml:1:1: unknown key \"titel\", did you mean \"title\"?\n"
-            "deck.toml:3:11: materials.binder.density: expected a density, got \"1.48 GPa\"\n"
-            "deck.toml:5:19: materials.binder.shear.prony: no such file: none.csv\n"
-            "deck.toml:6:1: stages.HB/1: expected exactly one of cells, resolution\n"
-            "deck.toml:7:8: stages.HB/1.name: expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), "
-            "got \"HB/1\"\n"
-            "deck.toml:8:10: stages.HB/1.matrix: unknown material \"bindr\", did you mean \"binder\"?\n"
-            "deck.toml:10:1: stages.HB/1: unknown key \"cels\", did you mean \"cells\"?\n"
-            "deck.toml:12:9: tests.times: expected two rising times, such as [\"10 ns\", \"10 ms\"]");
+  EXPECT_EQ(
+      mistakes,
+      "deck.toml:1:1: unknown key \"titel\", did you mean \"title\"?\n"
+      "deck.toml:3:11: materials.binder.density: expected a density, got \"1.48 GPa\"\n"
+      "deck.toml:5:19: materials.binder.shear.prony: no such file: none.csv\n"
+      "deck.toml:6:1: stages.HB/1: expected exactly one of cells, resolution\n"
+      "deck.toml:7:8: stages.HB/1.name: expected letters, digits, \"-\", \"_\" and \".\" (it names a directory), "
+      "got \"HB/1\"\n"
+      "deck.toml:8:10: stages.HB/1.matrix: unknown material or earlier stage \"bindr\", did you mean \"binder\"?\n"
+      "deck.toml:10:1: stages.HB/1: unknown key \"cels\", did you mean \"cells\"?\n"
+      "deck.toml:12:9: tests.times: expected two rising times, such as [\"10 ns\", \"10 ms\"]");
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace breccia {
 
 /// A solution for one pair of matrix moduli that went into a reduced response.
 struct Snapshot {
-  Moduli matrix;  ///< [Pa]
+  Moduli matrix = {};  ///< [Pa]
   /// Relative error of the modulus there just before it was added, for those that were added where the error was
   /// expected to be largest; of the first ones, 0 [-].
   double error_before = 0.0;

@@ -14,7 +14,7 @@ namespace breccia {
 /// were tested, ready for another matrix.
 struct StoredResponses {
   struct Entry {
-    int cells;  ///< per side
+    int cells = 0;  ///< per side
     ReducedResponse response;
   };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "breccia/experiment/dynamic_test.hpp"
+#include "breccia/experiment/homogenised_material.hpp"
 #include "breccia/study/microstructures.hpp"
 #include "breccia/study/study.hpp"
 
@@ -38,6 +39,13 @@ struct TestResult {
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
+/// The result of a stage under one boundary and by one method, as a material.
+struct StageMaterial {
+  Boundary boundary = Boundary::displacement;
+  Method method = Method::quasistatic;
+  HomogenisedMaterial result = {};
+};
+
 /// One stage, done as far as `tests` tell.
 struct StageResult {
   std::string name;
@@ -46,7 +54,8 @@ struct StageResult {
   double point_fraction = 0.0;  ///< share of the material points that are filler [-]
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
-  std::vector<std::string> warnings;  ///< what makes the results doubtful
+  std::vector<StageMaterial> materials;  ///< what later stages take as their matrix
+  std::vector<std::string> warnings;     ///< what makes the results doubtful
 };
 
 struct StudyResult {
@@ -71,14 +80,27 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
 /// Packs the microstructures of a study alone and writes them.
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const StudyObserver& observer = {});
 
-/// A stage with its microstructure on a grid, ready to be tested.
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
-                              Boundary boundary, Load load, int threads);
-QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Discretisation& discretisation,
-                                      Boundary boundary);
+/// A stage with its matrix and its microstructure on a grid, ready to be tested.
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                              const Discretisation& discretisation, Boundary boundary, Load load, int threads);
+QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                      const Discretisation& discretisation, Boundary boundary);
+
+/// Does a later stage take the result of this one as its matrix?
+bool serves_as_matrix(const Study& study, const Stage& stage);
+
+/// The loads of a stage: those of the study, and shear and bulk where the result serves as a matrix.
+std::vector<Load> loads_of(const Study& study, const Stage& stage);
+
+/// A guess at the matrix of a stage before anything has been computed: exact where it is a material. It plans runs; no
+/// result depends on it.
+Material expected_matrix(const Study& study, const Stage& stage);
 
 /// Cells per side of all grids of a stage, rising.
 std::vector<int> grids_of(const Stage& stage);
+
+/// The name of a material or stage.
+const std::string& name_of(const StageMatrix& matrix);
 
 /// What holds the box for a bound.
 Boundary boundary_of(Bound bound);

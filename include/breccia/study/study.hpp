@@ -74,10 +74,18 @@ struct Filler {
   PackingMethod packing;
 };
 
+/// An earlier stage, by name, whose result serves as a material.
+struct EarlierStage {
+  std::string name;
+};
+
+/// What lies between the particles of a stage.
+using StageMatrix = std::variant<Material, EarlierStage>;
+
 /// A microstructure to be tested.
 struct Stage {
   std::string name;  ///< also that of its directory
-  Material matrix;
+  StageMatrix matrix;
   double side = 0.0;                    ///< of the square box [m]
   int cells = 0;                        ///< per side; of the finest grid where there are several
   std::vector<int> coarser_cells = {};  ///< per side of the coarser grids from which curves are extrapolated, rising
@@ -108,6 +116,8 @@ struct Tests {
   double first_time = 0.0;  ///< [s]
   double last_time = 0.0;   ///< [s]
   int points_per_decade = 20;
+  /// Largest relative deviation that the fit of a stage's result may have where a later stage builds on it [-].
+  double fit_tolerance = 0.03;
   QuasistaticOptions quasistatic;
   DynamicOptions dynamic;
 };

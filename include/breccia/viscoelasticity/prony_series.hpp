@@ -1,6 +1,7 @@
 #pragma once
 
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 namespace breccia {
@@ -8,7 +9,7 @@ namespace breccia {
 /// One Maxwell element: modulus * exp(-t / relaxation_time).
 struct MaxwellTerm {
   double relaxation_time;  ///< [s], positive
-  double modulus;          ///< [Pa], not negative
+  double modulus;          ///< [Pa]; negative in a difference of series alone
 
   friend bool operator==(const MaxwellTerm&, const MaxwellTerm&) = default;
 };
@@ -36,6 +37,13 @@ class PronySeries {
   [[nodiscard]] std::complex<double> complex_modulus(double omega) const noexcept;
   /// The same series with every relaxation time multiplied by a positive factor (time-temperature superposition).
   [[nodiscard]] PronySeries shifted(double shift_factor) const;
+  /// The same series with every modulus multiplied by a factor that is not negative.
+  [[nodiscard]] PronySeries scaled(double factor) const;
+  /// The series with that many of its slowest terms as springs and that many of its fastest gone.
+  [[nodiscard]] PronySeries truncated(std::size_t slow, std::size_t fast) const;
+  /// What is left of one series without another. Terms with the same time become one. It is no solid by itself, for
+  /// its terms may be negative: in plane strain a composite's K(t) = (K + G/3)(t) - G(t)/3 may rise.
+  [[nodiscard]] static PronySeries difference(const PronySeries& whole, const PronySeries& part);
 
   friend bool operator==(const PronySeries&, const PronySeries&) = default;
 

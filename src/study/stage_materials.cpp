@@ -1,0 +1,123 @@
+#include "stage_materials.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "stage_extrapolation.hpp"
+
+namespace breccia {
+namespace {
+
+/// Density of the composite [kg/m^3], by volume.
+double mixed(double matrix, double filler, double fraction) {
+  return (1.0 - fraction) * matrix + fraction * filler;
+}
+
+double density_of(const Stage& stage, const Material& matrix, double fraction) {
+  return stage.filler ? mixed(matrix.density, stage.filler->material.density, fraction) : matrix.density;
+}
+
+void require_good_fit(const Study& study, const Stage& stage, const StageMaterial& fitted) {
+  const auto& [boundary, method, result] = fitted;
+  const auto refuse = [&](const char* modulus, double error) {
+    throw NumericalError(fmt::format(
+        "stage {}, {}, {}: the fit of {}, on which later stages build, is up to {:.2g} % off its curve, more than "
+        "tests.fit_tolerance = {:.2g} %; longer ramps or more overlap make dynamic curves smoother, finer cells "
+        "extrapolations",
+        stage.name, bound_of(boundary), name_of(method), modulus, 100.0 * error, 100.0 * study.tests.fit_tolerance));
+  };
+  // A NaN is no good fit.
+  if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
+  if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse("K(t) + G(t)/3", result.bulk_error);
+}
+
+}  // namespace
+
+const TestResult& representative(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method) {
+  const auto grid = [](const TestResult& test) {
+    return test.cells == 0 ? std::numeric_limits<int>::max() : test.cells;
+  };
+  const TestResult* best = nullptr;
+  for (const auto& test : tests) {
+    if (test.load != load || test.boundary != boundary || test.method != method) continue;
+    if (best == nullptr || grid(test) > grid(*best)) best = &test;
+  }
+  if (best != nullptr) return *best;
+  throw InputError(fmt::format("no test under {} with the {} boundary by the {} method", name_of(load),
+                               name_of(boundary), name_of(method)));
+}
+
+bool serves_as_matrix(const Study& study, const Stage& stage) {
+  return std::ranges::any_of(study.stages, [&](const Stage& other) {
+    const auto* earlier = std::get_if<EarlierStage>(&other.matrix);
+    return earlier != nullptr && earlier->name == stage.name;
+  });
+}
+
+std::vector<Load> loads_of(const Study& study, const Stage& stage) {
+  auto loads = study.tests.loads;
+  if (!serves_as_matrix(study, stage)) return loads;
+  for (const auto load : {Load::shear, Load::bulk}) {
+    if (std::ranges::find(loads, load) == loads.end()) loads.push_back(load);
+  }
+  return loads;
+}
+
+const Material& matrix_of(const Stage& stage, const std::vector<StageResult>& earlier, Boundary boundary,
+                          Method method) {
+  if (const auto* material = std::get_if<Material>(&stage.matrix)) return *material;
+  const auto& name = std::get<EarlierStage>(stage.matrix).name;
+  const auto made_by = std::ranges::find(earlier, name, &StageResult::name);
+  if (made_by != earlier.end()) {
+    for (const auto& material : made_by->materials) {
+      if (material.boundary == boundary && material.method == method) return material.result.material;
+    }
+  }
+  throw InputError(fmt::format("stage {}: stage {} has no result for the {}, {}", stage.name, name, bound_of(boundary),
+                               name_of(method)));
+}
+
+std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage,
+                                          const std::vector<StageResult>& earlier, const StageResult& result) {
+  // A response at one time depends on the moduli at all earlier ones, ever less the earlier they are: series that
+  // tell them are followed three decades back.
+  constexpr double back = 1e-3;
+  const auto times = logarithmic_times({back * study.tests.first_time, study.tests.last_time},
+                                       std::max(study.tests.points_per_decade, 20));
+  std::vector<StageMaterial> materials;
+  for (const auto bound : study.tests.bounds) {
+    const auto boundary = boundary_of(bound);
+    for (const auto method : study.tests.methods) {
+      const auto curve = [&](Load load) {
+        return curve_at(representative(result.tests, load, boundary, method), stage, result.tests, times);
+      };
+      const auto& matrix = matrix_of(stage, earlier, boundary, method);
+      const double density = density_of(stage, matrix, result.microstructure.fraction);
+      materials.push_back(
+          {boundary, method, homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk))});
+      require_good_fit(study, stage, materials.back());
+    }
+  }
+  return materials;
+}
+
+Material expected_matrix(const Study& study, const Stage& stage) {
+  if (const auto* material = std::get_if<Material>(&stage.matrix)) return *material;
+  const auto& name = std::get<EarlierStage>(stage.matrix).name;
+  const auto& earlier = *std::ranges::find(study.stages, name, &Stage::name);
+  auto matrix = expected_matrix(study, earlier);
+  if (!earlier.filler) return matrix;
+  const double fraction = earlier.filler->fraction.value_or(0.5);
+  const auto& filler = earlier.filler->material;
+  // A few rigid discs in an incompressible matrix (Hashin's lower bound); volumes under one pressure.
+  const double stiffening =
+      std::min((1.0 + fraction) / (1.0 - fraction), filler.shear.unrelaxed() / matrix.shear.unrelaxed());
+  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), 1.0 / filler.bulk.unrelaxed(), fraction);
+  return {name, mixed(matrix.density, filler.density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
+}
+
+}  // namespace breccia
