@@ -14,7 +14,7 @@
 #include "breccia/io/units.hpp"
 
 #include "command.hpp"
-#include "narration.hpp"
+#include "tables.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -63,13 +63,13 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
 void run_respond(const RespondArguments& arguments) {
   const auto window = window_of(arguments.times);
   const auto material = read_material_file(arguments.material);
-  std::vector<StageResult> results;
-  TimeWindow shown;
+  std::vector<StoredResponses> stored;
   for (const auto& stage : chosen_stages(arguments)) {
-    const auto stored = read_responses(arguments.results / stage / "response.h5");
-    results.push_back(respond(stored, material, window));
-    shown = window.value_or(stored.times);
+    stored.push_back(read_responses(arguments.results / stage / "response.h5"));
   }
+  // A stage alone takes the material itself, whatever its matrix was in the study.
+  const auto results = arguments.stage.empty() ? respond(stored, material, window)
+                                               : std::vector{respond(stored.front(), material, window)};
   const auto out = arguments.out.empty() ? arguments.results / ("respond-" + material.name) : arguments.out;
   write_response_curves(out, results);
   if (arguments.quiet) return;
@@ -82,7 +82,7 @@ void run_respond(const RespondArguments& arguments) {
     }
   }
   fmt::print("{}\nwith {} as matrix; error of the reduced responses about {:.1g} %\nCurves are in {}\n",
-             table_of(results, shown), material.name, 100.0 * error, out.string());
+             tables_of(results, window.value_or(stored.front().times)), material.name, 100.0 * error, out.string());
 }
 
 }  // namespace
@@ -95,7 +95,10 @@ void add_respond(CLI::App& application) {
   command->add_option("--material", arguments->material, "the new matrix: a TOML file with the keys of a material")
       ->required()
       ->type_name("FILE.toml");
-  command->add_option("--stage", arguments->stage, "one stage alone (default: all)")->type_name("NAME");
+  command
+      ->add_option("--stage", arguments->stage,
+                   "one stage alone, with the material as its own matrix (default: all, each on what it builds on)")
+      ->type_name("NAME");
   command
       ->add_option("--times", arguments->times,
                    R"(first and last time, such as "1 us" "1 s" (default: those of the run))")

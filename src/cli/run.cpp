@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "interruption.hpp"
 #include "narration.hpp"
+#include "tables.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -36,7 +37,7 @@ void add_run(CLI::App& application) {
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
     Progress progress(arguments->quiet || parallel::rank() != 0);
     const auto result = run_study(study, arguments->results(), arguments->threads, narrate(progress));
-    progress.print(closing_table(study, result));
+    progress.print(closing_tables(study, result));
     progress.print(
         fmt::format("\nResults are in {}: curves.csv, prony.csv, study.json", arguments->results().string()));
     for (const auto& stage : result.stages) {

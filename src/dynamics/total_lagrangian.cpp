@@ -76,7 +76,7 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
   for (int row = 0; row <= grid.rows; ++row) {
     for (int column = 0; column <= grid.columns; ++column) {
       if (is_prescribed(problem(), column, row)) continue;
-      const int x = wraps ? column % grid.columns : column, y = wraps ? row % grid.rows : row;
+      const int x = wraps && column == grid.columns ? 0 : column, y = wraps && row == grid.rows ? 0 : row;
       const auto v = velocity({x * grid.cell_side, y * grid.cell_side});
       increment(row).x[column] = problem().time_step * v[0];
       increment(row).y[column] = problem().time_step * v[1];

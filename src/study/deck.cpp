@@ -21,6 +21,7 @@ Study read_study(const std::filesystem::path& deck, const std::vector<std::strin
   study.materials = read_materials(root);
   study.stages = read_stages(root, study.materials);
   study.tests = read_tests(root);
+  study.measurements = read_measurements(root, study.stages, study.tests);
   document.finish();
   auto content = fmt::format("{}\n{}", document.text(), fmt::join(overrides, "\n"));
   for (const auto& file : document.files()) content += read_text(file);

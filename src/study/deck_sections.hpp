@@ -30,4 +30,10 @@ Material read_material_reference(const Section& section, const std::string& key,
 /// [tests].
 Tests read_tests(const Section& deck);
 
+/// Two rising times [s] where a section has such a key.
+std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key);
+
+/// [[measurements]] of the stages given.
+std::vector<Measurement> read_measurements(const Section& deck, const std::vector<Stage>& stages, const Tests& tests);
+
 }  // namespace breccia

@@ -32,7 +32,7 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier,
                    fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }
   if (name == "curves.csv" || name == "compliance.csv" || name == "prony.csv" || name == "extrapolation.csv" ||
-      name == "study.json") {
+      name == "comparison.csv" || name == "study.json") {
     section.report("name", fmt::format("\"{}\" is the name of a file of results", name));
   }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {

@@ -16,15 +16,13 @@ void refuse_repeats(const Section& section, const std::string& key, const std::v
   }
 }
 
-void read_times(const Section& section, Tests& tests) {
-  const auto times = section.quantities("times", Dimension::time, Range::positive());
-  if (times.empty()) return;
-  if (times.size() != 2 || times[0] >= times[1]) {
-    section.report("times", R"(expected two rising times, such as ["10 ns", "10 ms"])");
-    return;
-  }
-  tests.first_time = times[0];
-  tests.last_time = times[1];
+std::optional<TimeWindow> required_time_window(const Section& section, const std::string& key) {
+  const auto times = section.quantities(key, Dimension::time, Range::positive());
+  if (times.empty()) return {};
+  // A time that is none has been reported already, and is no number.
+  if (times.size() == 2 && !(times[0] >= times[1])) return TimeWindow{times[0], times[1]};
+  section.report(key, R"(expected two rising times, such as ["10 ns", "10 ms"])");
+  return {};
 }
 
 std::vector<double> read_density_factors(const Section& section) {
@@ -95,6 +93,10 @@ DynamicOptions read_dynamic(const Section& section) {
 
 }  // namespace
 
+std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key) {
+  return section.has(key) ? required_time_window(section, key) : std::nullopt;
+}
+
 Tests read_tests(const Section& deck) {
   const auto section = deck.section("tests");
   Tests tests;
@@ -109,7 +111,10 @@ Tests read_tests(const Section& deck) {
     refuse_repeats(section, "bounds", tests.bounds);
   }
   if (section.has("method")) tests.methods = read_methods(section);
-  read_times(section, tests);
+  if (const auto times = required_time_window(section, "times")) {
+    tests.first_time = times->begin;
+    tests.last_time = times->end;
+  }
   const Range points{.lower = 1.0, .upper = 1000.0};
   tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
   tests.fit_tolerance =

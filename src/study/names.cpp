@@ -46,6 +46,18 @@ std::string bound_of(Boundary boundary) {
   return {};
 }
 
+Bound bound_under(Boundary boundary) {
+  switch (boundary) {
+    case Boundary::displacement:
+      return Bound::upper;
+    case Boundary::traction:
+      return Bound::lower;
+    case Boundary::periodic:
+      return Bound::periodic;
+  }
+  return {};
+}
+
 Boundary boundary_of(Bound bound) {
   switch (bound) {
     case Bound::upper:

@@ -31,6 +31,10 @@ Json json_of(const TimeWindow& window) {
   return {window.begin, window.end};
 }
 
+Json json_of(const ComparedSample& sample) {
+  return {{"time_s", sample.time}, {"ratio", sample.ratio()}};
+}
+
 /// JSON has no infinity: a gap without two particles is null.
 Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json();
@@ -138,6 +142,14 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                          {"bulk_fit_error", fit.bulk_error},
                          {"material", json_of(fit.material)}});
   }
+  Json comparisons = Json::array();
+  for (const auto& comparison : result.comparisons) {
+    comparisons.push_back({{"measurement", comparison.measurement},
+                           {"boundary", name_of(comparison.boundary)},
+                           {"method", name_of(comparison.method)},
+                           {"best", json_of(comparison.best())},
+                           {"worst", json_of(comparison.worst())}});
+  }
   Json tests = Json::array();
   for (const auto& test : result.tests) tests.push_back(json_of(test, study));
   Json json = {{"name", stage.name},
@@ -150,6 +162,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"microstructure", std::move(microstructure)},
                {"tests", std::move(tests)},
                {"materials", std::move(materials)},
+               {"comparisons", std::move(comparisons)},
                {"warnings", result.warnings}};
   return json;
 }

@@ -1,6 +1,7 @@
 #include "breccia/study/respond.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 
 #include "results.hpp"
 #include "stage_extrapolation.hpp"
+#include "stage_materials.hpp"
 
 namespace breccia {
 namespace {
@@ -21,6 +23,7 @@ TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, 
   QuasistaticRecord record;
   record.response.load = response.load;
   record.response.error_estimate = require_sampled(response, matrix, window);
+  record.response.reduced = response;
   const auto compliance = creep_compliance(response, matrix);
   TestResult test{.load = response.load, .boundary = response.boundary, .method = Method::quasistatic, .cells = cells};
   test.series = relaxation_modulus(compliance);
@@ -32,36 +35,106 @@ TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, 
   return test;
 }
 
-}  // namespace
+/// The matrix that lies between the particles under a boundary.
+using MatrixUnder = std::function<const Material&(Boundary)>;
 
-StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
-  StageResult result;
-  result.name = stored.stage;
+/// What the stage was, as far as its responses need it.
+Stage stage_of(const StoredResponses& stored) {
   Stage stage;
   stage.name = stored.stage;
+  stage.matrix = stored.matrix;
   stage.side = stored.side;
-  std::vector<std::string> refusals;
+  for (const auto& entry : stored.entries) stage.cells = std::max(stage.cells, entry.cells);
+  auto& coarser = stage.coarser_cells;
   for (const auto& entry : stored.entries) {
-    stage.cells = std::max(stage.cells, entry.cells);
-    try {
-      result.tests.push_back(test_of(entry, matrix, times.value_or(stored.times), stored.points_per_decade));
-    } catch (const InputError& error) {
-      const std::string refusal = error.what();
-      if (std::ranges::find(refusals, refusal) == refusals.end()) refusals.push_back(refusal);
-    }
-  }
-  if (!refusals.empty()) throw InputError(fmt::format("{}", fmt::join(refusals, "\n")));
-  for (const auto& entry : stored.entries) {
-    auto& coarser = stage.coarser_cells;
     if (entry.cells != stage.cells && std::ranges::find(coarser, entry.cells) == coarser.end()) {
       coarser.push_back(entry.cells);
     }
   }
-  std::ranges::sort(stage.coarser_cells);
+  std::ranges::sort(coarser);
+  stage.filler.emplace().material.density = stored.filler_density;
+  return stage;
+}
+
+StageResult respond(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+  StageResult result;
+  result.name = stored.stage;
+  const auto stage = stage_of(stored);
+  result.cells = stage.cells;
+  result.microstructure.fraction = stored.filler_fraction;
+  std::vector<std::string> refusals;
+  for (const auto& entry : stored.entries) {
+    try {
+      result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
+    } catch (const InputError& error) {
+      const auto refusal = fmt::format("stage {}: {}", stored.stage, error.what());
+      if (std::ranges::find(refusals, refusal) == refusals.end()) refusals.push_back(refusal);
+    }
+  }
+  if (!refusals.empty()) throw InputError(fmt::format("{}", fmt::join(refusals, "\n")));
   std::ranges::stable_sort(result.tests, {}, &TestResult::cells);
   for (auto& test : extrapolate_tests(stage, result.tests)) result.tests.push_back(std::move(test));
-  result.cells = stage.cells;
   return result;
+}
+
+/// The study that left these responses, as far as they need it.
+Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& times) {
+  Study study;
+  study.tests.first_time = times.begin;
+  study.tests.last_time = times.end;
+  study.tests.bounds.clear();
+  for (const auto& one : stored) {
+    study.stages.push_back(stage_of(one));
+    study.tests.points_per_decade = one.points_per_decade;
+    for (const auto& entry : one.entries) {
+      const auto bound = bound_under(entry.response.boundary);
+      if (std::ranges::find(study.tests.bounds, bound) == study.tests.bounds.end()) study.tests.bounds.push_back(bound);
+    }
+  }
+  return study;
+}
+
+/// The first of some stages that builds on none but those that are done.
+std::vector<StoredResponses>::const_iterator next_stage(const std::vector<StoredResponses>& stored,
+                                                        const std::vector<StageResult>& done) {
+  const auto is_done = [&done](const std::string& stage) {
+    return std::ranges::find(done, stage, &StageResult::name) != done.end();
+  };
+  const auto next = std::ranges::find_if(stored, [&](const StoredResponses& one) {
+    const auto* earlier = std::get_if<EarlierStage>(&one.matrix);
+    return !is_done(one.stage) && (earlier == nullptr || is_done(earlier->name));
+  });
+  if (next != stored.end()) return next;
+  const auto& stuck = *std::ranges::find_if(stored, [&](const StoredResponses& one) { return !is_done(one.stage); });
+  throw InputError(fmt::format("stage {}: its matrix is the result of stage {}, of which there is no response",
+                               stuck.stage, name_of(stuck.matrix)));
+}
+
+}  // namespace
+
+StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
+  return respond(
+      stored, [&](Boundary) -> const Material& { return matrix; }, times.value_or(stored.times));
+}
+
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
+                                 std::optional<TimeWindow> times) {
+  std::vector<StageResult> done;
+  if (stored.empty()) return done;
+  const auto window = times.value_or(stored.front().times);
+  const auto study = study_of(stored, window);
+  while (done.size() < stored.size()) {
+    const auto& next = *next_stage(stored, done);
+    auto stage = stage_of(next);
+    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = matrix;
+    const MatrixUnder matrix_under = [&](Boundary boundary) -> const Material& {
+      return matrix_of(stage, done, boundary, Method::quasistatic);
+    };
+    auto result = respond(next, matrix_under, window);
+    if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
+    done.push_back(std::move(result));
+  }
+  return done;
 }
 
 void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages) {

@@ -14,7 +14,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 counts rows first, Eigen columns.
@@ -68,9 +68,9 @@ constexpr std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
 }  // namespace
 
 void write_responses(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                     const std::vector<TestResult>& tests) {
+                     const StageResult& result) {
   std::optional<Hdf5Writer> file;
-  for (const auto& test : tests) {
+  for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);
     if (record == nullptr || !record->response.reduced) continue;
     if (!file) {
@@ -79,6 +79,10 @@ void write_responses(const std::filesystem::path& directory, const Study& study,
       file->write_attribute("/", "deck_hash", study.hash);
       file->write_attribute("/", "stage", stage.name);
       file->write_attribute("/", "matrix", name_of(stage.matrix));
+      const bool is_material = std::holds_alternative<Material>(stage.matrix);
+      file->write_attribute("/", "matrix_is", std::string(is_material ? "material" : "stage"));
+      file->write_attribute("/", "filler_density_kg_per_m3", stage.filler ? stage.filler->material.density : 0.0);
+      file->write_attribute("/", "filler_fraction", result.microstructure.fraction);
       file->write_attribute("/", "box_m", stage.side);
       file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
       file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
@@ -98,7 +102,14 @@ StoredResponses read_responses(const std::filesystem::path& path) {
   }
   StoredResponses stored;
   stored.stage = file.attribute<std::string>("/", "stage");
-  stored.matrix = file.attribute<std::string>("/", "matrix");
+  const auto matrix = file.attribute<std::string>("/", "matrix");
+  if (file.attribute<std::string>("/", "matrix_is") == "stage") {
+    stored.matrix = EarlierStage{matrix};
+  } else {
+    stored.matrix.emplace<Material>().name = matrix;
+  }
+  stored.filler_density = file.attribute<double>("/", "filler_density_kg_per_m3");
+  stored.filler_fraction = file.attribute<double>("/", "filler_fraction");
   stored.side = file.attribute<double>("/", "box_m");
   const auto times = file.attribute<std::vector<double>>("/", "times_s");
   stored.times = {times.at(0), times.at(1)};

@@ -11,6 +11,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
+#include "comparison.hpp"
 #include "response_file.hpp"
 #include "results.hpp"
 #include "stage_extrapolation.hpp"
@@ -30,7 +31,8 @@ void remove_old_results(const Study& study, const fs::path& directory) {
     fs::remove(file, error);
     if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
   };
-  for (const auto* name : {"curves.csv", "compliance.csv", "prony.csv", "extrapolation.csv", "study.json"}) {
+  for (const auto* name :
+       {"curves.csv", "compliance.csv", "prony.csv", "extrapolation.csv", "comparison.csv", "study.json"}) {
     remove(directory / name);
   }
   for (const auto& stage : study.stages) {
@@ -94,10 +96,14 @@ class StageRun {
       }
     }
     for (auto& test : extrapolate_tests(stage_, done_.tests)) keep(std::move(test));
+    done_.comparisons = compare(study_, stage_, done_.tests);
     if (serves_as_matrix(study_, stage_)) {
       done_.materials = materials_from(study_, stage_, result_.stages, done_);
-      write_once([&] { write_provenance(directory_, study_, result_); });
     }
+    write_once([&] {
+      write_comparisons(directory_, result_);
+      write_provenance(directory_, study_, result_);
+    });
     write_once([&] { write_plots(directory_ / stage_.name, study_, stage_, done_, references()); });
   }
 
@@ -106,7 +112,7 @@ class StageRun {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
       for (auto& test : run_quasistatic(grid, matrix, boundary, observer_)) keep(std::move(test));
-      write_once([&] { write_responses(grid.directory, study_, stage_, done_.tests); });
+      write_once([&] { write_responses(grid.directory, study_, stage_, done_); });
       return;
     }
     for (const auto load : loads_of(study_, stage_)) {
@@ -119,7 +125,7 @@ class StageRun {
     }
   }
 
-  /// The matrix, or of every boundary its own.
+  /// The matrix, or of every boundary its own, and what was measured.
   [[nodiscard]] std::vector<ReferenceCurve> references() const {
     std::vector<ReferenceCurve> curves;
     const bool is_one = std::holds_alternative<Material>(stage_.matrix);
@@ -133,6 +139,15 @@ class StageRun {
         curve.modulus.push_back({time, matrix.shear.at(time)});
       }
       if (is_one) break;
+    }
+    for (const auto& measurement : study_.measurements) {
+      if (measurement.stage != stage_.name) continue;
+      const auto known = measurement.known_within({study_.tests.first_time, study_.tests.last_time});
+      if (!known) continue;
+      auto& curve = curves.emplace_back(ReferenceCurve{"measured, " + measurement.label, {}});
+      for (const double time : logarithmic_times(*known, study_.tests.points_per_decade)) {
+        curve.modulus.push_back({time, measurement.at(time)});
+      }
     }
     return curves;
   }

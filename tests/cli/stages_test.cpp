@@ -108,6 +108,89 @@ TEST(Stages, ABadFitStopsTheStudyAndKeepsWhatIsDone) {
   EXPECT_THAT(shear_moduli(study), ::testing::SizeIs(1));
 }
 
+TEST(Stages, ARespondingStudyPassesOnItsResults) {
+  StudyDirectory study(passing_on);
+  const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set", R"(tests.bounds=["lower"])"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  study.write("same.toml", R"(density = "1 g/cm^3"
+bulk    = "1 MPa"
+shear   = { terms = [{ time = "10 ms", modulus = "0.5 MPa" }] }
+)");
+  const auto respond = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"respond", "out", "--material", "same.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_breccia(study.path(), arguments);
+  };
+  const auto same = respond({});
+  ASSERT_EQ(same.exit_code, 0) << same.errors;
+  const auto before = read_curve(study.result("curves.csv"), "B", "shear");
+  const auto after = read_curve(study.result("respond-same/curves.csv"), "B", "shear");
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) EXPECT_NEAR(after[i].modulus / before[i].modulus, 1.0, 1e-9);
+
+  // A stage by name takes the material itself, for which this one was not sampled.
+  const auto alone = respond({"--stage", "B"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_THAT(alone.errors, HasSubstr("stage B: same: a bulk modulus of 1e+06 Pa"));
+
+  std::filesystem::remove_all(study.result("A"));
+  const auto incomplete = respond({});
+  EXPECT_EQ(incomplete.exit_code, 2);
+  EXPECT_THAT(incomplete.errors, HasSubstr("stage B: its matrix is the result of stage A, of which there is no"));
+}
+
+TEST(Stages, MeasurementsStandBesideTheResult) {
+  StudyDirectory study(std::string(model_deck) + R"(
+[[measurements]]
+name  = "a solid"
+shear = { prony = "solid.csv" }
+[[measurements]]
+name  = "points"
+shear = { curve = "points.csv" }
+times = ["2 ms", "1 s"]
+)");
+  study.write("solid.csv", "relaxation_time_s,modulus_Pa\ninf,1e5\n");
+  // A straight line in logarithmic axes: 1e5 Pa (t / 1 ms)^(-1/2).
+  study.write("points.csv", "time_s,modulus_Pa\n1e-3,1e5\n0.1,1e4\n");
+  const auto run = study.breccia("run", {"--set", "tests.method=quasistatic"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("A over what was measured, a solid"));
+  const auto table = read_csv(study.result("comparison.csv"), {"measurement", "stage", "boundary", "method", "cells"});
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double time = table.numbers("time_s")[row], measured = table.numbers("measured_Pa")[row];
+    const bool is_solid = table.text("measurement")[row] == "a solid";
+    EXPECT_NEAR(measured / (is_solid ? 1e5 : 1e5 * std::pow(time / 1e-3, -0.5)), 1.0, 1e-9);
+    EXPECT_DOUBLE_EQ(table.numbers("ratio")[row], table.numbers("modulus_Pa")[row] / measured);
+    EXPECT_GE(time, is_solid ? 1e-3 : 2e-3);
+  }
+  const auto comparisons = Json::parse(read_text(study.result("study.json")))["stages"][0]["comparisons"];
+  ASSERT_EQ(comparisons.size(), 2U);
+  EXPECT_NEAR(comparisons[0]["best"]["ratio"].get<double>(), 1.0, 0.2);
+  EXPECT_THAT(read_text(study.result("A/modulus.svg")), HasSubstr("measured, points"));
+}
+
+TEST(Stages, MistakesInMeasurementsAreRefusedAtOnce) {
+  StudyDirectory study(std::string(model_deck) + R"(
+[[measurements]]
+name  = "x"
+stage = "a"
+shear = { curve = "falling.csv" }
+times = ["1 s", "1 ms"]
+[[measurements]]
+name  = "x"
+shear = { prony = "none.csv", curve = "falling.csv" }
+)");
+  study.write("falling.csv", "time_s,modulus_Pa\n2,1\n1,1\n3,-1\n");
+  const auto check = study.breccia("check");
+  EXPECT_EQ(check.exit_code, 2);
+  for (const auto* mistake :
+       {"measurements.x.stage: unknown stage \"a\", did you mean \"A\"?",
+        "falling.csv:3: expected rising positive times", "falling.csv:4: expected a positive modulus, got -1",
+        "expected two rising times", "another measurement is called \"x\"", "expected exactly one of prony, curve"}) {
+    EXPECT_THAT(check.errors, HasSubstr(mistake));
+  }
+}
+
 TEST(Stages, ThePlanOfALaterStageIsAGuess) {
   StudyDirectory study(passing_on);
   const auto check = study.breccia("check", {"--set", R"(tests.method=["quasistatic", "dynamic"])"});

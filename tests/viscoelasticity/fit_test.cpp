@@ -28,6 +28,7 @@ struct Errors {
 template <class Found, class Truth>
 Errors compare(const std::vector<double>& times, const Found& found, const Truth& truth) {
   std::vector<double> errors;
+  errors.reserve(times.size());
   for (const double t : times) errors.push_back(std::abs(found(t) / truth(t) - 1.0));
   std::sort(errors.begin(), errors.end());
   return {errors[errors.size() / 2], errors.back()};
@@ -41,6 +42,7 @@ double modulus(double t) {
 
 TEST(Fit, RelaxationWithNoise) {
   std::vector<double> data;
+  data.reserve(times.size());
   Noise noise(0.01);
   for (const double t : times) data.push_back(noise(binder.at(t)));
   const auto fit = fit_relaxation(times, data);
@@ -63,6 +65,7 @@ TEST(Fit, RelaxationWithNoise) {
 TEST(Fit, CreepWithNoiseGivesTheRelaxationModulus) {
   const auto truth = creep_compliance(binder);
   std::vector<double> data;
+  data.reserve(times.size());
   Noise noise(0.01);
   for (const double t : times) data.push_back(noise(truth.at(t)));
   const auto fit = fit_creep(times, data);
@@ -101,6 +104,7 @@ TEST(Fit, RampIsTakenOut) {
   const double ramp = 1e-3, tau = 2e-3, g1 = 3e6, ge = 1e6;
   const auto data_times = logarithmic(1e-4, 1e-1, 20);
   std::vector<double> data;
+  data.reserve(data_times.size());
   for (const double t : data_times) {
     const double end = std::min(t, ramp);
     data.push_back((ge * end + g1 * tau * (std::exp(-(t - end) / tau) - std::exp(-t / tau))) / ramp);
@@ -115,6 +119,7 @@ TEST(Fit, RampedCreepOfAMaxwellElement) {
   const double ramp = 0.5, j0 = 2.0, fluidity = 3.0;
   const auto data_times = logarithmic(0.05, 50.0, 10);
   std::vector<double> data;
+  data.reserve(data_times.size());
   for (const double t : data_times) {
     data.push_back(t < ramp ? (j0 * t + 0.5 * fluidity * t * t) / ramp : j0 + fluidity * (t - 0.5 * ramp));
   }

@@ -65,7 +65,9 @@ TEST(Interconversion, HundredsOfTerms) {
   std::mt19937_64 random(1);
   std::vector<MaxwellTerm> terms;
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  for (int i = 0; i < 300; ++i)
+  constexpr std::size_t count = 300;
+  terms.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
     terms.push_back({std::pow(10.0, -14.0 + 22.0 * uniform()), std::pow(10.0, 8.0 * uniform())});
   const PronySeries series(100.0, terms);
   EXPECT_LT(largest_difference(relaxation_modulus(creep_compliance(series)), series, 1e-15, 1e10), 1e-10);

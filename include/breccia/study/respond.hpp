@@ -19,10 +19,12 @@ struct StoredResponses {
   };
 
   std::string stage;
-  std::string matrix;          ///< name of the matrix that was sampled
-  double side = 0.0;           ///< of the box [m]
-  TimeWindow times;            ///< of the study [s]
-  int points_per_decade = 20;  ///< of its curves
+  StageMatrix matrix;            ///< the earlier stage that made it, or a material of which the name alone is known
+  double filler_density = 0.0;   ///< [kg/m^3]; without filler that of nothing, which fills nothing
+  double filler_fraction = 0.0;  ///< [-]
+  double side = 0.0;             ///< of the box [m]
+  TimeWindow times;              ///< of the study [s]
+  int points_per_decade = 20;    ///< of its curves
   std::vector<Entry> entries;
 };
 
@@ -32,6 +34,12 @@ StoredResponses read_responses(const std::filesystem::path& file);
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
 /// Throws InputError where the matrix leaves the sampled range, with one line for every response that cannot serve.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
+
+/// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others
+/// take what it makes of the stage before them. In the order in which they build on each other. Throws InputError as
+/// above, and where a stage that another builds on is missing.
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
+                                 std::optional<TimeWindow> times = {});
 
 /// Writes `curves.csv`, `prony.csv` and, of creep tests, `compliance.csv` to a directory, which is made.
 void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages);

@@ -46,6 +46,28 @@ struct StageMaterial {
   HomogenisedMaterial result = {};
 };
 
+/// A computed modulus beside a measured one.
+struct ComparedSample {
+  double time = 0.0;      ///< [s]
+  double modulus = 0.0;   ///< computed [Pa]
+  double measured = 0.0;  ///< [Pa]
+
+  [[nodiscard]] double ratio() const { return modulus / measured; }
+};
+
+/// G(t) of a stage under one boundary and by one method beside a measurement.
+struct Comparison {
+  std::string measurement;  ///< its label
+  Boundary boundary = Boundary::displacement;
+  Method method = Method::quasistatic;
+  int cells = 0;                        ///< per side; 0: extrapolated
+  std::vector<ComparedSample> samples;  ///< at the times of the curve, at least one
+
+  /// Where the ratio is nearest to one, and where it is furthest.
+  [[nodiscard]] const ComparedSample& best() const;
+  [[nodiscard]] const ComparedSample& worst() const;
+};
+
 /// One stage, done as far as `tests` tell.
 struct StageResult {
   std::string name;
@@ -55,6 +77,7 @@ struct StageResult {
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< what later stages take as their matrix
+  std::vector<Comparison> comparisons;   ///< with all that was measured
   std::vector<std::string> warnings;     ///< what makes the results doubtful
 };
 
@@ -104,6 +127,8 @@ const std::string& name_of(const StageMatrix& matrix);
 
 /// What holds the box for a bound.
 Boundary boundary_of(Bound bound);
+/// The bound that a boundary gives.
+Bound bound_under(Boundary boundary);
 
 /// "shear", "shear-xx-yy" or "bulk", as in decks and results.
 std::string name_of(Load load);

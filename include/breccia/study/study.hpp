@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/experiment/curve.hpp"
 #include "breccia/experiment/quasistatic_test.hpp"
 #include "breccia/experiment/virtual_test.hpp"
 #include "breccia/microstructure/microstructure.hpp"
@@ -122,6 +123,19 @@ struct Tests {
   DynamicOptions dynamic;
 };
 
+/// A shear relaxation modulus that was measured, to be compared with that of a stage.
+struct Measurement {
+  std::string label;
+  std::string stage;                       ///< the name of the one that stands for what was measured
+  std::variant<PronySeries, Curve> shear;  ///< [Pa]
+  std::optional<TimeWindow> times = {};    ///< in which it holds [s]
+
+  /// The times [s] in a window at which it tells the modulus; nothing where the two have none in common.
+  [[nodiscard]] std::optional<TimeWindow> known_within(const TimeWindow& window) const;
+  /// Measured modulus [Pa] at one of them; between the points of a curve a power of time.
+  [[nodiscard]] double at(double time) const;
+};
+
 /// A deck with everything resolved, in SI units.
 struct Study {
   std::string title;
@@ -132,6 +146,7 @@ struct Study {
   std::vector<Material> materials;     ///< in the order of the deck
   std::vector<Stage> stages;
   Tests tests;
+  std::vector<Measurement> measurements;
 };
 
 }  // namespace breccia

@@ -1,0 +1,121 @@
+#include "tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "breccia/report/display.hpp"
+
+namespace breccia::cli {
+namespace {
+
+std::string time(double value) {
+  return display(value, "s");
+}
+
+/// Those that a table shows: of several grids their limit alone.
+std::vector<const TestResult*> shown_tests(const StageResult& stage) {
+  const bool has_limits = std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.cells == 0; });
+  std::vector<const TestResult*> shown;
+  for (const auto& test : stage.tests) {
+    if (!has_limits || test.cells == 0) shown.push_back(&test);
+  }
+  return shown;
+}
+
+/// In the order of the table: what, under which boundary, by which method.
+std::array<std::string, 3> heading(const TestResult& test) {
+  return {test.load == Load::bulk ? "K + G/3" : (test.load == Load::shear ? "G" : "G, xx-yy"), bound_of(test.boundary),
+          name_of(test.method)};
+}
+
+std::string table_of(const StageResult& stage, const TimeWindow& times) {
+  const auto shown = shown_tests(stage);
+  if (shown.empty()) return {};
+  auto text = "\n" + stage.name;
+  for (std::size_t line = 0; line < 3; ++line) {
+    text += fmt::format("\n{:>12}", line == 2 ? "time" : "");
+    for (const auto* test : shown) text += fmt::format("  {:>12}", heading(*test)[line]);
+  }
+  for (const double t : logarithmic_times(times, 1)) {
+    text += fmt::format("\n{:>12}", time(t));
+    for (const auto* test : shown) {
+      text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa", 4));
+    }
+  }
+  return text + "\n";
+}
+
+/// Of one measurement: the ratios of all that was computed to it, decade by decade.
+std::string table_of(const std::string& measurement, const StageResult& stage) {
+  std::vector<const Comparison*> compared;
+  TimeWindow times = {std::numeric_limits<double>::infinity(), 0.0};
+  for (const auto& comparison : stage.comparisons) {
+    if (comparison.measurement != measurement) continue;
+    compared.push_back(&comparison);
+    times.begin = std::min(times.begin, comparison.samples.front().time);
+    times.end = std::max(times.end, comparison.samples.back().time);
+  }
+  auto text = fmt::format("\n{} over what was measured, {}\n{:>12}", stage.name, measurement, "");
+  for (const auto* comparison : compared) text += fmt::format("  {:>12}", bound_of(comparison->boundary));
+  text += fmt::format("\n{:>12}", "time");
+  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->method));
+  text += fmt::format("  {:>12}", "measured");
+  for (const double t : logarithmic_times(times, 1)) {
+    text += fmt::format("\n{:>12}", time(t));
+    double measured = 0.0;
+    for (const auto* comparison : compared) {
+      const auto at = std::ranges::find_if(
+          comparison->samples, [t](const ComparedSample& sample) { return std::abs(sample.time / t - 1.0) < 1e-6; });
+      const bool is_known = at != comparison->samples.end();
+      if (is_known) measured = at->measured;
+      text += fmt::format("  {:>12}", is_known ? fmt::format("{:.3f}", at->ratio()) : "");
+    }
+    if (measured > 0.0) text += fmt::format("  {:>12}", display(measured, "Pa", 4));
+  }
+  for (const auto* comparison : compared) {
+    const auto &best = comparison->best(), &worst = comparison->worst();
+    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->boundary),
+                        name_of(comparison->method), best.ratio(), time(best.time), worst.ratio(), time(worst.time));
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& times) {
+  std::string text;
+  for (const auto& stage : stages) text += table_of(stage, times);
+  return text;
+}
+
+std::string closing_tables(const Study& study, const StudyResult& result) {
+  auto text = tables_of(result.stages, {study.tests.first_time, study.tests.last_time});
+  for (const auto& measurement : study.measurements) {
+    const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
+    const bool is_compared = std::ranges::any_of(
+        stage->comparisons, [&](const Comparison& one) { return one.measurement == measurement.label; });
+    if (is_compared) text += table_of(measurement.label, *stage);
+  }
+  for (const auto& stage : result.stages) {
+    // Those of the particles have been told when they were packed.
+    for (std::size_t i = stage.microstructure.warnings.size(); i < stage.warnings.size(); ++i) {
+      text += "\nwarning: " + stage.warnings[i];
+    }
+    for (const auto& test : stage.tests) {
+      const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+      if (dynamic == nullptr || dynamic->overlaps.empty()) continue;
+      double worst = 0.0;
+      for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);
+      text += fmt::format("\n{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %", stage.name,
+                          name_of(test.load), bound_of(test.boundary), dynamic->domains.size(), 100.0 * worst);
+    }
+  }
+  return text;
+}
+
+}  // namespace breccia::cli
