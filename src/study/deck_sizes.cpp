@@ -46,6 +46,23 @@ std::optional<Sizes> read_file(const Section& filler) {
   return sizes;
 }
 
+/// Diameters, each as often as `counts` says.
+ListedSizes read_list(const Section& sizes) {
+  const auto diameters = sizes.quantities("list", Dimension::length, Range::positive());
+  if (!sizes.has("counts")) return {diameters};
+  constexpr double most = 1e6;
+  const auto counts = sizes.integers("counts", {.lower = 1.0, .upper = most});
+  if (counts.size() != diameters.size()) {
+    sizes.report("counts", fmt::format("expected as many as in list, {}, got {}", diameters.size(), counts.size()));
+    return {};
+  }
+  ListedSizes listed;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    listed.diameters.insert(listed.diameters.end(), static_cast<std::size_t>(counts[i]), diameters[i]);
+  }
+  return listed;
+}
+
 LognormalSizes read_lognormal(const Section& sizes) {
   LognormalSizes lognormal;
   double sum = 0.0;
@@ -71,7 +88,7 @@ std::optional<Sizes> read_sizes(const Section& filler) {
   const auto sizes = filler.section("sizes");
   const auto kind = sizes.exactly_one({"diameter", "list", "lognormal"});
   if (kind == "diameter") return SingleSize{sizes.quantity("diameter", Dimension::length, Range::positive())};
-  if (kind == "list") return ListedSizes{sizes.quantities("list", Dimension::length, Range::positive())};
+  if (kind == "list") return read_list(sizes);
   if (kind == "lognormal") return read_lognormal(sizes);
   return std::nullopt;
 }

@@ -132,6 +132,15 @@ TEST_F(DeckStages, StagesAreToldApart) {
               HasSubstr("stages.HB-1.name: another stage is called \"HB-1\""));
 }
 
+TEST_F(DeckStages, ListedSizesMayBeCounted) {
+  const auto counted = filler(R"(filler = { material = "hmx", sizes = { list = ["1 mm", "2 mm"], counts = [1, 3] } }
+packing = { method = "lubachevsky-stillinger" })");
+  EXPECT_THAT(std::get<ListedSizes>(counted.sizes.value()).diameters, ElementsAre(1e-3, 2e-3, 2e-3, 2e-3));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"], counts = [1, 3] }", random_packing),
+              HasSubstr("sizes.counts: expected as many as in list, 1, got 2"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"], counts = [0] }", random_packing), HasSubstr("sizes.counts"));
+}
+
 TEST_F(DeckStages, AnEarlierStageServesAsMatrix) {
   const auto stage_with = [](const std::string& name, const std::string& matrix) {
     return test::join("[[stages]]\nname = \"", name, "\"\nmatrix = \"", matrix, "\"\nbox = \"1 mm\"\ncells = 4\n");
