@@ -101,20 +101,22 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
         stage->comparisons, [&](const Comparison& one) { return one.measurement == measurement.label; });
     if (is_compared) text += table_of(measurement.label, *stage);
   }
+  std::string remarks;
   for (const auto& stage : result.stages) {
     // Those of the particles have been told when they were packed.
     for (std::size_t i = stage.microstructure.warnings.size(); i < stage.warnings.size(); ++i) {
-      text += "\nwarning: " + stage.warnings[i];
+      remarks += "warning: " + stage.warnings[i] + "\n";
     }
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
       if (dynamic == nullptr || dynamic->overlaps.empty()) continue;
       double worst = 0.0;
       for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);
-      text += fmt::format("\n{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %", stage.name,
-                          name_of(test.load), bound_of(test.boundary), dynamic->domains.size(), 100.0 * worst);
+      remarks += fmt::format("{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %\n", stage.name,
+                             name_of(test.load), bound_of(test.boundary), dynamic->domains.size(), 100.0 * worst);
     }
   }
+  if (!remarks.empty()) text += "\n" + remarks;
   return text;
 }
 
