@@ -38,8 +38,7 @@ void add_run(CLI::App& application) {
     Progress progress(arguments->quiet || parallel::rank() != 0);
     const auto result = run_study(study, arguments->results(), arguments->threads, narrate(progress));
     progress.print(closing_tables(study, result));
-    progress.print(
-        fmt::format("Results are in {}: curves.csv, prony.csv, study.json", arguments->results().string()));
+    progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", arguments->results().string()));
     for (const auto& stage : result.stages) {
       const auto directory = arguments->results() / stage.name;
       progress.print(fmt::format("  microstructure  {}", (directory / "microstructure.svg").string()));

@@ -127,6 +127,31 @@ TEST(Examples, ModelCompositeAgreesWithTheQuasiStaticLimit) {
   expect_quasi_static(read_curve(directory.path() / "curves.csv", "model", "shear"), known_standard_48, 0.01);
 }
 
+TEST(Examples, Pbx9501StiffensFromStageToStage) {
+  const test::TemporaryDirectory directory;
+  std::vector<std::string> arguments = {"run",   BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-quick.toml",
+                                        "--out", ".",
+                                        "--set", "tests.method=quasistatic",
+                                        "--set", "tests.bounds=[\"lower\"]"};
+  for (const auto* stage : {"HB-1", "HB-2", "PBX-9501"}) {
+    arguments.insert(arguments.end(), {"--set", std::string("stages.") + stage + ".cells=40"});
+  }
+  const auto run = test::run_breccia(directory.path(), arguments);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("PBX-9501 over what was measured, Bennett et al. 1998"));
+  const auto curve = [&](const std::string& stage) {
+    return read_curve(directory.path() / "curves.csv", stage, "shear");
+  };
+  const auto first = curve("HB-1"), second = curve("HB-2"), composite = curve("PBX-9501");
+  constexpr double hmx = 5.84e9;
+  ASSERT_EQ(composite.size(), first.size());
+  for (std::size_t i = 0; i < composite.size(); ++i) {
+    EXPECT_LT(first[i].modulus, second[i].modulus);
+    EXPECT_LT(second[i].modulus, composite[i].modulus);
+    EXPECT_LT(composite[i].modulus, hmx);
+  }
+}
+
 TEST(Examples, AreWithoutMistakes) {
   const test::TemporaryDirectory directory;
   std::size_t decks = 0;
