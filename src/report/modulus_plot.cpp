@@ -105,19 +105,22 @@ std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
 std::string drawing(const PlotCurve& curve, std::size_t position) {
   const std::size_t colour = curve.colour.value_or(position);
   const bool second_round = colour >= palette.size();
-  const auto with_line = [&](std::string_view what, bool dashed) {
-    return fmt::format("with {} linewidth 2 dashtype {} pointtype 6 pointsize 0.7 linecolor rgb '{}'", what,
-                       dashed ? "(12,7)" : (second_round ? "(3,4)" : "solid"), palette[colour % palette.size()]);
+  const auto with_line = [&](std::string_view what, std::string_view dashes) {
+    return fmt::format("with {} linewidth 2 dashtype {} pointtype 6 pointsize 0.7 linecolor rgb '{}'", what, dashes,
+                       palette[colour % palette.size()]);
   };
+  const std::string_view plain = second_round ? "(9,3,2,3)" : "solid";
   switch (curve.style) {
     case PlotStyle::line:
-      return with_line("lines", false);
+      return with_line("lines", plain);
     case PlotStyle::dashed:
-      return with_line("lines", true);
+      return with_line("lines", "(12,7)");
+    case PlotStyle::dotted:
+      return with_line("lines", "(3,4)");
     case PlotStyle::points:
-      return with_line("points", false);
+      return with_line("points", plain);
     case PlotStyle::line_and_points:
-      return with_line("linespoints", false);
+      return with_line("linespoints", plain);
   }
   return {};
 }

@@ -134,6 +134,7 @@ class StageRun {
       const auto& matrix = matrix_of(stage_, result_.stages, boundary, study_.tests.methods.front());
       auto& curve = curves.emplace_back();
       curve.label = is_one ? "matrix" : fmt::format("matrix, {}", bound_of(boundary));
+      curve.boundary = boundary;
       for (const double time :
            logarithmic_times({study_.tests.first_time, study_.tests.last_time}, study_.tests.points_per_decade)) {
         curve.modulus.push_back({time, matrix.shear.at(time)});
@@ -144,7 +145,7 @@ class StageRun {
       if (measurement.stage != stage_.name) continue;
       const auto known = measurement.known_within({study_.tests.first_time, study_.tests.last_time});
       if (!known) continue;
-      auto& curve = curves.emplace_back(ReferenceCurve{"measured, " + measurement.label, {}});
+      auto& curve = curves.emplace_back(ReferenceCurve{"measured, " + measurement.label, {}, {}});
       for (const double time : logarithmic_times(*known, study_.tests.points_per_decade)) {
         curve.modulus.push_back({time, measurement.at(time)});
       }

@@ -15,6 +15,13 @@ std::string three_digits(double value) {
   return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
 }
 
+/// Places in the palette: blue, red and green for the boundaries, others for the second shear test, black for what was
+/// measured.
+std::size_t colour_of(Boundary boundary, Load load) {
+  return static_cast<std::size_t>(boundary) + (load == Load::diagonal_shear ? 3U : 0U);
+}
+constexpr std::size_t colour_of_measurements = 6;
+
 PlotCurve plot_curve(std::string label, const Curve& modulus) {
   PlotCurve curve{.label = std::move(label)};
   for (const auto& sample : modulus) {
@@ -49,6 +56,7 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
     }
     if (!stage.coarser_cells.empty() && test.cells != 0) continue;
     auto curve = plot_curve(label_of(study, test), test.modulus);
+    curve.colour = colour_of(test.boundary, test.load);
     if (dynamic != nullptr && study.tests.methods.size() > 1) curve.style = PlotStyle::dashed;
     plot.curves.push_back(std::move(curve));
   }
@@ -61,9 +69,10 @@ void write_plots(const std::filesystem::path& directory, const Study& study, con
                  const StageResult& result, const std::vector<ReferenceCurve>& references) {
   auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.load != Load::bulk; });
   if (!shear.curves.empty()) {
-    for (const auto& [label, modulus] : references) {
-      shear.curves.push_back(plot_curve(label, modulus));
-      shear.curves.back().style = PlotStyle::dashed;
+    for (const auto& [label, modulus, boundary] : references) {
+      auto& curve = shear.curves.emplace_back(plot_curve(label, modulus));
+      curve.colour = boundary ? colour_of(*boundary, Load::shear) : colour_of_measurements;
+      if (boundary) curve.style = PlotStyle::dotted;
     }
     shear.quantity = "Relaxation modulus G(t)";
     write_text(directory / "modulus.svg", modulus_plot(shear));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace breccia {
 struct ReferenceCurve {
   std::string label;
   Curve modulus;
+  std::optional<Boundary> boundary;  ///< of the tests that it belongs to; none: of no test, but measured
 };
 
 /// Writes `modulus.svg` of a stage, all its tests under shear with what stands beside them and the windows of the time

@@ -11,6 +11,7 @@ namespace breccia {
 enum class PlotStyle {
   line,
   dashed,
+  dotted,
   points,  ///< marks alone, for measured values
   line_and_points
 };
