@@ -73,6 +73,10 @@ void add_check(CLI::App& application) {
       const auto packed = make_microstructure(stage);
       fmt::print("{}", plan_of(study, stage, packed));
       for (const auto& warning : packed.warnings) fmt::print("warning: {}\n", warning);
+      const auto& bounds = study.tests.bounds;
+      if (const auto warning = warning_of_cut_particles(stage, packed.microstructure, bounds)) {
+        fmt::print("warning: {}\n", *warning);
+      }
     }
   });
 }

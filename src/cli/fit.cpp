@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/report/modulus_plot.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"
@@ -27,7 +28,7 @@ struct FitArguments {
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
-  std::filesystem::path directory;  ///< empty: results/<name of the file>
+  std::filesystem::path directory;  ///< empty: results/<name of the file>-fit
   bool quiet = false;
 };
 
@@ -108,7 +109,6 @@ class Fitter {
   FitResult operator()(const PronySeries& series) const {
     refuse_ramp();
     refuse_reference();
-    if (series.is_elastic()) throw InputError("a Prony series without a term has nothing to convert");
     constexpr double beyond = 10.0;
     const auto& terms = series.terms();
     return {CurveKind::relaxation,
@@ -199,12 +199,17 @@ std::string table(const FitResult& result, CurveKind kind) {
   return time_table(curve, "J", [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
 }
 
+/// Not that of a study of the same name.
+std::filesystem::path default_directory(const std::filesystem::path& file) {
+  return std::filesystem::path("results") / (file.stem().string() + "-fit");
+}
+
 void fit(const FitArguments& arguments) {
+  require_gnuplot();
   const auto data = read_fit_data(arguments.file);
   const auto result = std::visit(Fitter(arguments), data);
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
-  const auto directory =
-      arguments.directory.empty() ? std::filesystem::path("results") / arguments.file.stem() : arguments.directory;
+  const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
   const auto files = write_fit(directory, arguments.file, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result.modulus));
@@ -238,7 +243,7 @@ void add_fit(CLI::App& application) {
       ->add_option("--reference-temperature", arguments->reference_temperature,
                    "of the master curve, as in \"19 degC\": the temperature of one sweep")
       ->type_name("TEMPERATURE");
-  command->add_option("--out", arguments->directory, "where the results go (default: results/<name of the file>)")
+  command->add_option("--out", arguments->directory, "where the results go (default: results/<name of the file>-fit)")
       ->type_name("DIR");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { fit(*arguments); });

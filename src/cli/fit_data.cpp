@@ -112,6 +112,9 @@ FitData read_fit_data(const std::filesystem::path& path) {
   const auto columns = measured_columns(table);
   if (has(columns, {relaxation_time, modulus})) {
     const auto file = read_prony_file(path);
+    if (file.terms.empty()) {
+      throw InputError(fmt::format("{}: a Prony series without a term has nothing to convert", path.string()));
+    }
     return PronySeries(file.equilibrium.value_or(0.0), file.terms);
   }
   if (has(columns, {angular_frequency, storage_modulus, loss_modulus})) {
@@ -135,8 +138,9 @@ FitData read_fit_data(const std::filesystem::path& path) {
       "  a creep compliance    time_s, compliance_1_per_Pa\n"
       "  dynamic moduli        frequency_Hz or angular_frequency_rad_per_s, storage_modulus_Pa, loss_modulus_Pa and,\n"
       "                        for a master curve, temperature_K or temperature_degC\n"
+      "with any unit at the end of a name, or\n"
       "  a Prony series        relaxation_time_s, modulus_Pa\n"
-      "with any unit at the end of a name; it has \"{}\"",
+      "; it has \"{}\"",
       path.string(), fmt::join(table.names(), "\", \"")));
 }
 

@@ -188,8 +188,17 @@ std::vector<CsvColumn> shift_columns(const FitResult& result) {
 /// Files of a directory, and the names of those written.
 class Writer {
  public:
-  explicit Writer(std::filesystem::path directory) : directory_(std::move(directory)) {
-    std::filesystem::create_directories(directory_);
+  /// Makes way for all that a fit may leave, so that no old file stands beside a new one.
+  Writer(std::filesystem::path directory, const std::filesystem::path& source) : directory_(std::move(directory)) {
+    const std::vector<std::string> all = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
+                                          "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
+                                          "relaxation.svg", "creep.svg",       "dynamic.svg"};
+    refuse_to_replace(directory_, all, {&source, 1});
+    if (std::filesystem::exists(directory_ / "study.json")) {
+      throw InputError(fmt::format("{}: here are the results of a study; take another directory", directory_.string()));
+    }
+    make_directory(directory_);
+    remove_files(directory_, all);
   }
   void table(const std::string& name, const std::vector<CsvColumn>& columns, const std::string& comment) {
     write_csv(directory_ / name, columns, comment);
@@ -232,7 +241,7 @@ ConvertedCurve converted(const FitResult& result, CurveKind kind, int per_decade
 
 std::vector<std::string> write_fit(const std::filesystem::path& directory, const std::filesystem::path& source,
                                    const FitData& data, const FitResult& result, CurveKind kind) {
-  Writer writer(directory);
+  Writer writer(directory, source);
   const auto title = source.filename().string();
   auto origin = fmt::format("From {} by breccia {}.", title, BRECCIA_VERSION);
   if (result.master_curve) origin += fmt::format(" At {:.6g} K.", result.master_curve->reference_temperature);

@@ -61,6 +61,13 @@ int fail(std::string_view message, breccia::ExitCode exit_code) {
   return static_cast<int>(exit_code);
 }
 
+/// The same for what may happen to one of several processes alone.
+int fail_alone(const std::string& message, breccia::ExitCode exit_code) {
+  const bool is_alone = breccia::parallel::ranks() == 1;
+  fmt::print(stderr, "{}{}\n", is_alone ? "" : fmt::format("process {}: ", breccia::parallel::rank()), message);
+  return static_cast<int>(exit_code);
+}
+
 int guarded_run(int argc, char** argv) {
   using breccia::ExitCode;
   try {
@@ -69,12 +76,12 @@ int guarded_run(int argc, char** argv) {
   } catch (const breccia::Error& error) {
     return fail(error.what(), error.exit_code());
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(fmt::format("breccia: {}", error.what()), ExitCode::file_failure);
+    return fail_alone(fmt::format("breccia: {}", error.what()), ExitCode::file_failure);
   } catch (const std::bad_alloc&) {
-    return fail("not enough memory for this deck; `breccia check` tells how much it takes",
-                ExitCode::numerical_failure);
+    return fail_alone("not enough memory for this deck; `breccia check` tells how much it takes",
+                      ExitCode::numerical_failure);
   } catch (const std::exception& error) {
-    return fail(fmt::format("breccia: internal error: {}", error.what()), ExitCode::numerical_failure);
+    return fail_alone(fmt::format("breccia: internal error: {}", error.what()), ExitCode::numerical_failure);
   }
 }
 

@@ -28,7 +28,8 @@ std::string describe(const Stage& stage, const TestResult& test) {
                                     : fmt::format("{} solves", effort.solves);
   return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {} about {:.1g} %", stage.name,
                      name_of(test.load), bound_of(test.boundary), test.cells, how, seconds,
-                     response.reduced ? "error of the basis" : "error of the steps", 100.0 * response.error_estimate);
+                     response.reduced ? "error of the basis (at Laplace variables)" : "error of the steps",
+                     100.0 * response.error_estimate);
 }
 
 }  // namespace

@@ -55,7 +55,14 @@ std::vector<std::string> chosen_stages(const RespondArguments& arguments) {
 
 std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   if (times.empty()) return {};
-  const TimeWindow window = {parse_quantity(times[0], Dimension::time), parse_quantity(times[1], Dimension::time)};
+  const auto time = [](const std::string& text) {
+    try {
+      return parse_quantity(text, Dimension::time);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("--times: {}", error.what()));
+    }
+  };
+  const TimeWindow window = {time(times[0]), time(times[1])};
   if (window.begin > 0.0 && window.begin < window.end) return window;
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
@@ -81,8 +88,9 @@ void run_respond(const RespondArguments& arguments) {
       }
     }
   }
-  fmt::print("{}\nwith {} as matrix; error of the reduced responses about {:.1g} %\nCurves are in {}\n",
-             tables_of(results, window.value_or(stored.front().times)), material.name, 100.0 * error, out.string());
+  fmt::print(
+      "{}\nwith {} as matrix; error of the reduced responses (at Laplace variables) about {:.1g} %\nCurves are in {}\n",
+      tables_of(results, window.value_or(stored.front().times)), material.name, 100.0 * error, out.string());
 }
 
 }  // namespace

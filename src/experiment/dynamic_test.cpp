@@ -220,7 +220,9 @@ void convert_creep(DynamicTestResult& result) {
     compliances.push_back(1.0 / reciprocal);
     result.compliance.push_back({time, 1.0 / reciprocal});
   }
-  const auto series = relaxation_modulus(fit_creep(times, compliances).compliance);
+  const auto fit = fit_creep(times, compliances);
+  result.fit_error = fit.quality.worst_error;
+  const auto series = relaxation_modulus(fit.compliance);
   for (auto& [time, modulus] : result.curve) modulus = series.at(time);
 }
 

@@ -66,6 +66,15 @@ std::size_t step_at(const std::vector<double>& steps, double time) {
   return static_cast<std::size_t>(found - steps.begin());
 }
 
+/// Largest relative deviation of a fit from its data, from one of them on.
+double worst_from(std::size_t first, const std::vector<double>& data, const FitQuality& quality) {
+  double worst = 0.0;
+  for (std::size_t i = first; i < data.size(); ++i) {
+    worst = std::max(worst, std::abs(quality.fitted[i] / data[i] - 1.0));
+  }
+  return worst;
+}
+
 void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
   auto steps = step_times(test);
   // The first time wanted is an end of the curve, and need not be one of the steps.
@@ -78,6 +87,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
   });
   result.effort = stepped.effort;
   const auto times = logarithmic_times(test.times, test.points_per_decade);
+  const auto first_step = step_at(steps, test.times.begin);
   for (const auto& found : stepped.responses) {
     auto& response = result.responses.emplace_back();
     response.load = found.load;
@@ -87,14 +97,15 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
       values.push_back(found.values[step]);
       response.error_estimate = std::max(response.error_estimate, found.error_estimates[step]);
     }
+    // Of all steps, for what came before the first time wanted counts in the conversion of creep.
     if (test.boundary == Boundary::traction) {
-      const auto fit = fit_creep(times, values);
+      const auto fit = fit_creep(steps, found.values);
       response.series = relaxation_modulus(fit.compliance);
-      response.fit_error = fit.quality.worst_error;
+      response.fit_error = worst_from(first_step, found.values, fit.quality);
     } else {
-      const auto fit = fit_relaxation(times, values);
+      const auto fit = fit_relaxation(steps, found.values);
       response.series = fit.series;
-      response.fit_error = fit.quality.worst_error;
+      response.fit_error = worst_from(first_step, found.values, fit.quality);
     }
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (test.boundary == Boundary::traction) {

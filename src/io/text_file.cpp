@@ -61,6 +61,36 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
+void make_directory(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
+}
+
+void refuse_to_replace(const std::filesystem::path& directory, std::span<const std::string> names,
+                       std::span<const std::filesystem::path> inputs) {
+  std::string mistakes;
+  for (const auto& name : names) {
+    for (const auto& input : inputs) {
+      std::error_code is_missing;
+      if (!std::filesystem::equivalent(directory / name, input, is_missing)) continue;
+      mistakes += fmt::format("{}{}: the results would replace this file, from which they come; take another directory",
+                              mistakes.empty() ? "" : "\n", (directory / name).string());
+    }
+  }
+  if (!mistakes.empty()) throw InputError(mistakes);
+}
+
+void remove_files(const std::filesystem::path& directory, std::span<const std::string> names) {
+  for (const auto& name : names) {
+    std::error_code error;
+    std::filesystem::remove(directory / name, error);
+    if (error) {
+      throw FileError(fmt::format("{}: cannot remove this file: {}", (directory / name).string(), error.message()));
+    }
+  }
+}
+
 std::string content_hash(std::string_view bytes) {
   return fmt::format("{:016x}", XXH64(bytes.data(), bytes.size(), 0));
 }

@@ -26,6 +26,9 @@ class ElasticSolver {
 
  private:
   void set_up();
+  /// Is a residual small beside the load, or nothing but rounding of the forces?
+  static PetscErrorCode is_converged(KSP solver, PetscInt iteration, PetscReal residual, KSPConvergedReason* reason,
+                                     void* self);
   [[nodiscard]] bool try_to_solve(const Field& forces, Field& displacement, int most_iterations);
 
   const ElasticBox* box_;
@@ -34,7 +37,9 @@ class ElasticSolver {
   LinearSolver solver_;
   LinearEffort effort_;
   int fresh_iterations_ = 0;  ///< with factors of the same moduli; 0 before the first
-  double rounding_ = 0.0;     ///< norm of the forces that a unit strain leaves by rounding alone
+  double rounding_ = 0.0;     ///< norm of the forces that displacements of order one leave by rounding alone
+  double load_ = 0.0;         ///< norm of the forces of the present solve
+  double given_ = 0.0;        ///< size of the displacements that the boundary gives: of a unit strain, or none
   bool is_fresh_ = false;     ///< whether the factors are those of the present moduli
 };
 

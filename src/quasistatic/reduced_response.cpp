@@ -74,16 +74,17 @@ CreepCompliance creep_compliance(const ReducedResponse& response, const Material
 }
 
 std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin) {
-  constexpr double per_decade = 8.0, least_change = 0.05;
+  constexpr double per_decade = 8.0, least_change = 0.05, rounding = 1e-9;
   const double first = margin / window.begin, last = 1.0 / (margin * window.end);
   const auto at = [&](double s) { return Moduli{carson_modulus(material.bulk, s), carson_modulus(material.shear, s)}; };
   std::vector<Moduli> path = {at(first)};
   const int count = static_cast<int>(std::ceil(per_decade * std::log10(first / last)));
   for (int i = 1; i <= count; ++i) {
     const auto moduli = at(first * std::pow(last / first, static_cast<double>(i) / count));
-    const auto& [bulk, shear] = path.back();
-    const bool is_new = moduli.bulk < (1.0 - least_change) * bulk || moduli.shear < (1.0 - least_change) * shear;
-    if (is_new || (i == count && path.size() > 1)) path.push_back(moduli);
+    // The bulk modulus of a stage's result may rise while the shear modulus falls.
+    const double change =
+        std::max(std::abs(moduli.bulk / path.back().bulk - 1.0), std::abs(moduli.shear / path.back().shear - 1.0));
+    if (change > least_change || (i == count && change > rounding)) path.push_back(moduli);
   }
   return path;
 }

@@ -129,6 +129,10 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   };
 
   add_snapshot(middle, false);
+  for (const auto& basis : bases) {
+    if (basis.response().load_forces.size() > 0) continue;
+    throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
+  }
   for (const auto& end : {path.front(), path.back()}) {
     if (end.bulk != middle.bulk || end.shear != middle.shear) add_snapshot(end, false);
   }
@@ -138,7 +142,7 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
       throw NumericalError(
           fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
                       "or solver = \"stepping\" may serve",
-                      error, options.most_snapshots, options.tolerance));
+                      std::max(error, worst.estimate), options.most_snapshots, options.tolerance));
     }
     add_snapshot(worst.moduli, true);
     worst = worst_on(path, bases, scales);

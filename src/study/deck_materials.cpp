@@ -42,7 +42,9 @@ PronySeries read_series(const Section& modulus) {
   const bool complete = std::ranges::none_of(spectrum.terms, [](const MaxwellTerm& term) {
     return std::isnan(term.relaxation_time) || std::isnan(term.modulus);
   });
-  if (complete) series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
+  if (!complete) return series;
+  series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
+  if (!source.empty() && !(series.unrelaxed() > 0.0)) modulus.report(source, "expected a modulus above zero");
   return series;
 }
 

@@ -90,13 +90,6 @@ Microstructure place_particles(const Stage& stage, const PackingWatch& watch, St
                     stage.filler->packing);
 }
 
-/// Particles that cross the sides of the box.
-std::optional<std::string> warning_of_cut_particles(const StageMicrostructure& result) {
-  if (result.microstructure.walls != Walls::periodic) return std::nullopt;
-  return "the displacement boundary cuts the particles that cross the sides of this periodic box; they bridge it, and "
-         "the modulus at long times comes out far too high; packing.walls = true keeps them inside";
-}
-
 /// Gaps that the grid hardly sees.
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, double gap) {
   constexpr double cells_per_gap = 3.0;
@@ -119,9 +112,8 @@ void describe(const Stage& stage, StageMicrostructure& result) {
   result.interface_per_area = interface_per_area(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
   result.wall_gap = smallest_wall_gap(result.microstructure);
-  for (const auto& warning :
-       {warning_of_cut_particles(result), warning_of_narrow_gaps(stage, std::min(result.gap, result.wall_gap))}) {
-    if (warning) result.warnings.push_back(stage.name + ": " + *warning);
+  if (const auto warning = warning_of_narrow_gaps(stage, std::min(result.gap, result.wall_gap))) {
+    result.warnings.push_back(stage.name + ": " + *warning);
   }
 }
 
@@ -134,6 +126,17 @@ StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& 
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   describe(stage, result);
   return result;
+}
+
+std::optional<std::string> warning_of_cut_particles(const Stage& stage, const Microstructure& microstructure,
+                                                    const std::vector<Bound>& bounds) {
+  const bool cuts = std::ranges::any_of(bounds, [](Bound bound) { return bound != Bound::periodic; });
+  if (microstructure.walls != Walls::periodic || !cuts) return std::nullopt;
+  return fmt::format(
+      "{}: the boundaries of the upper and lower bound cut the particles that cross the sides of this periodic box; "
+      "under the upper one they bridge it, and the modulus at long times comes out far too high; "
+      "packing.walls = true keeps them inside",
+      stage.name);
 }
 
 }  // namespace breccia

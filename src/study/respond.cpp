@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "results.hpp"
@@ -85,6 +86,7 @@ Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& tim
   study.tests.bounds.clear();
   for (const auto& one : stored) {
     study.stages.push_back(stage_of(one));
+    study.tests.fit_tolerance = one.fit_tolerance;
     study.tests.points_per_decade = one.points_per_decade;
     for (const auto& entry : one.entries) {
       const auto bound = bound_under(entry.response.boundary);
@@ -110,6 +112,27 @@ std::vector<StoredResponses>::const_iterator next_stage(const std::vector<Stored
                                stuck.stage, name_of(stuck.matrix)));
 }
 
+/// One new material can stand for one old one only.
+void refuse_mixtures(const std::vector<StoredResponses>& stored) {
+  const StoredResponses* first = nullptr;
+  for (const auto& one : stored) {
+    if (one.deck_hash != stored.front().deck_hash) {
+      throw InputError(
+          fmt::format("the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a "
+                      "stage, or run the "
+                      "study anew in a directory of its own",
+                      stored.front().stage, one.stage, stored.front().deck_hash, one.deck_hash));
+    }
+    if (!std::holds_alternative<Material>(one.matrix)) continue;
+    if (first == nullptr) first = &one;
+    if (name_of(one.matrix) == name_of(first->matrix)) continue;
+    throw InputError(
+        fmt::format("stages {} and {} have different matrices, {} and {}; name the stage that the new "
+                    "material is for",
+                    first->stage, one.stage, name_of(first->matrix), name_of(one.matrix)));
+  }
+}
+
 }  // namespace
 
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
@@ -121,6 +144,7 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, con
                                  std::optional<TimeWindow> times) {
   std::vector<StageResult> done;
   if (stored.empty()) return done;
+  refuse_mixtures(stored);
   const auto window = times.value_or(stored.front().times);
   const auto study = study_of(stored, window);
   while (done.size() < stored.size()) {
@@ -138,7 +162,11 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, con
 }
 
 void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages) {
+  if (std::filesystem::exists(directory / "study.json")) {
+    throw InputError(fmt::format("{}: here are the results of a study; take another directory", directory.string()));
+  }
   make_directory(directory);
+  remove_files(directory, curve_files());
   write_curves(directory, {stages});
 }
 

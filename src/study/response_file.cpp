@@ -1,6 +1,7 @@
 #include "response_file.hpp"
 
 #include <array>
+#include <charconv>
 #include <optional>
 #include <string>
 
@@ -47,6 +48,30 @@ void write_response(Hdf5Writer& file, const std::string& group, const ReducedRes
   file.write_attribute(group, "residual_scale", response.residual_scale);
 }
 
+void require(bool is_so, const std::string& group, const char* expected) {
+  if (!is_so) throw FileError(fmt::format("{}: no response of this program: expected {}", group, expected));
+}
+
+/// All parts of a response belong to bases of one size.
+void require_consistent(const ReducedResponse& response, const std::string& group) {
+  const auto size = response.filler.rows();
+  const auto is_square = [size](const Eigen::MatrixXd& matrix) {
+    return matrix.rows() == size && matrix.cols() == size;
+  };
+  const bool fits = size > 0 && is_square(response.filler) && is_square(response.matrix_shear) &&
+                    is_square(response.matrix_bulk) && response.load_forces.size() == size &&
+                    response.residual_products.rows() == 3 * size + 1 &&
+                    response.residual_products.cols() == 3 * size + 1 && !response.snapshots.empty();
+  require(fits, group, "matrices of one size");
+}
+
+int read_cells(const std::string& name, const std::string& group) {
+  int cells = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), cells);
+  require(error == std::errc{} && end == name.data() + name.size() && cells > 0, group, "numbers of cells");
+  return cells;
+}
+
 ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) {
   ReducedResponse response;
   response.filler = read_matrix(file, group + "/filler_Pa");
@@ -56,9 +81,11 @@ ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) 
   response.residual_products = read_matrix(file, group + "/residual_products");
   response.residual_scale = file.attribute<double>(group, "residual_scale");
   const auto snapshots = read_matrix(file, group + "/snapshots_shear_bulk_error");
+  require(snapshots.cols() == 3, group, "three columns of snapshots");
   for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
     response.snapshots.push_back({{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}, snapshots(i, 2)});
   }
+  require_consistent(response, group);
   return response;
 }
 
@@ -85,6 +112,7 @@ void write_responses(const std::filesystem::path& directory, const Study& study,
       file->write_attribute("/", "filler_fraction", result.microstructure.fraction);
       file->write_attribute("/", "box_m", stage.side);
       file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
+      file->write_attribute("/", "fit_tolerance", study.tests.fit_tolerance);
       file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
     }
     write_response(*file, fmt::format("/{}/{}/{}", name_of(test.boundary), name_of(test.load), test.cells),
@@ -111,8 +139,11 @@ StoredResponses read_responses(const std::filesystem::path& path) {
   stored.filler_density = file.attribute<double>("/", "filler_density_kg_per_m3");
   stored.filler_fraction = file.attribute<double>("/", "filler_fraction");
   stored.side = file.attribute<double>("/", "box_m");
+  stored.deck_hash = file.attribute<std::string>("/", "deck_hash");
+  stored.fit_tolerance = file.attribute<double>("/", "fit_tolerance");
   const auto times = file.attribute<std::vector<double>>("/", "times_s");
-  stored.times = {times.at(0), times.at(1)};
+  require(times.size() == 2, path.string(), "two times");
+  stored.times = {times[0], times[1]};
   stored.points_per_decade = static_cast<int>(file.attribute<std::int64_t>("/", "points_per_decade"));
   for (const auto boundary : boundaries) {
     for (const auto load : loads) {
@@ -122,7 +153,7 @@ StoredResponses read_responses(const std::filesystem::path& path) {
         auto response = read_response(file, fmt::format("{}/{}", group, cells));
         response.load = load;
         response.boundary = boundary;
-        stored.entries.push_back({std::stoi(cells), std::move(response)});
+        stored.entries.push_back({read_cells(cells, group), std::move(response)});
       }
     }
   }

@@ -3,12 +3,10 @@
 #include <cstdint>
 #include <iterator>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
@@ -17,12 +15,6 @@
 #include "breccia/report/microstructure_picture.hpp"
 
 namespace breccia {
-
-void make_directory(const std::filesystem::path& directory) {
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
-}
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {

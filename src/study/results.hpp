@@ -1,13 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "breccia/study/run.hpp"
 
 namespace breccia {
-
-/// Makes a directory for results. Throws FileError.
-void make_directory(const std::filesystem::path& directory);
 
 /// Writes `microstructure.csv` and `microstructure.svg` of a stage.
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
@@ -27,6 +26,9 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
 
 /// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
 void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields);
+
+/// Names of the files that hold curves: those that write_curves may write.
+std::vector<std::string> curve_files();
 
 /// Writes `curves.csv` and `prony.csv`, and where there is something to put in `compliance.csv` and
 /// `extrapolation.csv`: all tests of all stages.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
@@ -54,7 +55,8 @@ void write_once(const Write& write) {
   if (parallel::rank() == 0) write();
 }
 
-StageResult pack_stage(const Stage& stage, const fs::path& directory, const StudyObserver& observer) {
+StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& directory,
+                       const StudyObserver& observer) {
   const PackingWatch watch = [&](const PackingProgress& progress) {
     return !observer.packing || observer.packing(stage, progress);
   };
@@ -62,6 +64,10 @@ StageResult pack_stage(const Stage& stage, const fs::path& directory, const Stud
   result.name = stage.name;
   result.cells = stage.cells;
   result.microstructure = make_microstructure(stage, watch);
+  auto& warnings = result.microstructure.warnings;
+  if (auto warning = warning_of_cut_particles(stage, result.microstructure.microstructure, study.tests.bounds)) {
+    warnings.push_back(std::move(*warning));
+  }
   result.warnings = result.microstructure.warnings;
   const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
@@ -187,7 +193,7 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const Stud
   remove_old_results(study, directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
-    result.stages.push_back(pack_stage(stage, directory / stage.name, observer));
+    result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
     write_provenance(directory, study, result);
   }
   return result;
@@ -202,7 +208,7 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
   });
   StudyResult result;
   for (const auto& stage : study.stages) {
-    result.stages.push_back(pack_stage(stage, directory / stage.name, observer));
+    result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, threads, observer, result).run();
   }

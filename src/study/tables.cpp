@@ -127,6 +127,10 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
 
 }  // namespace
 
+std::vector<std::string> curve_files() {
+  return {"curves.csv", "compliance.csv", "extrapolation.csv", "prony.csv"};
+}
+
 void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
   write_moduli(directory / "curves.csv", result);
   write_compliances(directory / "compliance.csv", result);

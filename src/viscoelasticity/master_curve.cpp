@@ -283,7 +283,12 @@ Shifts best_shifts(const Projection& projection, const Eigen::VectorXd& start) {
   projection.df(shifts.values, jacobian);
   const auto freedom = projection.values() - projection.used_terms(shifts.values) - start.size();
   const double variance = deviations.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, freedom));
-  shifts.standard_errors = (variance * (jacobian.transpose() * jacobian).inverse().diagonal()).cwiseSqrt();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> normal(jacobian.transpose() * jacobian);
+  if (!normal.isInvertible()) {
+    throw NumericalError(
+        "master curve: the data do not tell the shift of every sweep; leave out temperatures whose sweeps are flat");
+  }
+  shifts.standard_errors = (variance * normal.inverse().diagonal()).cwiseSqrt();
   return shifts;
 }
 

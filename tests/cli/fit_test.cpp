@@ -76,12 +76,12 @@ TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
               [](double ms) { return 1e-6 * relaxation(1e-3 * ms); });
   const auto outcome = run({"g.csv", "--to", "creep"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g: prony.csv, retardation.csv, fit.csv, creep.csv, "
+  EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g-fit: prony.csv, retardation.csv, fit.csv, creep.csv, "
                                         "fit.svg, creep.svg"));
-  EXPECT_LT(worst_difference(result("results/g/creep.csv"), "time_s", "compliance_1_per_Pa", creep), 3e-3);
-  EXPECT_LT(worst_difference(result("results/g/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
+  EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "compliance_1_per_Pa", creep), 3e-3);
+  EXPECT_LT(worst_difference(result("results/g-fit/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
   for (const auto* name : {"fit.svg", "creep.svg"}) {
-    EXPECT_EQ(testing::xml_mistake(read_text(directory.path() / "results/g" / name)), "");
+    EXPECT_EQ(testing::xml_mistake(read_text(directory.path() / "results/g-fit" / name)), "");
   }
 }
 
@@ -102,7 +102,7 @@ TEST_F(Fit, RampIsTakenOut) {
   });
   const auto outcome = run({"g.csv", "--ramp", "50 ms"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_LT(worst_difference(result("results/g/relaxation.csv"), "time_s", "modulus_Pa", relaxation), 0.02);
+  EXPECT_LT(worst_difference(result("results/g-fit/relaxation.csv"), "time_s", "modulus_Pa", relaxation), 0.02);
 }
 
 TEST_F(Fit, SeriesBecomeDynamic) {
@@ -110,7 +110,7 @@ TEST_F(Fit, SeriesBecomeDynamic) {
   const auto outcome = run({"maxwell.csv", "--to", "dynamic"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("tan delta"));
-  const auto table = result("results/maxwell/dynamic.csv");
+  const auto table = result("results/maxwell-fit/dynamic.csv");
   const auto* at = "angular_frequency_rad_per_s";
   EXPECT_LT(worst_difference(table, at, "tan_delta", [](double omega) { return 2.0 / omega; }), 1e-12);
   EXPECT_LT(worst_difference(table, at, "loss_modulus_Pa",
@@ -126,8 +126,8 @@ TEST_F(Fit, MasterCurveOfTheExampleIsTheBinder) {
   const auto file = read_prony_file(data / "pbx9501_binder_prony.csv");
   const PronySeries binder(0.0, file.terms);
   const auto at = [&](double t) { return binder.at(t); };
-  EXPECT_LT(worst_difference(result("results/synthetic_dma/relaxation.csv"), "time_s", "modulus_Pa", at), 0.03);
-  const auto shifts = result("results/synthetic_dma/shift_factors.csv");
+  EXPECT_LT(worst_difference(result("results/synthetic_dma-fit/relaxation.csv"), "time_s", "modulus_Pa", at), 0.03);
+  const auto shifts = result("results/synthetic_dma-fit/shift_factors.csv");
   for (std::size_t row = 0; row < shifts.rows(); ++row) {
     const double difference = shifts.numbers("temperature_K")[row] - 292.15;
     EXPECT_NEAR(shifts.numbers("log10_shift_factor")[row], -6.5 * difference / (120.0 + difference), 0.03);
@@ -139,7 +139,7 @@ TEST_F(Fit, ItsSeriesGoesIntoADeck) {
   ASSERT_EQ(run({"g.csv", "--quiet"}).exit_code, 0);
   directory.write("deck.toml", test::replaced(std::string(test::good_deck),
                                               R"({ terms = [ { time = "10 ms", modulus = "1 MPa" } ] })",
-                                              R"({ prony = "results/g/prony.csv" })"));
+                                              R"({ prony = "results/g-fit/prony.csv" })"));
   const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
   EXPECT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_THAT(check.output, ::testing::ContainsRegex("relaxing to (1[.]99|2[.]00)[0-9]* MPa"));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_solver.hpp"
@@ -52,6 +53,8 @@ struct Overlap {
 struct DynamicTestResult {
   std::vector<TimeDomain> domains;
   std::vector<Overlap> overlaps;
+  /// Of a traction boundary: largest relative deviation of the fit through which the compliance became a modulus [-].
+  std::optional<double> fit_error = {};
   Curve curve;         ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
   Creep compliance;    ///< creep compliance at the same times, stitched, of a traction boundary alone
   PointFields fields;  ///< at the end of the last domain

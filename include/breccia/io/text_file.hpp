@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,6 +34,16 @@ std::string read_text(const std::filesystem::path& path);
 
 /// Writes a file atomically; its directory must exist. Throws FileError.
 void write_text(const std::filesystem::path& path, std::string_view text);
+
+/// Makes a directory, and those above it. Throws FileError.
+void make_directory(const std::filesystem::path& directory);
+
+/// Throws InputError where a file of a directory that is to be written or removed is one of the inputs it comes from.
+void refuse_to_replace(const std::filesystem::path& directory, std::span<const std::string> names,
+                       std::span<const std::filesystem::path> inputs);
+
+/// Removes files of a directory where they are. Throws FileError.
+void remove_files(const std::filesystem::path& directory, std::span<const std::string> names);
 
 /// 64-bit xxHash of some bytes, as 16 hexadecimal digits. Tells contents apart; it is no protection against forgery.
 std::string content_hash(std::string_view bytes);

@@ -27,4 +27,8 @@ struct StageMicrostructure {
 /// impossible, Interrupted when `watch` returns false.
 StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch = {});
 
+/// What makes particles that cross the sides of a periodic box doubtful under these bounds, if anything does.
+std::optional<std::string> warning_of_cut_particles(const Stage& stage, const Microstructure& microstructure,
+                                                    const std::vector<Bound>& bounds);
+
 }  // namespace breccia

@@ -23,6 +23,8 @@ struct StoredResponses {
   double filler_density = 0.0;   ///< [kg/m^3]; without filler that of nothing, which fills nothing
   double filler_fraction = 0.0;  ///< [-]
   double side = 0.0;             ///< of the box [m]
+  std::string deck_hash;         ///< of the study that left it
+  double fit_tolerance = 0.0;    ///< of that study
   TimeWindow times;              ///< of the study [s]
   int points_per_decade = 20;    ///< of its curves
   std::vector<Entry> entries;
@@ -37,7 +39,8 @@ StageResult respond(const StoredResponses& stored, const Material& matrix, std::
 
 /// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others
 /// take what it makes of the stage before them. In the order in which they build on each other. Throws InputError as
-/// above, and where a stage that another builds on is missing.
+/// above, and where a stage that another builds on is missing, the responses are of several studies, or their matrices
+/// of several materials.
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
                                  std::optional<TimeWindow> times = {});
 
