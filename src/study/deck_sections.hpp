@@ -7,6 +7,13 @@
 
 namespace breccia {
 
+/// What a deck means, but for its sweep and without the overrides and the hash. Mistakes are left to the deck.
+Study resolve(const Deck& document);
+
+/// Hash of a deck without mistakes: of what it says, its overrides and its data files, but not of its sweep, so that a
+/// task remains the same when its sweep grows.
+std::string hash_of(const Deck& document);
+
 /// [materials]: each table is a material, named by its key.
 std::vector<Material> read_materials(const Section& deck);
 

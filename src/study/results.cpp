@@ -24,6 +24,12 @@ void make_directory(const std::filesystem::path& directory) {
   if (error) throw FileError(fmt::format("{}: cannot make this directory: {}", directory.string(), error.message()));
 }
 
+void remove_file(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
+}
+
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
   std::vector<double> x, y, diameters;

@@ -9,6 +9,9 @@ namespace breccia {
 /// Makes a directory for results. Throws FileError.
 void make_directory(const std::filesystem::path& directory);
 
+/// Removes a file if it is there. Throws FileError.
+void remove_file(const std::filesystem::path& file);
+
 /// Writes `microstructure.csv` and `microstructure.svg` of a stage.
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure);

@@ -1,8 +1,8 @@
 #include "breccia/study/run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,24 +26,19 @@ namespace fs = std::filesystem;
 
 /// Removes what an earlier run left, so that no old number stands beside a new one.
 void remove_old_results(const Study& study, const fs::path& directory) {
-  const auto remove = [](const fs::path& file) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
-  };
   for (const auto* name :
        {"curves.csv", "compliance.csv", "prony.csv", "extrapolation.csv", "comparison.csv", "study.json"}) {
-    remove(directory / name);
+    remove_file(directory / name);
   }
   for (const auto& stage : study.stages) {
     const auto stage_directory = directory / stage.name;
     if (!fs::is_directory(stage_directory)) continue;
     for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                              "fields.vtkhdf", "response.h5"}) {
-      remove(stage_directory / name);
+      remove_file(stage_directory / name);
     }
     for (const auto& entry : fs::directory_iterator(stage_directory)) {
-      if (entry.path().filename().string().find("-dynamic-") != std::string::npos) remove(entry.path());
+      if (entry.path().filename().string().find("-dynamic-") != std::string::npos) remove_file(entry.path());
     }
   }
 }
@@ -194,6 +189,7 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const Stud
 }
 
 StudyResult run_study(const Study& study, const fs::path& directory, int threads, const StudyObserver& observer) {
+  const auto begin = std::chrono::steady_clock::now();
   // Not after an hour of work.
   require_gnuplot();
   write_once([&] {
@@ -206,6 +202,8 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, threads, observer, result).run();
   }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_once([&] { write_provenance(directory, study, result); });
   return result;
 }
 
