@@ -59,7 +59,8 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
 }
 
 void print_plan(const Study& study) {
-  fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n", summary(study));
+  fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
+             summary(study));
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
     fmt::print("{}", plan_of(study, stage, packed));

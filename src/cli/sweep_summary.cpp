@@ -28,9 +28,9 @@ std::string modulus_at(const Curve& curve, double time) {
 
 Column column_of(const std::string& name, const TaskCurve& curve) {
   const auto& modulus = curve.modulus;
-  return {{name, bound_of(curve)},
-          {modulus.front().time, modulus.back().time},
-          [&modulus](double time) { return modulus_at(modulus, time); }};
+  return {{name, bound_of(curve)}, {modulus.front().time, modulus.back().time}, [&modulus](double time) {
+            return modulus_at(modulus, time);
+          }};
 }
 
 Column column_of(const std::string& name, const SpreadCurve& spread) {
@@ -56,7 +56,8 @@ std::string table_of(const std::vector<Column>& columns) {
   std::string text;
   for (std::size_t line = 0; line < 2; ++line) {
     text += fmt::format("\n{:>12}", line == 1 ? "time" : "");
-    for (std::size_t i = 0; i < columns.size(); ++i) text += fmt::format("  {:>{}}", columns[i].heading[line], widths[i]);
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      text += fmt::format("  {:>{}}", columns[i].heading[line], widths[i]);
   }
   for (const double time : logarithmic_times(all, 1)) {
     text += fmt::format("\n{:>12}", fmt::format("{:.3g} s", time));

@@ -141,12 +141,15 @@ void apply_override(DeckTable& root, const std::string& override_text, std::vect
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes) {
   const auto steps = split_path(setting.path);
   if (!steps) {
-    mistakes.push_back({setting.path_place, fmt::format("expected a key such as \"tests.volumetric\", got \"{}\"",
-                                                        setting.path)});
+    mistakes.push_back(
+        {setting.path_place, fmt::format("expected a key such as \"tests.volumetric\", got \"{}\"", setting.path)});
     return {};
   }
-  const auto value = std::visit([&](const auto& scalar) { return DeckValue{setting.value.place, scalar}; },
-                                setting.value.value);
+  const auto value = std::visit(
+      [&](const auto& scalar) {
+        return DeckValue{setting.value.place, scalar};
+      },
+      setting.value.value);
   Assignment assignment(value, setting.path_place, mistakes);
   assignment.apply(root, "", *steps);
   return assignment.replaced();

@@ -32,8 +32,11 @@ std::string quoted(const std::string& text) {
 struct TomlText {
   std::string operator()(bool value) const { return fmt::format("{}", value); }
   std::string operator()(std::int64_t value) const { return fmt::format("{}", value); }
-  // "1.0": without its point it would be an integer.
-  std::string operator()(double value) const { return fmt::format("{:#}", value); }
+  std::string operator()(double value) const {
+    const auto text = fmt::format("{}", value);
+    const bool looks_whole = text.find_first_not_of("-0123456789") == std::string::npos;
+    return looks_whole ? text + ".0" : text;
+  }
   std::string operator()(const std::string& value) const { return quoted(value); }
 };
 

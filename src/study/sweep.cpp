@@ -19,11 +19,7 @@ class SweepRun {
  public:
   SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
            const SweepObserver& observer)
-      : sweep_(sweep),
-        directory_(directory),
-        options_(options),
-        observer_(observer),
-        result_(sweep.tasks.size()) {}
+      : sweep_(sweep), directory_(directory), options_(options), observer_(observer), result_(sweep.tasks.size()) {}
 
   SweepResult run() {
     if (options_.resume) take_over();

@@ -29,8 +29,7 @@ std::vector<Scalar> numbers_between(double from, double to, std::int64_t count, 
   std::vector<Scalar> values;
   for (std::int64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double value =
-        spacing == Spacing::linear ? from + share * (to - from) : from * std::pow(to / from, share);
+    const double value = spacing == Spacing::linear ? from + share * (to - from) : from * std::pow(to / from, share);
     values.emplace_back(rounded(value));
   }
   return values;
@@ -110,7 +109,8 @@ std::vector<PlacedScalar> read_list(const Section& section, const std::string& k
 }
 
 void read_table(const Section& section, const std::string& parent, std::vector<KeyValues>& keys) {
-  if (section.keys().empty()) section.report("", "expected keys with values, such as \"tests.points_per_decade\" = [10, 20]");
+  if (section.keys().empty())
+    section.report("", "expected keys with values, such as \"tests.points_per_decade\" = [10, 20]");
   for (const auto& key : section.keys()) {
     const auto path = parent.empty() ? key : fmt::format("{}.{}", parent, key);
     if (section.kind(key) == Kind::array) {

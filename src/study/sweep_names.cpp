@@ -31,6 +31,11 @@ std::string ending(const std::vector<std::string>& steps, std::size_t length) {
   return result;
 }
 
+/// Does a step say nothing by itself: "*", or the index of an element?
+bool is_element(const std::string& step) {
+  return step == "*" || step.find_first_not_of("0123456789") == std::string::npos;
+}
+
 /// "../data/binder.csv" as "binder"; all else as it is.
 std::string without_directory(const std::string& text) {
   const std::filesystem::path path(text);
@@ -55,7 +60,7 @@ std::vector<std::string> labels_of_keys(const std::vector<std::string>& paths) {
       return std::ranges::count(all_steps, ending(steps, length),
                                 [&](const auto& others) { return ending(others, length); }) > 1;
     };
-    std::size_t length = 1;
+    std::size_t length = is_element(steps.back()) ? 2 : 1;
     while (length < steps.size() && is_shared(length)) ++length;
     labels.push_back(ending(steps, length));
   }

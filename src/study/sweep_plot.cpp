@@ -13,7 +13,7 @@ namespace breccia {
 
 namespace {
 
-constexpr std::size_t most_colours = 7;   // those of the palette
+constexpr std::size_t most_colours = 7;  // those of the palette
 constexpr std::size_t most_labels = 14;
 
 PlotStyle style_of(const TaskCurve& curve) {

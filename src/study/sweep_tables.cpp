@@ -53,11 +53,8 @@ struct CurveColumns {
   }
 
   void append_to(std::vector<CsvColumn>& table) const {
-    table.insert(table.end(), {{"stage", stages},
-                               {"load", loads},
-                               {"boundary", boundaries},
-                               {"method", methods},
-                               {"cells", cells}});
+    table.insert(table.end(),
+                 {{"stage", stages}, {"load", loads}, {"boundary", boundaries}, {"method", methods}, {"cells", cells}});
   }
 };
 
@@ -146,12 +143,8 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
   Json keys = Json::array();
   for (const auto& key : sweep.keys) keys.push_back(key.path);
   const auto& study = sweep.tasks.front().study;
-  const Json json = {{"program", "breccia"},
-                     {"version", BRECCIA_VERSION},
-                     {"deck", study.deck.string()},
-                     {"deck_text", study.deck_text},
-                     {"keys", std::move(keys)},
-                     {"tasks", std::move(tasks)}};
+  const Json json = {{"program", "breccia"},         {"version", BRECCIA_VERSION}, {"deck", study.deck.string()},
+                     {"deck_text", study.deck_text}, {"keys", std::move(keys)},    {"tasks", std::move(tasks)}};
   write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
