@@ -22,10 +22,10 @@ void add_pack(CLI::App& application) {
     for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
       const auto& task = sweep.tasks[i];
       if (!task.name.empty()) progress.print(heading_of(sweep, i));
-      const auto result = pack_study(task.study, arguments->results() / task.name, narrate(progress));
+      const auto directory = task.directory_in(arguments->results());
+      const auto result = pack_study(task.study, directory, narrate(progress));
       for (const auto& stage : result.stages) {
-        const auto picture = arguments->results() / task.name / stage.name / "microstructure.svg";
-        progress.print(fmt::format("  {}", picture.string()));
+        progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
       }
     }
   });

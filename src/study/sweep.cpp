@@ -37,7 +37,7 @@ class SweepRun {
 
  private:
   [[nodiscard]] std::filesystem::path directory_of(std::size_t task) const {
-    return directory_ / sweep_.tasks[task].name;
+    return sweep_.tasks[task].directory_in(directory_);
   }
 
   /// Of all tasks before any runs, so that several processes find the same.

@@ -24,6 +24,11 @@ struct SweepTask {
   std::vector<std::string> labels;  ///< of each key with its value: the parts of the name
   std::vector<Scalar> values;       ///< of the keys
   Study study;
+
+  /// Where its results go in a directory: the directory itself without a name.
+  [[nodiscard]] std::filesystem::path directory_in(const std::filesystem::path& results) const {
+    return name.empty() ? results : results / name;
+  }
 };
 
 /// All combinations of the values of some keys, the last key running fastest. Without keys it is a single task, which
