@@ -4,11 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/study/deck.hpp"
 #include "breccia/study/run.hpp"
 
 #include "command.hpp"
 #include "summary.hpp"
+#include "sweep_summary.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -58,6 +58,19 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
   return text;
 }
 
+void print_plan(const Study& study) {
+  fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
+             summary(study));
+  for (const auto& stage : study.stages) {
+    const auto packed = make_microstructure(stage);
+    fmt::print("{}", plan_of(study, stage, packed));
+    for (const auto& warning : packed.warnings) fmt::print("warning: {}\n", warning);
+    if (const auto warning = warning_of_cut_particles(stage, packed.microstructure, study.tests.bounds)) {
+      fmt::print("warning: {}\n", *warning);
+    }
+  }
+}
+
 }  // namespace
 
 void add_check(CLI::App& application) {
@@ -66,18 +79,11 @@ void add_check(CLI::App& application) {
   auto arguments = std::make_shared<DeckArguments>();
   add_deck_arguments(*command, *arguments);
   command->callback([arguments] {
-    const auto study = read_study(arguments->deck, arguments->overrides);
-    fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
-               summary(study));
-    for (const auto& stage : study.stages) {
-      const auto packed = make_microstructure(stage);
-      fmt::print("{}", plan_of(study, stage, packed));
-      for (const auto& warning : packed.warnings) fmt::print("warning: {}\n", warning);
-      const auto& bounds = study.tests.bounds;
-      if (const auto warning = warning_of_cut_particles(stage, packed.microstructure, bounds)) {
-        fmt::print("warning: {}\n", *warning);
-      }
+    const auto sweep = arguments->read();
+    if (!sweep.keys.empty()) {
+      fmt::print("a sweep of {} tasks\n\n{}\nthe first one:\n\n", sweep.tasks.size(), table_of_tasks(sweep));
     }
+    print_plan(sweep.tasks.front().study);
   });
 }
 

@@ -9,6 +9,12 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
                   "replace a value of the deck, as in stages.HB-1.cells=100; may be repeated")
       ->type_name("KEY.PATH=VALUE")
       ->allow_extra_args(false);
+  command
+      .add_option("--sweep", arguments.swept,
+                  "run the deck for each of some values, as in 'stages.*.packing.seed=[1, 2, 3]'; may be repeated, for "
+                  "all combinations")
+      ->type_name("KEY.PATH=[VALUE, ...]")
+      ->allow_extra_args(false);
 }
 
 void add_run_arguments(CLI::App& command, RunArguments& arguments) {

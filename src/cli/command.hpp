@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "breccia/study/study.hpp"
+#include "breccia/study/sweep.hpp"
 
 namespace breccia::cli {
 
@@ -14,9 +14,12 @@ namespace breccia::cli {
 struct DeckArguments {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
+  std::vector<std::string> swept;  ///< `key.path=[value, ...]`
+
+  [[nodiscard]] Sweep read() const { return read_sweep(deck, overrides, swept); }
 };
 
-/// Adds DECK and --set to a subcommand. The arguments must live as long as the application.
+/// Adds DECK, --set and --sweep to a subcommand. The arguments must live as long as the application.
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 
 /// What every subcommand that computes takes besides.
@@ -25,12 +28,14 @@ struct RunArguments {
   std::filesystem::path directory;  ///< empty: results/<deck name>
   int threads = 0;                  ///< 0: all
   bool quiet = false;
+  bool resume = false;
   std::string petsc_options;  ///< as on a command line of PETSc
 
+  /// Where the results go.
   [[nodiscard]] std::filesystem::path results() const;
 };
 
-/// Adds DECK, --set, --out, --threads and --quiet.
+/// Adds DECK, --set, --sweep, --out, --threads and --quiet.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
 /// The subcommands: each adds itself to the application, and does its work in a callback.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/experiment/curve.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"

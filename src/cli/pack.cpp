@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "breccia/study/deck.hpp"
 #include "breccia/study/run.hpp"
 
 #include "command.hpp"
 #include "interruption.hpp"
 #include "narration.hpp"
+#include "sweep_summary.hpp"
 
 namespace breccia::cli {
 
@@ -16,12 +16,17 @@ void add_pack(CLI::App& application) {
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
   command->callback([arguments] {
-    const auto study = read_study(arguments->deck.deck, arguments->deck.overrides);
+    const auto sweep = arguments->deck.read();
     watch_for_interruption();
     Progress progress(arguments->quiet);
-    const auto result = pack_study(study, arguments->results(), narrate(progress));
-    for (const auto& stage : result.stages) {
-      progress.print(fmt::format("  {}", (arguments->results() / stage.name / "microstructure.svg").string()));
+    for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
+      const auto& task = sweep.tasks[i];
+      if (!task.name.empty()) progress.print(heading_of(sweep, i));
+      const auto directory = task.directory_in(arguments->results());
+      const auto result = pack_study(task.study, directory, narrate(progress));
+      for (const auto& stage : result.stages) {
+        progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
+      }
     }
   });
 }

@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/study/deck.hpp"
+#include "breccia/study/resume.hpp"
 
 #include "command.hpp"
 #include "interruption.hpp"
 #include "narration.hpp"
+#include "sweep_summary.hpp"
 #include "tables.hpp"
 
 namespace breccia::cli {
@@ -21,33 +23,84 @@ std::string_view what_is(std::string_view file) {
   return file == "response.h5" ? "response" : "point fields";
 }
 
+void run_single(const Study& study, const RunArguments& arguments, Progress& progress) {
+  const auto directory = arguments.results();
+  if (arguments.resume && time_of_complete_run(study, directory)) {
+    progress.print(fmt::format("The results in {} are complete", directory.string()));
+    return;
+  }
+  const auto result = run_study(study, directory, arguments.threads, narrate(progress));
+  progress.print(closing_tables(study, result));
+  progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", directory.string()));
+  for (const auto& stage : result.stages) {
+    const auto of_stage = directory / stage.name;
+    progress.print(fmt::format("  microstructure  {}", (of_stage / "microstructure.svg").string()));
+    progress.print(fmt::format("  modulus         {}", (of_stage / "modulus.svg").string()));
+    for (const auto* file : {"fields.vtkhdf", "response.h5"}) {
+      if (std::filesystem::exists(of_stage / file)) {
+        progress.print(fmt::format("  {:<15} {}", what_is(file), (of_stage / file).string()));
+      }
+    }
+  }
+}
+
+SweepObserver narrate(const Sweep& sweep, Progress& progress) {
+  SweepObserver observer;
+  observer.begun = [&](std::size_t task) {
+    stop_if_interrupted();
+    progress.print(heading_of(sweep, task));
+  };
+  observer.skipped = [&](std::size_t task) {
+    progress.print(fmt::format("{}, complete already", heading_of(sweep, task)));
+  };
+  observer.failed = [&](std::size_t task, const std::string& error) {
+    progress.print(fmt::format("{} has failed: {}", heading_of(sweep, task), error));
+  };
+  observer.study = narrate(progress);
+  return observer;
+}
+
+/// Throws NumericalError, naming the tasks that have failed, if some have.
+void refuse_failures(const Sweep& sweep, const SweepResult& result) {
+  std::string failures;
+  for (std::size_t task = 0; task < result.size(); ++task) {
+    if (result[task].state != TaskState::failed) continue;
+    failures += fmt::format("{}{}: {}", failures.empty() ? "" : "\n", sweep.tasks[task].name, result[task].error);
+  }
+  if (!failures.empty()) throw NumericalError(failures);
+}
+
+void run_all(const Sweep& sweep, const RunArguments& arguments, Progress& progress) {
+  const auto directory = arguments.results();
+  const auto result = run_sweep(sweep, directory, {arguments.threads, arguments.resume}, narrate(sweep, progress));
+  progress.print(closing_table(sweep, result));
+  progress.print(fmt::format("Results are in {}", directory.string()));
+  for (const auto* file : {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
+    if (std::filesystem::exists(directory / file)) progress.print(fmt::format("  {}", (directory / file).string()));
+  }
+  refuse_failures(sweep, result);
+}
+
 }  // namespace
 
 void add_run(CLI::App& application) {
   auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
+  command->add_flag("--resume", arguments->resume, "leave alone what is complete, of a sweep each task by itself");
   command
       ->add_option("--petsc", arguments->petsc_options,
                    "options for PETSc, such as \"-quasistatic_ksp_monitor\" (docs/decks.md)")
       ->type_name("OPTIONS");
   command->callback([arguments] {
-    const auto study = read_study(arguments->deck.deck, arguments->deck.overrides);
+    const auto sweep = arguments->deck.read();
     watch_for_interruption();
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
     Progress progress(arguments->quiet || parallel::rank() != 0);
-    const auto result = run_study(study, arguments->results(), arguments->threads, narrate(progress));
-    progress.print(closing_tables(study, result));
-    progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", arguments->results().string()));
-    for (const auto& stage : result.stages) {
-      const auto directory = arguments->results() / stage.name;
-      progress.print(fmt::format("  microstructure  {}", (directory / "microstructure.svg").string()));
-      progress.print(fmt::format("  modulus         {}", (directory / "modulus.svg").string()));
-      for (const auto* file : {"fields.vtkhdf", "response.h5"}) {
-        if (std::filesystem::exists(directory / file)) {
-          progress.print(fmt::format("  {:<15} {}", what_is(file), (directory / file).string()));
-        }
-      }
+    if (sweep.keys.empty()) {
+      run_single(sweep.tasks.front().study, *arguments, progress);
+    } else {
+      run_all(sweep, *arguments, progress);
     }
   });
 }

@@ -1,11 +1,8 @@
 #include "breccia/io/deck.hpp"
 
-#include <algorithm>
-#include <set>
-#include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
@@ -16,7 +13,6 @@
 namespace breccia {
 
 using detail::DeckState;
-using detail::Mistake;
 
 namespace {
 
@@ -30,12 +26,6 @@ void add_unknown_keys(const DeckState& state, std::vector<Mistake>& mistakes) {
           {entry.key_place, fmt::format("{}unknown key \"{}\"{}", where, entry.key, suggestion(entry.key, known))});
     }
   }
-}
-
-std::string line_of(const DeckState& state, const Mistake& mistake) {
-  const auto& place = mistake.place;
-  if (!place.override_text.empty()) return fmt::format("{}: {}", place.override_text, mistake.message);
-  return fmt::format("{}:{}:{}: {}", state.path.string(), place.line, place.column, mistake.message);
 }
 
 }  // namespace
@@ -60,6 +50,24 @@ const std::string& Deck::text() const noexcept {
   return state_->text;
 }
 
+std::vector<std::string> Deck::set(const Setting& setting) {
+  return detail::apply_setting(state_->root, setting, state_->mistakes);
+}
+
+void Deck::add(const std::string& table, const std::string& option, const std::string& entry) {
+  detail::add_entry(state_->root, table, {fmt::format("{} {}", option, entry)}, entry, state_->mistakes);
+}
+
+const std::filesystem::path& Deck::path() const noexcept {
+  return state_->path;
+}
+
+std::string Deck::content_without(std::string_view key) const {
+  auto root = state_->root;
+  std::erase_if(root.entries, [&](const detail::DeckEntry& entry) { return entry.key == key; });
+  return detail::content_of({{}, std::move(root)});
+}
+
 std::vector<std::filesystem::path> Deck::files() const {
   return {state_->files.begin(), state_->files.end()};
 }
@@ -68,20 +76,10 @@ Section Deck::root() const {
   return {*state_, &state_->root, ""};
 }
 
-void Deck::finish() const {
+std::vector<Mistake> Deck::mistakes() const {
   auto mistakes = state_->mistakes;
   add_unknown_keys(*state_, mistakes);
-  if (mistakes.empty()) return;
-  std::ranges::stable_sort(mistakes, {}, [](const Mistake& mistake) {
-    const auto& place = mistake.place;
-    return std::tuple(!place.override_text.empty(), place.line, place.column);
-  });
-  std::vector<std::string> lines;
-  for (const auto& mistake : mistakes) {
-    auto line = line_of(*state_, mistake);
-    if (lines.empty() || lines.back() != line) lines.push_back(std::move(line));
-  }
-  throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
+  return mistakes;
 }
 
 }  // namespace breccia

@@ -1,5 +1,5 @@
-#include <charconv>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -11,24 +11,6 @@
 namespace breccia::detail {
 
 namespace {
-
-/// The steps of a dotted path; a step in double quotes may hold dots. Nothing when a step is empty.
-std::optional<std::vector<std::string>> split_path(std::string_view path) {
-  std::vector<std::string> steps(1);
-  bool quoted = false;
-  for (const char letter : path) {
-    if (letter == '"') {
-      quoted = !quoted;
-    } else if (letter == '.' && !quoted) {
-      if (steps.back().empty()) return std::nullopt;
-      steps.emplace_back();
-    } else if (quoted || letter != ' ') {
-      steps.back() += letter;
-    }
-  }
-  if (quoted || steps.back().empty()) return std::nullopt;
-  return steps;
-}
 
 void set_place(DeckTable& table, const Place& place);
 
@@ -61,66 +43,133 @@ DeckValue parse_value(const std::string& text, const Place& place) {
   return value;
 }
 
-/// Follows the path of an override into the tree.
-class Walk {
+/// Puts a value wherever a path leads.
+class Assignment {
  public:
-  explicit Walk(Place place) : place_(std::move(place)) {}
+  using Steps = std::span<const std::string>;
 
-  /// The value of a key of a table, made as an empty table where it is missing.
-  DeckValue* enter(DeckTable& table, const std::string& key) {
-    path_ = joined(path_, key);
-    if (auto* value = find(table, key)) return value;
-    table.entries.push_back({key, place_, {place_, DeckTable{place_, {}}}});
-    return &table.entries.back().value;
-  }
+  /// `place` is that of the path.
+  Assignment(const DeckValue& value, const Place& place, std::vector<Mistake>& mistakes)
+      : value_(value), place_(place), mistakes_(mistakes) {}
 
-  /// The element of an array that a step names; null, with a mistake, when there is none.
-  DeckValue* enter(DeckArray& array, const std::string& step) {
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < array.values.size(); ++i) names.push_back(element_name(array.values[i], i));
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == step || std::to_string(i) == step) {
-        path_ = joined(path_, names[i]);
-        return &array.values[i];
-      }
+  /// Tables on the way are made where they are missing.
+  void apply(DeckTable& table, const std::string& path, Steps steps) {
+    const auto& step = steps.front();
+    if (step == "*") {
+      for (auto& entry : table.entries) apply(entry.value, joined(path, entry.key), steps.subspan(1));
+      require_some(path, table.entries.size());
+      return;
     }
-    mistake_ = fmt::format("{} has no entry \"{}\"{}", path_, step, suggestion(step, names));
-    return nullptr;
+    auto* value = find(table, step);
+    if (value == nullptr) {
+      table.entries.push_back({step, place_, {place_, DeckTable{place_, {}}}});
+      value = &table.entries.back().value;
+    }
+    apply(*value, joined(path, step), steps.subspan(1));
   }
 
-  DeckValue* enter(DeckValue& value, const std::string& step) {
-    if (auto* table = std::get_if<DeckTable>(&value.content)) return enter(*table, step);
-    if (auto* array = std::get_if<DeckArray>(&value.content)) return enter(*array, step);
-    mistake_ = fmt::format("{} is {}, not a table: it has no \"{}\"", path_, shown(value), step);
-    return nullptr;
-  }
-
-  [[nodiscard]] const std::string& mistake() const { return mistake_; }
+  [[nodiscard]] const std::vector<std::string>& replaced() const { return replaced_; }
 
  private:
-  Place place_;
-  std::string path_;
-  std::string mistake_;
+  void apply(DeckValue& value, const std::string& path, Steps steps) {
+    if (steps.empty()) {
+      value = value_;
+      replaced_.push_back(path);
+    } else if (auto* table = std::get_if<DeckTable>(&value.content)) {
+      apply(*table, path, steps);
+    } else if (auto* array = std::get_if<DeckArray>(&value.content)) {
+      apply(*array, path, steps);
+    } else {
+      report(fmt::format("{} is {}, not a table: it has no \"{}\"", path, shown(value), steps.front()));
+    }
+  }
+
+  void apply(DeckArray& array, const std::string& path, Steps steps) {
+    const auto& step = steps.front();
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < array.values.size(); ++i) names.push_back(element_name(array.values[i], i));
+    if (step == "*") {
+      for (std::size_t i = 0; i < names.size(); ++i) apply(array.values[i], joined(path, names[i]), steps.subspan(1));
+      require_some(path, names.size());
+      return;
+    }
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == step || std::to_string(i) == step) {
+        return apply(array.values[i], joined(path, names[i]), steps.subspan(1));
+      }
+    }
+    report(fmt::format("{} has no entry \"{}\"{}", path, step, suggestion(step, names)));
+  }
+
+  void require_some(const std::string& path, std::size_t entries) {
+    if (entries == 0) report(fmt::format("{} has no entries that \"*\" could stand for", path));
+  }
+
+  void report(std::string message) { mistakes_.push_back({place_, std::move(message)}); }
+
+  const DeckValue& value_;
+  const Place& place_;
+  std::vector<Mistake>& mistakes_;
+  std::vector<std::string> replaced_;
 };
+
+struct KeyAndValue {
+  std::string key;
+  std::string value;
+};
+
+/// The two sides of `key=value`; nothing when one is missing.
+std::optional<KeyAndValue> split_entry(std::string_view entry) {
+  const auto equals = entry.find('=');
+  if (equals == std::string_view::npos || equals + 1 == entry.size()) return std::nullopt;
+  return KeyAndValue{std::string(entry.substr(0, equals)), std::string(entry.substr(equals + 1))};
+}
 
 }  // namespace
 
 void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes) {
-  const Place place{fmt::format("--set {}", override_text), 0, 0};
-  const auto equals = override_text.find('=');
-  const auto steps = split_path(std::string_view(override_text).substr(0, equals));
-  if (equals == std::string::npos || equals + 1 == override_text.size() || !steps) {
+  const Place place{fmt::format("--set {}", override_text)};
+  const auto entry = split_entry(override_text);
+  const auto steps = entry ? split_path(entry->key) : std::nullopt;
+  if (!steps) {
     mistakes.push_back({place, "expected key.path=value, such as \"stages.HB-1.cells=100\""});
     return;
   }
-  Walk walk(place);
-  auto* value = walk.enter(root, steps->front());
-  for (std::size_t i = 1; i < steps->size() && value != nullptr; ++i) value = walk.enter(*value, (*steps)[i]);
-  if (value == nullptr) {
-    mistakes.push_back({place, walk.mistake()});
+  Assignment(parse_value(entry->value, place), place, mistakes).apply(root, "", *steps);
+}
+
+std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes) {
+  const auto steps = split_path(setting.path);
+  if (!steps) {
+    mistakes.push_back(
+        {setting.path_place, fmt::format("expected a key such as \"tests.volumetric\", got \"{}\"", setting.path)});
+    return {};
+  }
+  const auto value = std::visit(
+      [&](const auto& scalar) {
+        return DeckValue{setting.value.place, scalar};
+      },
+      setting.value.value);
+  Assignment assignment(value, setting.path_place, mistakes);
+  assignment.apply(root, "", *steps);
+  return assignment.replaced();
+}
+
+void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
+               std::vector<Mistake>& mistakes) {
+  const auto parts = split_entry(entry);
+  if (!parts || !split_path(parts->key)) {
+    mistakes.push_back({place, "expected key.path=[value, ...], such as \"stages.*.packing.seed=[1, 2]\""});
     return;
   }
-  *value = parse_value(override_text.substr(equals + 1), place);
+  if (find(root, table) == nullptr) root.entries.push_back({table, place, {place, DeckTable{place, {}}}});
+  auto* target = std::get_if<DeckTable>(&find(root, table)->content);
+  if (target == nullptr) return;  // whoever reads the table reports that
+  if (find(*target, parts->key) != nullptr) {
+    mistakes.push_back({place, fmt::format("{} has \"{}\" already", table, parts->key)});
+    return;
+  }
+  target->entries.push_back({parts->key, place, parse_value(parts->value, place)});
 }
 
 }  // namespace breccia::detail

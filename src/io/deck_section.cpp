@@ -109,6 +109,11 @@ Answer<std::string> read_string(const DeckValue& value) {
   return wrong<std::string>(expected_but_got("text in quotes", value));
 }
 
+Answer<PlacedScalar> read_scalar(const DeckValue& value) {
+  if (auto scalar = detail::scalar_of(value)) return {PlacedScalar{*std::move(scalar), value.place}, {}};
+  return wrong<PlacedScalar>(expected_but_got("a number, text, true or false", value));
+}
+
 Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
   const auto expected = words.size() == 1 ? fmt::format("\"{}\" (nothing else is available)", words.front())
                                           : fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
@@ -191,6 +196,14 @@ void Section::report_errors_of(const std::string& key, const std::function<void(
       lines.remove_prefix(std::min(line.size() + 1, lines.size()));
     }
   }
+}
+
+Place Section::place_of_key(const std::string& key) const {
+  return std::ranges::find(table_->entries, key, &detail::DeckEntry::key)->key_place;
+}
+
+Place Section::place_of_value(const std::string& key) const {
+  return find(key)->place;
 }
 
 void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
@@ -315,6 +328,10 @@ std::vector<std::int64_t> Section::integers(const std::string& key, const Range&
 std::vector<std::size_t> Section::choice_indices(const std::string& key, const std::vector<std::string>& words) const {
   return elements(key, fmt::format("an array such as [\"{}\"]", words.front()),
                   [&](const DeckValue& value) { return read_choice(value, words); });
+}
+
+std::vector<PlacedScalar> Section::scalars(const std::string& key) const {
+  return elements(key, "an array such as [1, 2]", read_scalar);
 }
 
 Section Section::section(const std::string& key) const {

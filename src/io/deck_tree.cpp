@@ -83,6 +83,37 @@ Kind kind_of(const DeckValue& value) {
   return kinds[value.content.index()];
 }
 
+std::optional<Scalar> scalar_of(const DeckValue& value) {
+  switch (kind_of(value)) {
+    case Kind::boolean:
+      return std::get<bool>(value.content);
+    case Kind::integer:
+      return std::get<std::int64_t>(value.content);
+    case Kind::number:
+      return std::get<double>(value.content);
+    case Kind::text:
+      return std::get<std::string>(value.content);
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string content_of(const DeckValue& value) {
+  if (const auto scalar = scalar_of(value)) return toml_text(*scalar);
+  std::string text;
+  if (const auto* array = std::get_if<DeckArray>(&value.content)) {
+    for (const auto& element : array->values) text += content_of(element) + ",";
+    return "[" + text + "]";
+  }
+  if (const auto* table = std::get_if<DeckTable>(&value.content)) {
+    for (const auto& [key, place, entry] : table->entries) {
+      text += fmt::format("{}={},", toml_text(key), content_of(entry));
+    }
+    return "{" + text + "}";
+  }
+  return "date";
+}
+
 std::string shown(const DeckValue& value) {
   switch (kind_of(value)) {
     case Kind::boolean:

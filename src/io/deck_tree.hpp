@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,13 +13,6 @@
 #include "breccia/io/deck.hpp"
 
 namespace breccia::detail {
-
-/// Where something stands: in a line and column of the deck, or in an override.
-struct Place {
-  std::string override_text;  ///< `--set key.path=value`; empty for the deck itself
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;
-};
 
 struct DeckEntry;
 
@@ -46,12 +40,6 @@ struct DeckEntry {
   DeckValue value;
 };
 
-/// A mistake and its place.
-struct Mistake {
-  Place place;
-  std::string message;
-};
-
 /// What is known of the keys of a table that was looked into.
 struct TableUse {
   std::string path;
@@ -73,6 +61,13 @@ DeckTable parse_deck(const std::filesystem::path& path, const std::string& text)
 /// Applies an override `key.path=value` to the tree, or adds a mistake.
 void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
 
+/// Applies a setting to the tree and returns the paths of what it has replaced, or adds mistakes.
+std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);
+
+/// Adds `key=value`, the key taken whole, to a table of the root, or adds a mistake.
+void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
+               std::vector<Mistake>& mistakes);
+
 /// The value of a key, or null.
 DeckValue* find(DeckTable& table, std::string_view key);
 const DeckValue* find(const DeckTable& table, std::string_view key);
@@ -84,6 +79,12 @@ std::string joined(const std::string& path, std::string_view key);
 std::string element_name(const DeckValue& element, std::size_t index);
 
 Kind kind_of(const DeckValue& value);
+
+/// The value without parts, or nothing.
+std::optional<Scalar> scalar_of(const DeckValue& value);
+
+/// A value with all its parts, without comments and spaces.
+std::string content_of(const DeckValue& value);
 
 /// A value for a message, as it would stand in a deck: `"3.6 um"`, `3.6`, `a table`.
 std::string shown(const DeckValue& value);

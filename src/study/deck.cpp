@@ -1,8 +1,5 @@
 #include "breccia/study/deck.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include "breccia/io/deck.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -10,22 +7,36 @@
 
 namespace breccia {
 
-Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
-  const Deck document(deck, overrides);
+Study resolve(const Deck& document) {
   const auto root = document.root();
   Study study;
-  study.title = root.optional_text("title").value_or(deck.stem().string());
-  study.deck = deck;
+  study.title = root.optional_text("title").value_or(document.path().stem().string());
+  study.deck = document.path();
   study.deck_text = document.text();
-  study.overrides = overrides;
   study.materials = read_materials(root);
   study.stages = read_stages(root, study.materials);
   study.tests = read_tests(root);
   study.measurements = read_measurements(root, study.stages, study.tests);
-  document.finish();
-  auto content = fmt::format("{}\n{}", document.text(), fmt::join(overrides, "\n"));
+  refuse_contradictions(root, study);
+  study.inputs = document.files();
+  study.inputs.push_back(study.deck);
+  // A study is one task of a sweep: read_sweep makes the others.
+  static_cast<void>(root.has("sweep"));
+  return study;
+}
+
+std::string hash_of(const Deck& document) {
+  auto content = document.content_without("sweep");
   for (const auto& file : document.files()) content += read_text(file);
-  study.hash = content_hash(content);
+  return content_hash(content);
+}
+
+Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+  const Deck document(deck, overrides);
+  auto study = resolve(document);
+  document.finish();
+  study.overrides = overrides;
+  study.hash = hash_of(document);
   return study;
 }
 

@@ -27,12 +27,18 @@ std::vector<MaxwellTerm> read_terms(const Section& modulus) {
 /// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
 PronySeries read_series(const Section& modulus) {
   PronyFile spectrum;
+  bool is_known = false;
   const auto source = modulus.exactly_one({"prony", "terms"});
   if (source == "prony") {
     const auto path = modulus.file("prony");
-    if (!path.empty()) modulus.report_errors_of("prony", [&] { spectrum = read_prony_file(path); });
+    if (!path.empty())
+      modulus.report_errors_of("prony", [&] {
+        spectrum = read_prony_file(path);
+        is_known = true;
+      });
   } else if (source == "terms") {
     spectrum.terms = read_terms(modulus);
+    is_known = true;
   }
   const auto equilibrium = modulus.optional_quantity("equilibrium", Dimension::pressure, Range::not_negative());
   if (equilibrium && spectrum.equilibrium) {
@@ -44,7 +50,7 @@ PronySeries read_series(const Section& modulus) {
   });
   if (!complete) return series;
   series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
-  if (!source.empty() && !(series.unrelaxed() > 0.0)) modulus.report(source, "expected a modulus above zero");
+  if (is_known && !(series.unrelaxed() > 0.0)) modulus.report(source, "expected a modulus above zero");
   return series;
 }
 

@@ -7,6 +7,13 @@
 
 namespace breccia {
 
+/// What a deck means, but for its sweep and without the overrides and the hash. Mistakes are left to the deck.
+Study resolve(const Deck& document);
+
+/// Hash of a deck without mistakes: of what it says, its overrides and its data files, but not of its sweep, so that a
+/// task remains the same when its sweep grows.
+std::string hash_of(const Deck& document);
+
 /// [materials]: each table is a material, named by its key.
 std::vector<Material> read_materials(const Section& deck);
 
@@ -35,5 +42,8 @@ std::optional<TimeWindow> read_time_window(const Section& section, const std::st
 
 /// [[measurements]] of the stages given.
 std::vector<Measurement> read_measurements(const Section& deck, const std::vector<Stage>& stages, const Tests& tests);
+
+/// Reports what each part of a study allows and the whole does not.
+void refuse_contradictions(const Section& deck, const Study& study);
 
 }  // namespace breccia

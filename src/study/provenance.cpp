@@ -184,6 +184,8 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"deck", study.deck.string()},
                      {"overrides", study.overrides},
                      {"hash", study.hash},
+                     {"complete", result.seconds.has_value()},
+                     {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},
                      {"deck_text", study.deck_text},
                      {"times_s", {study.tests.first_time, study.tests.last_time}},
                      {"materials", std::move(materials)},

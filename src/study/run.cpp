@@ -1,8 +1,8 @@
 #include "breccia/study/run.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -25,28 +25,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Removes what an earlier run left, so that no old number stands beside a new one.
-void remove_old_results(const Study& study, const fs::path& directory) {
-  const auto remove = [](const fs::path& file) {
-    std::error_code error;
-    fs::remove(file, error);
-    if (error) throw FileError(fmt::format("{}: cannot remove this file: {}", file.string(), error.message()));
-  };
-  for (const auto* name :
-       {"curves.csv", "compliance.csv", "prony.csv", "extrapolation.csv", "comparison.csv", "study.json"}) {
-    remove(directory / name);
-  }
+/// The names of all that a run of a study may have left, so that no old number stands beside a new one.
+std::vector<std::string> old_results(const Study& study, const fs::path& directory) {
+  auto names = curve_files();
+  names.insert(names.end(), {"comparison.csv", "study.json"});
   for (const auto& stage : study.stages) {
-    const auto stage_directory = directory / stage.name;
-    if (!fs::is_directory(stage_directory)) continue;
     for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                              "fields.vtkhdf", "response.h5"}) {
-      remove(stage_directory / name);
+      names.push_back(stage.name + "/" + name);
     }
-    for (const auto& entry : fs::directory_iterator(stage_directory)) {
-      if (entry.path().filename().string().find("-dynamic-") != std::string::npos) remove(entry.path());
+    if (!fs::is_directory(directory / stage.name)) continue;
+    for (const auto& entry : fs::directory_iterator(directory / stage.name)) {
+      const auto name = entry.path().filename().string();
+      if (name.find("-dynamic-") != std::string::npos) names.push_back(fmt::format("{}/{}", stage.name, name));
     }
   }
+  return names;
+}
+
+void make_way(const Study& study, const fs::path& directory) {
+  const auto names = old_results(study, directory);
+  refuse_to_replace(directory, names, study.inputs);
+  make_directory(directory);
+  remove_files(directory, names);
 }
 
 /// Results are written by the first of several processes.
@@ -189,8 +190,7 @@ std::vector<int> grids_of(const Stage& stage) {
 }
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
-  make_directory(directory);
-  remove_old_results(study, directory);
+  make_way(study, directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
@@ -200,18 +200,18 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const Stud
 }
 
 StudyResult run_study(const Study& study, const fs::path& directory, int threads, const StudyObserver& observer) {
+  const auto begin = std::chrono::steady_clock::now();
   // Not after an hour of work.
   require_gnuplot();
-  write_once([&] {
-    make_directory(directory);
-    remove_old_results(study, directory);
-  });
+  write_once([&] { make_way(study, directory); });
   StudyResult result;
   for (const auto& stage : study.stages) {
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, threads, observer, result).run();
   }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_once([&] { write_provenance(directory, study, result); });
   return result;
 }
 

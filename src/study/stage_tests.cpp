@@ -25,8 +25,6 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
 }  // namespace
 
 PronySeries fitted(const Curve& curve) {
-  constexpr std::size_t fewest = 3;
-  if (curve.size() < fewest) return PronySeries(curve.back().modulus);
   std::vector<double> times, moduli;
   for (const auto& [time, modulus] : curve) {
     times.push_back(time);

@@ -64,6 +64,15 @@ TEST_F(DeckOverride, ReachesElementsAndQuotedKeys) {
   EXPECT_EQ(deck.root().section("a.b").integer("c"), 1);
 }
 
+TEST_F(DeckOverride, AStarIsEveryElementAndEveryEntry) {
+  const auto deck = read({"stages.*.cells=40", "stages.HB-1.times.*=3 s", "materials.*.bulk=1 GPa"});
+  const auto stages = deck.root().sections("stages");
+  EXPECT_EQ(stages.at(0).integer("cells"), 40);
+  EXPECT_EQ(stages.at(1).integer("cells"), 40);
+  EXPECT_THAT(stages.at(0).quantities("times", Dimension::time), testing::ElementsAre(3.0, 3.0));
+  EXPECT_EQ(deck.root().section("materials").section("binder").quantity("bulk", Dimension::pressure), 1e9);
+}
+
 TEST_F(DeckOverride, MakesTablesOnTheWay) {
   const auto deck = read({"tests.dynamic.courant=0.5"});
   EXPECT_EQ(deck.root().section("tests").section("dynamic").number("courant"), 0.5);
@@ -88,12 +97,44 @@ TEST_F(DeckOverride, MistakesNameTheOverride) {
       "--set materials.binder.bulk.prony=x: materials.binder.bulk is \"3.6 GPa\", not a table: it has no \"prony\"");
 }
 
+TEST_F(DeckOverride, MistakesBehindAStar) {
+  EXPECT_EQ(mistake("stages.*.cells.x=3"),
+            "--set stages.*.cells.x=3: stages.HB-1.cells is 300, not a table: it has no \"x\"\n"
+            "--set stages.*.cells.x=3: stages.HB-2.cells is 200, not a table: it has no \"x\"");
+  EXPECT_EQ(mistake("tests.*.courant=3"), "--set tests.*.courant=3: tests has no entries that \"*\" could stand for");
+}
+
 TEST_F(DeckOverride, WrongValuesNameTheOverride) {
   const auto deck = read({"materials.binder.bulk=3.6 um"});
   EXPECT_TRUE(std::isnan(deck.root().section("materials").section("binder").quantity("bulk", Dimension::pressure)));
   deck.root().accept_all_keys();
   EXPECT_EQ(test::message_of<InputError>([&] { deck.finish(); }),
             "--set materials.binder.bulk=3.6 um: materials.binder.bulk: expected a pressure, got \"3.6 um\"");
+}
+
+TEST_F(DeckOverride, ASettingTellsWhatItHasReplaced) {
+  Deck deck = read({});
+  EXPECT_THAT(deck.set({"stages.*.cells", {}, {std::int64_t{7}, {}}}),
+              testing::ElementsAre("stages.HB-1.cells", "stages.HB-2.cells"));
+  EXPECT_EQ(deck.root().sections("stages").at(1).integer("cells"), 7);
+}
+
+TEST_F(DeckOverride, TheContentKnowsNoCommentsAndNoKeyLeftOut) {
+  const auto content = [&](const std::string& text) {
+    return Deck(directory.written("deck.toml", text)).content_without("sweep");
+  };
+  EXPECT_EQ(content("a = [1, \"b\"]\n"), content("# A comment\na=[ 1, 'b' ]\n[sweep]\nc = 1\n"));
+  EXPECT_NE(content("a = 1"), content("a = 1.0"));
+  EXPECT_NE(content("a = 'b'"), content("a = 'c'"));
+}
+
+TEST(TomlText, ReadsBackAsTheSame) {
+  const test::TemporaryDirectory directory;
+  const std::vector<Scalar> values{true, std::int64_t{-3}, 2.0, 0.1, 1e300, std::string("a \"b\" \\ \n")};
+  for (const auto& value : values) {
+    const Deck deck(directory.written("deck.toml", "a = [" + toml_text(value) + "]"));
+    EXPECT_EQ(deck.root().scalars("a").at(0).value, value) << toml_text(value);
+  }
 }
 
 }  // namespace

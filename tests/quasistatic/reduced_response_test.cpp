@@ -147,6 +147,27 @@ TEST(ReducedResponse, LowerPeriodicAndUpperAreInOrderWithinVoigtAndReuss) {
   }
 }
 
+TEST(ReducedResponse, ANearlyRigidFillerUnderTractionAgreesWithStepping) {
+  auto problem = test::model_composite(16, Volumetric::averaged, Boundary::traction);
+  auto& filler = problem.materials[1];
+  filler.bulk = filler.shear = PronySeries(1e13);
+  expect_agreement_with_stepping(problem);
+}
+
+TEST(ReducedResponse, AMatrixThatHardlyRelaxesIsSampledAtItsEnds) {
+  auto problem = test::model_composite(16, Volumetric::averaged, Boundary::displacement);
+  auto& matrix = problem.materials[0];
+  matrix.shear = PronySeries(1e6, {{1e-2, 3e4}});
+  expect_agreement_with_stepping(problem);
+  // A bulk modulus may rise: that of a stage's result.
+  matrix.shear = PronySeries(1e6);
+  matrix.bulk = PronySeries::difference(PronySeries(2e6), PronySeries(0.0, {{1e-2, 5e5}}));
+  const auto path = carson_path(matrix, {1e-3, 1e-1});
+  EXPECT_NEAR(path.front().bulk, 1.5e6, 5e3);
+  EXPECT_NEAR(path.back().bulk, 2e6, 5e3);
+  EXPECT_GT(path.size(), 3U);
+}
+
 TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
   for (const auto boundary : test::boundaries) {
     auto problem = test::random_composite(32, 5, boundary);

@@ -52,6 +52,15 @@ temperature_shift = { law = "wlf", c1 = 6.5, c2 = "120 K", reference = "19 degC"
   EXPECT_NEAR(std::log10(binder.shear.terms().at(0).relaxation_time), -0.968085106383, 1e-11);
 }
 
+TEST_F(DeckMaterials, AMaterialWithoutStiffnessIsRefused) {
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1,0\n");
+  const auto* message = "shear.prony: expected a modulus above zero";
+  EXPECT_THAT(mistakes("shear = { prony = \"g.csv\" }"), testing::HasSubstr(message));
+  directory.write("g.csv", "relaxation_time_s,modulus_Pa\n");
+  EXPECT_THAT(mistakes("shear = { prony = \"g.csv\" }"), testing::HasSubstr(message));
+  EXPECT_NO_THROW(material("shear = { prony = \"g.csv\", equilibrium = \"1 MPa\" }"));
+}
+
 TEST_F(DeckMaterials, MistakesInAFileHaveItsLine) {
   const auto shear = "shear = { prony = \"g.csv\" }";
   const auto place = "deck.toml:4:19: materials.binder.shear.prony: ";

@@ -32,8 +32,15 @@ TEST(StudyDeck, TheHashTellsDecksAndOverridesApart) {
   const auto text = test::join(test::materials, test::stage, test::tests);
   const auto hash = directory.study(text).hash;
   EXPECT_EQ(directory.study(text).hash, hash);
-  EXPECT_NE(directory.study(text + "\n").hash, hash);
+  EXPECT_NE(directory.study("title = \"A\"\n" + text).hash, hash);
   EXPECT_NE(directory.study(text, {"stages.0.cells=100"}).hash, hash);
+}
+
+TEST(StudyDeck, TheHashKnowsNoCommentsAndNoSweep) {
+  const test::DeckDirectory directory;
+  const auto text = test::join(test::materials, test::stage, test::tests);
+  EXPECT_EQ(directory.study("# A comment\n" + text + "[sweep]\n\"title\" = [\"A\"]\n").hash,
+            directory.study(text).hash);
 }
 
 TEST(StudyDeck, AnEmptyDeckLacksItsThreeParts) {

@@ -124,5 +124,26 @@ TEST_F(DeckTests, MistakesInTheDynamicMethod) {
   EXPECT_THAT(with("damping = 1"), HasSubstr("tests.dynamic: unknown key \"damping\""));
 }
 
+TEST_F(DeckTests, WhatThePartsAllowAndTheWholeDoesNot) {
+  const auto soft = R"([materials.soft]
+density = "1 g/cm^3"
+bulk = "1 GPa"
+shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
+[[stages]]
+name = "S"
+matrix = "binder"
+box = "1 mm"
+cells = 40
+filler = { material = "soft", sizes = { diameter = "0.2 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+)";
+  const auto with = [&](const char* tests) { return test::join(test::materials, soft, "[tests]\n", tests); };
+  EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]")),
+              HasSubstr("tests: the filler of stage S, soft, relaxes"));
+  EXPECT_NO_THROW(directory.study(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"")));
+  EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"\npoints_per_decade = 1")),
+              HasSubstr("give 2 times, of which no series can be fitted"));
+}
+
 }  // namespace
 }  // namespace breccia

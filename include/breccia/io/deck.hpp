@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "breccia/io/deck_setting.hpp"
 #include "breccia/io/units.hpp"
 
 namespace breccia {
@@ -89,6 +90,9 @@ class Section {
     return chosen;
   }
 
+  /// The elements of an array of numbers, text, true and false.
+  [[nodiscard]] std::vector<PlacedScalar> scalars(const std::string& key) const;
+
   [[nodiscard]] Section section(const std::string& key) const;
   [[nodiscard]] std::optional<Section> optional_section(const std::string& key) const;
   /// The tables of an array of tables.
@@ -100,6 +104,9 @@ class Section {
   void report_errors_of(const std::string& key, const std::function<void()>& action) const;
   /// Reports keys that make no sense here, if they are present, with the reason.
   void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
+  /// Where a key that the section has, and its value, stand.
+  [[nodiscard]] Place place_of_key(const std::string& key) const;
+  [[nodiscard]] Place place_of_value(const std::string& key) const;
   /// Takes all keys for known: for a section whose meaning cannot be told because of another mistake.
   void accept_all_keys() const { static_cast<void>(keys()); }
 
@@ -134,8 +141,9 @@ class Section {
 class Deck {
  public:
   /// Reads a deck and applies overrides `key.path=value`, whose values are TOML or else taken as text. A step of a path
-  /// into an array is an index from 0 or, for tables, the `name` of one. Throws InputError when there is no such file
-  /// or it is not TOML, and FileError when it cannot be read. Overrides that lead nowhere are left to finish().
+  /// into an array is an index from 0 or, for tables, the `name` of one; the step `*` is every element of an array and
+  /// every entry of a table. Throws InputError when there is no such file or it is not TOML, and FileError when it
+  /// cannot be read. Overrides that lead nowhere are left to finish().
   explicit Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
   Deck(const Deck&) = delete;
   Deck& operator=(const Deck&) = delete;
@@ -143,15 +151,27 @@ class Deck {
   Deck& operator=(Deck&&) noexcept;
   ~Deck();
 
+  /// Replaces or adds a value, before the deck is read, and returns the paths of all that it has replaced: more than
+  /// one where the path has a `*`. A path that leads nowhere is a mistake, and returns none.
+  std::vector<std::string> set(const Setting& setting);
+  /// Adds the entry `key=[...]` of an option to a table at the top, which is made where it is missing. The key is taken
+  /// whole, with its dots.
+  void add(const std::string& table, const std::string& option, const std::string& entry);
+
   /// The files that the deck names and that have been asked for so far, in the order of their names.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
+  [[nodiscard]] const std::filesystem::path& path() const noexcept;
   /// The deck as it stands in the file.
   [[nodiscard]] const std::string& text() const noexcept;
+  /// What the deck says, overrides included, but for one key of its top: the same for decks that differ in their
+  /// comments and spaces alone.
+  [[nodiscard]] std::string content_without(std::string_view key) const;
   /// The top of the deck. Sections live as long as the deck.
   [[nodiscard]] Section root() const;
-  /// Throws one InputError with all mistakes, unknown keys included, in the order of the deck's lines:
-  /// `pbx9501.toml:14:9: materials.binder.bulk: expected a pressure, got "3.6 um"`.
-  void finish() const;
+  /// All mistakes found so far, unknown keys of the tables that were looked into included.
+  [[nodiscard]] std::vector<Mistake> mistakes() const;
+  /// Throws one InputError with all mistakes (refuse_mistakes).
+  void finish() const { refuse_mistakes(path(), mistakes()); }
 
  private:
   std::unique_ptr<detail::DeckState> state_;

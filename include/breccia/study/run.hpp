@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -83,6 +84,7 @@ struct StageResult {
 
 struct StudyResult {
   std::vector<StageResult> stages;
+  std::optional<double> seconds = {};  ///< wall time, once everything is done and written
 };
 
 /// Those who follow a running study. What they throw ends it.

@@ -141,9 +141,10 @@ struct Study {
   std::string title;
   std::filesystem::path deck;
   std::string deck_text;
-  std::vector<std::string> overrides;  ///< `key.path=value`
-  std::string hash;                    ///< of the deck's text, the overrides and the data files
-  std::vector<Material> materials;     ///< in the order of the deck
+  std::vector<std::filesystem::path> inputs;  ///< the deck, and the data files that it names
+  std::vector<std::string> overrides;         ///< `key.path=value`
+  std::string hash;                           ///< of what the deck says, overrides included, and the data files
+  std::vector<Material> materials;            ///< in the order of the deck
   std::vector<Stage> stages;
   Tests tests;
   std::vector<Measurement> measurements;

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace breccia {
+
+/// Where something stands: in a line and column of the deck, or on the command line.
+struct Place {
+  std::string option;  ///< `--set key.path=value`; empty for the deck itself
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+/// A mistake and its place.
+struct Mistake {
+  Place place;
+  std::string message;
+};
+
+/// Throws one InputError with all mistakes in a deck, each once, in the order of the deck's lines:
+/// `pbx9501.toml:14:9: materials.binder.bulk: expected a pressure, got "3.6 um"`.
+void refuse_mistakes(const std::filesystem::path& deck, std::vector<Mistake> mistakes);
+
+/// A value of a deck that has no parts.
+using Scalar = std::variant<bool, std::int64_t, double, std::string>;
+
+/// As it stands in a deck: `"3.6 GPa"`, `1.0`, `true`.
+std::string toml_text(const Scalar& value);
+
+/// As it stands in a table: `3.6 GPa`, `1`, `true`.
+std::string plain_text(const Scalar& value);
+
+struct PlacedScalar {
+  Scalar value;
+  Place place;
+};
+
+/// A value for a key of a deck, and where either stands.
+struct Setting {
+  std::string path;  ///< as in `--set`
+  Place path_place;
+  PlacedScalar value;
+};
+
+/// The steps of a dotted path; a step in double quotes may hold dots. Nothing when a step is empty.
+std::optional<std::vector<std::string>> split_path(std::string_view path);
+
+}  // namespace breccia

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Wall time [s] of the run that left its results in a directory, if they are complete, and of this study, its data
+/// files and this version of Breccia. Throws FileError when `study.json` cannot be read.
+std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
+
+}  // namespace breccia

@@ -1,0 +1,96 @@
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/sweep.hpp"
+
+#include "deck_sections.hpp"
+#include "sweep_keys.hpp"
+#include "sweep_names.hpp"
+
+namespace breccia {
+
+namespace {
+
+std::vector<SweptKey> swept_keys(const std::vector<KeyValues>& keys, std::vector<Mistake>& mistakes) {
+  std::vector<std::string> paths;
+  for (const auto& key : keys) paths.push_back(key.path);
+  const auto labels = labels_of_keys(paths);
+  std::vector<SweptKey> swept;
+  for (const auto& [path, place, values] : keys) {
+    const auto steps = split_path(path);
+    if (steps && steps->front() == "sweep") mistakes.push_back({place, "a sweep cannot sweep itself"});
+    swept.push_back({path, labels[swept.size()], steps && steps->back() == "seed"});
+  }
+  return swept;
+}
+
+/// Which value each key has in each task, the last key running fastest.
+std::vector<std::vector<std::size_t>> combinations(const std::vector<KeyValues>& keys) {
+  std::vector<std::vector<std::size_t>> all(1);
+  for (const auto& key : keys) {
+    std::vector<std::vector<std::size_t>> longer;
+    for (const auto& choice : all) {
+      for (std::size_t i = 0; i < key.values.size(); ++i) {
+        longer.push_back(choice);
+        longer.back().push_back(i);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// Gives a deck the values of a task, and refuses to replace one of them by another.
+void set_values(Deck& deck, const std::vector<KeyValues>& keys, const std::vector<std::size_t>& choice,
+                std::vector<Mistake>& mistakes) {
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (const auto& path : deck.set({keys[i].path, keys[i].place, keys[i].values[choice[i]]})) {
+      if (!taken.insert(path).second) mistakes.push_back({keys[i].place, fmt::format("{} is swept twice", path)});
+    }
+  }
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& further_keys) {
+  Deck document(deck, overrides);
+  for (const auto& key : further_keys) document.add("sweep", "--sweep", key);
+  const auto keys = read_keys(document.root());
+  document.root().accept_all_keys();  // the tasks tell which are unknown
+  auto mistakes = document.mistakes();
+
+  Sweep sweep;
+  sweep.keys = swept_keys(keys, mistakes);
+  std::vector<std::vector<std::string>> labels;
+  for (const auto& key : keys) {
+    std::vector<Scalar> values;
+    for (const auto& value : key.values) values.push_back(value.value);
+    labels.push_back(labels_of_values(values));
+  }
+  for (const auto& choice : combinations(keys)) {
+    Deck task_deck(deck, overrides);
+    set_values(task_deck, keys, choice, mistakes);
+    SweepTask task;
+    task.study = resolve(task_deck);
+    task.study.overrides = overrides;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      task.values.push_back(keys[i].values[choice[i]].value);
+      task.study.overrides.push_back(fmt::format("{}={}", keys[i].path, toml_text(task.values.back())));
+      task.labels.push_back(fmt::format("{}-{}", sweep.keys[i].label, labels[i][choice[i]]));
+    }
+    task.name = fmt::format("{}", fmt::join(task.labels, "_"));
+    const auto mistakes_of_task = task_deck.mistakes();
+    mistakes.insert(mistakes.end(), mistakes_of_task.begin(), mistakes_of_task.end());
+    if (mistakes.empty()) task.study.hash = hash_of(task_deck);
+    sweep.tasks.push_back(std::move(task));
+  }
+  refuse_mistakes(deck, mistakes);
+  return sweep;
+}
+
+}  // namespace breccia

@@ -1,0 +1,94 @@
+#include "breccia/study/sweep.hpp"
+
+#include <utility>
+
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/parallel/session.hpp"
+#include "breccia/report/modulus_plot.hpp"
+#include "breccia/study/resume.hpp"
+
+#include "results.hpp"
+#include "sweep_results.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// The tasks of a sweep, with its tables written after each of them.
+class SweepRun {
+ public:
+  SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
+           const SweepObserver& observer)
+      : sweep_(sweep), directory_(directory), options_(options), observer_(observer), result_(sweep.tasks.size()) {}
+
+  SweepResult run() {
+    if (options_.resume) take_over();
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (result_[task].state == TaskState::done) {
+        if (observer_.skipped) observer_.skipped(task);
+        continue;
+      }
+      if (observer_.begun) observer_.begun(task);
+      run(task);
+      write();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path directory_of(std::size_t task) const {
+    return sweep_.tasks[task].directory_in(directory_);
+  }
+
+  /// Of all tasks before any runs, so that several processes find the same.
+  void take_over() {
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      const auto seconds = time_of_complete_run(sweep_.tasks[task].study, directory_of(task));
+      if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
+    }
+    write();
+  }
+
+  void run(std::size_t task) {
+    try {
+      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_.threads, observer_.study);
+      result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
+    } catch (const NumericalError& error) {
+      fail(task, error);
+    } catch (const InputError& error) {
+      fail(task, error);
+    }
+  }
+
+  void fail(std::size_t task, const Error& error) {
+    result_[task] = {.state = TaskState::failed, .error = error.what()};
+    if (observer_.failed) observer_.failed(task, error.what());
+  }
+
+  void write() const {
+    if (parallel::rank() != 0) return;
+    write_sweep_tables(directory_, sweep_, result_);
+    write_sweep_plot(directory_, sweep_, result_);
+  }
+
+  const Sweep& sweep_;
+  const std::filesystem::path& directory_;
+  const SweepOptions& options_;
+  const SweepObserver& observer_;
+  SweepResult result_;
+};
+
+}  // namespace
+
+SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
+                      const SweepObserver& observer) {
+  require_gnuplot();
+  if (parallel::rank() == 0) {
+    make_directory(directory);
+    remove_sweep_results(directory);
+  }
+  return SweepRun(sweep, directory, options, observer).run();
+}
+
+}  // namespace breccia

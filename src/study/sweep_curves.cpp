@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "breccia/io/csv.hpp"
+
+#include "sweep_results.hpp"
+
+namespace breccia {
+
+namespace {
+
+constexpr auto extrapolated = "extrapolated";
+
+/// How well a curve stands for others of its boundary.
+std::pair<bool, int> preference(const TaskCurve& curve) {
+  const int cells = curve.cells == extrapolated ? std::numeric_limits<int>::max() : std::stoi(curve.cells);
+  return {curve.method == name_of(Method::quasistatic), cells};
+}
+
+std::vector<TaskCurve> last_stage_of(const std::vector<TaskCurve>& curves) {
+  std::vector<TaskCurve> last, best;
+  if (curves.empty()) return best;
+  std::ranges::copy_if(curves, std::back_inserter(last),
+                       [&](const TaskCurve& curve) { return curve.stage == curves.back().stage; });
+  const auto in_shear = std::ranges::find(last, name_of(Load::shear), &TaskCurve::load);
+  const auto load = in_shear == last.end() ? last.front().load : in_shear->load;
+  for (const auto& curve : last) {
+    if (curve.load != load) continue;
+    const auto rival = std::ranges::find(best, curve.boundary, &TaskCurve::boundary);
+    if (rival == best.end()) {
+      best.push_back(curve);
+    } else if (preference(curve) > preference(*rival)) {
+      *rival = curve;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+bool TaskCurve::matches(const TaskCurve& other) const {
+  return stage == other.stage && load == other.load && boundary == other.boundary && method == other.method &&
+         cells == other.cells;
+}
+
+std::vector<TaskCurve> curves_of(const StudyResult& result) {
+  std::vector<TaskCurve> curves;
+  for (const auto& stage : result.stages) {
+    for (const auto& test : stage.tests) {
+      curves.push_back({stage.name, name_of(test.load), name_of(test.boundary), name_of(test.method),
+                        test.cells == 0 ? extrapolated : std::to_string(test.cells), test.modulus});
+    }
+  }
+  return curves;
+}
+
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory) {
+  const auto table = read_csv(directory / "curves.csv", {"stage", "load", "boundary", "method", "cells"});
+  std::vector<TaskCurve> curves;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const TaskCurve test{table.text("stage")[row],  table.text("load")[row],  table.text("boundary")[row],
+                         table.text("method")[row], table.text("cells")[row], {}};
+    if (curves.empty() || !curves.back().matches(test)) curves.push_back(test);
+    curves.back().modulus.push_back({table.numbers("time_s")[row], table.numbers("modulus_Pa")[row]});
+  }
+  return curves;
+}
+
+SweepResult last_stage_of(const SweepResult& result) {
+  auto shown = result;
+  for (auto& task : shown) task.curves = last_stage_of(task.curves);
+  return shown;
+}
+
+std::string bound_of(const TaskCurve& curve) {
+  for (const auto boundary : {Boundary::displacement, Boundary::traction, Boundary::periodic}) {
+    if (name_of(boundary) == curve.boundary) return bound_of(boundary);
+  }
+  return curve.boundary;
+}
+
+}  // namespace breccia

@@ -1,0 +1,145 @@
+#include "sweep_keys.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+namespace breccia {
+
+namespace {
+
+constexpr std::int64_t most_tasks = 1000;
+
+enum class Spacing { linear, logarithmic };
+
+/// The value that a user would have written: 0.6, not 0.6000000000000001.
+double rounded(double value) {
+  return std::stod(fmt::format("{:.12g}", value));
+}
+
+std::vector<Scalar> integers_between(std::int64_t from, std::int64_t to, std::int64_t step) {
+  std::vector<Scalar> values;
+  for (auto value = from; value <= to; value += step) values.emplace_back(value);
+  return values;
+}
+
+std::vector<Scalar> numbers_between(double from, double to, std::int64_t count, Spacing spacing) {
+  std::vector<Scalar> values;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double value = spacing == Spacing::linear ? from + share * (to - from) : from * std::pow(to / from, share);
+    values.emplace_back(rounded(value));
+  }
+  return values;
+}
+
+/// `{ from = 1, to = 5 }`
+std::vector<Scalar> read_steps_of_one(const Section& range) {
+  if (range.kind("from") != Kind::integer || range.kind("to") != Kind::integer) {
+    range.report("", "expected count, the number of values; only between integers it may be left out");
+    return {};
+  }
+  const auto from = range.integer("from"), to = range.integer("to");
+  if (to <= from) {
+    range.report("to", fmt::format("expected more than {}, got {}", from, to));
+    return {};
+  }
+  const double count = static_cast<double>(to) - static_cast<double>(from) + 1.0;
+  if (count > static_cast<double>(most_tasks)) {
+    range.report("to", fmt::format("expected at most {} values, got {:.6g}", most_tasks, count));
+    return {};
+  }
+  return integers_between(from, to, 1);
+}
+
+/// `{ from = 0.5, to = 0.7, count = 5, spacing = "logarithmic" }`
+std::vector<Scalar> read_counted(const Section& range) {
+  const auto count = range.integer("count", {.lower = 2.0, .upper = static_cast<double>(most_tasks)});
+  auto spacing = Spacing::linear;
+  if (range.has("spacing")) {
+    spacing = range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"logarithmic", Spacing::logarithmic}})
+                  .value_or(Spacing::linear);
+  }
+  const auto ends = spacing == Spacing::linear ? Range() : Range::positive();
+  const double from = range.number("from", ends), to = range.number("to", ends);
+  if (std::isnan(from) || std::isnan(to) || count == 0) return {};
+  if (to <= from) {
+    range.report("to", fmt::format("expected more than {}, got {}", from, to));
+    return {};
+  }
+  const bool between_integers = range.kind("from") == Kind::integer && range.kind("to") == Kind::integer;
+  if (between_integers && spacing == Spacing::linear) {
+    const auto distance = range.integer("to") - range.integer("from");
+    if (distance % (count - 1) == 0) {
+      return integers_between(range.integer("from"), range.integer("to"), distance / (count - 1));
+    }
+  }
+  return numbers_between(from, to, count, spacing);
+}
+
+/// A table is a range if it begins or ends at a value; keys of decks that are called so take arrays here.
+bool is_range(const Section& table) {
+  const auto is_end = [&](const std::string& key) {
+    const auto kind = table.kind(key);
+    return kind != Kind::absent && kind != Kind::array && kind != Kind::table;
+  };
+  return is_end("from") || is_end("to");
+}
+
+std::vector<PlacedScalar> read_range(const Section& range, const Place& place) {
+  std::vector<PlacedScalar> values;
+  if (!range.has("count")) range.refuse({"spacing"}, "goes with count");
+  for (auto& value : range.has("count") ? read_counted(range) : read_steps_of_one(range)) {
+    values.push_back({std::move(value), place});
+  }
+  return values;
+}
+
+std::vector<PlacedScalar> read_list(const Section& section, const std::string& key) {
+  auto values = section.scalars(key);
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    const bool is_repeated = std::any_of(values.begin(), value, [&](const auto& earlier) {
+      return plain_text(earlier.value) == plain_text(value->value);
+    });
+    if (is_repeated) section.report(key, fmt::format("{} stands here twice", toml_text(value->value)));
+  }
+  return values;
+}
+
+void read_table(const Section& section, const std::string& parent, std::vector<KeyValues>& keys) {
+  if (section.keys().empty())
+    section.report("", "expected keys with values, such as \"tests.points_per_decade\" = [10, 20]");
+  for (const auto& key : section.keys()) {
+    const auto path = parent.empty() ? key : fmt::format("{}.{}", parent, key);
+    if (section.kind(key) == Kind::array) {
+      keys.push_back({path, section.place_of_key(key), read_list(section, key)});
+    } else if (section.kind(key) != Kind::table) {
+      section.report(key, "expected an array such as [1, 2], or a range such as { from = 1, to = 5 }");
+    } else if (const auto table = section.section(key); is_range(table)) {
+      keys.push_back({path, section.place_of_key(key), read_range(table, section.place_of_value(key))});
+    } else {
+      read_table(table, path, keys);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<KeyValues> read_keys(const Section& deck) {
+  std::vector<KeyValues> keys;
+  const auto section = deck.optional_section("sweep");
+  if (!section) return keys;
+  read_table(*section, "", keys);
+  std::erase_if(keys, [](const KeyValues& key) { return key.values.empty(); });
+  double combinations = 1.0;
+  for (const auto& key : keys) combinations *= static_cast<double>(key.values.size());
+  if (combinations > static_cast<double>(most_tasks)) {
+    deck.report("sweep", fmt::format("expected at most {} tasks, got {:.6g}", most_tasks, combinations));
+    return {};
+  }
+  return keys;
+}
+
+}  // namespace breccia

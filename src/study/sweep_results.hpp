@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "breccia/study/sweep.hpp"
+
+namespace breccia {
+
+/// The curves of a run.
+std::vector<TaskCurve> curves_of(const StudyResult& result);
+
+/// The curves that an earlier run has left in a directory. Throws FileError or InputError when they cannot be read.
+std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
+
+/// Removes what an earlier sweep has left beside the directories of its tasks.
+void remove_sweep_results(const std::filesystem::path& directory);
+
+/// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`.
+void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
+
+/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done.
+void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
+
+}  // namespace breccia
