@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/report/display.hpp"
 #include "breccia/study/run.hpp"
 
 #include "command.hpp"
@@ -32,13 +33,24 @@ std::string dynamic_plan(const Study& study, const Stage& stage, const Discretis
                             static_cast<double>(points) * static_cast<double>(steps) / speed, speed / 1e6);
 }
 
-std::string quasistatic_plan(const Stage& stage, Boundary boundary, int cells) {
+/// Wall time [s] of the direct solver on a core of the year 2020, from experience.
+double quasistatic_time(const Study& study, const Stage& stage, double unknowns) {
+  const auto loads = static_cast<double>(loads_of(study, stage).size());
+  constexpr double factorisation = 2.2e-6, solve = 0.8e-6, snapshots = 9.0, warm_up_decades = 3.0;
+  if (study.tests.quasistatic.solver == Solver::reduced) return snapshots * unknowns * (factorisation + solve * loads);
+  const double decades = warm_up_decades + std::log10(study.tests.last_time / study.tests.first_time);
+  const double solves = 1.5 * decades * study.tests.quasistatic.steps_per_decade;
+  return solves * unknowns * (factorisation + solve) * loads;
+}
+
+std::string quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
   // Sparse Cholesky factors of a square grid, ordered by nested dissection, and some dozens of nodal vectors.
   constexpr double bytes_per_unknown = 400.0, bytes_per_unknown_and_doubling = 60.0;
   const double unknowns = 2.0 * cells * cells;
   const double bytes = unknowns * (bytes_per_unknown + bytes_per_unknown_and_doubling * std::log2(unknowns));
-  return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB\n", stage.name,
-                     bound_of(boundary), cells, cells, unknowns, bytes / 1e6);
+  return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB, some {}\n", stage.name,
+                     bound_of(boundary), cells, cells, unknowns, bytes / 1e6,
+                     display(quasistatic_time(study, stage, unknowns), "s", 1));
 }
 
 std::string plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
@@ -48,7 +60,7 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
     for (const auto bound : study.tests.bounds) {
       for (const auto method : study.tests.methods) {
         const auto boundary = boundary_of(bound);
-        if (method == Method::quasistatic) text += quasistatic_plan(stage, boundary, cells);
+        if (method == Method::quasistatic) text += quasistatic_plan(study, stage, boundary, cells);
         if (method == Method::quasistatic) continue;
         for (const auto load : loads_of(study, stage))
           text += dynamic_plan(study, stage, discretisation, boundary, load);

@@ -23,36 +23,18 @@ struct TestColumns {
   }
 };
 
-void write_moduli(const std::filesystem::path& file, const StudyResult& result) {
+/// A table of one row a time, of the samples of all tests; no table without a row.
+template <class Samples, class Value>
+void write_samples(const std::filesystem::path& file, const StudyResult& result, const Samples& samples_of,
+                   const std::string& column, const Value& value_of) {
   TestColumns tests;
-  std::vector<double> times, moduli;
+  std::vector<double> times, values;
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
-      for (const auto& [time, modulus] : test.modulus) {
+      for (const auto& sample : samples_of(test)) {
         tests.add(stage, test);
-        times.push_back(time);
-        moduli.push_back(modulus);
-      }
-    }
-  }
-  write_csv(file, {{"stage", tests.stages},
-                   {"load", tests.loads},
-                   {"boundary", tests.boundaries},
-                   {"method", tests.methods},
-                   {"cells", tests.cells},
-                   {"time_s", times},
-                   {"modulus_Pa", moduli}});
-}
-
-void write_compliances(const std::filesystem::path& file, const StudyResult& result) {
-  TestColumns tests;
-  std::vector<double> times, compliances;
-  for (const auto& stage : result.stages) {
-    for (const auto& test : stage.tests) {
-      for (const auto& [time, compliance] : test.compliance) {
-        tests.add(stage, test);
-        times.push_back(time);
-        compliances.push_back(compliance);
+        times.push_back(sample.time);
+        values.push_back(value_of(sample));
       }
     }
   }
@@ -63,7 +45,7 @@ void write_compliances(const std::filesystem::path& file, const StudyResult& res
                    {"method", tests.methods},
                    {"cells", tests.cells},
                    {"time_s", times},
-                   {"compliance_1_per_Pa", compliances}});
+                   {column, values}});
 }
 
 void write_extrapolations(const std::filesystem::path& file, const StudyResult& result) {
@@ -132,8 +114,12 @@ std::vector<std::string> curve_files() {
 }
 
 void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
-  write_moduli(directory / "curves.csv", result);
-  write_compliances(directory / "compliance.csv", result);
+  write_samples(
+      directory / "curves.csv", result, [](const TestResult& test) { return test.modulus; }, "modulus_Pa",
+      [](const Sample& sample) { return sample.modulus; });
+  write_samples(
+      directory / "compliance.csv", result, [](const TestResult& test) { return test.compliance; },
+      "compliance_1_per_Pa", [](const CreepSample& sample) { return sample.compliance; });
   write_extrapolations(directory / "extrapolation.csv", result);
   write_series(directory / "prony.csv", result);
 }
