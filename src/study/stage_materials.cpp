@@ -22,15 +22,16 @@ double density_of(const Stage& stage, const Material& matrix, double fraction) {
 }
 
 void require_good_fit(const Study& study, const Stage& stage, const StageMaterial& fitted) {
-  const auto& [boundary, method, result] = fitted;
   const auto refuse = [&](const char* modulus, double error) {
     throw NumericalError(fmt::format(
         "stage {}, {}, {}: the fit of {}, on which later stages build, is up to {:.2g} % off its curve, more than "
         "tests.fit_tolerance = {:.2g} %; longer ramps or more overlap make dynamic curves smoother, finer cells "
         "extrapolations",
-        stage.name, bound_of(boundary), name_of(method), modulus, 100.0 * error, 100.0 * study.tests.fit_tolerance));
+        stage.name, bound_of(fitted.boundary), name_of(fitted.method), modulus, 100.0 * error,
+        100.0 * study.tests.fit_tolerance));
   };
   // A NaN is no good fit.
+  const auto& result = fitted.result;
   if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
   if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse("K(t) + G(t)/3", result.bulk_error);
 }
