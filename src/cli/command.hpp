@@ -42,6 +42,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments);
 void add_check(CLI::App& application);
 void add_fit(CLI::App& application);
 void add_pack(CLI::App& application);
+void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 

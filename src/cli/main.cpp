@@ -42,6 +42,7 @@ int run(int argc, char** argv) {
   breccia::cli::add_check(application);
   breccia::cli::add_pack(application);
   breccia::cli::add_respond(application);
+  breccia::cli::add_report(application);
   breccia::cli::add_fit(application);
   try {
     application.parse(argc, argv);

@@ -32,6 +32,7 @@ void run_single(const Study& study, const RunArguments& arguments, Progress& pro
   const auto result = run_study(study, directory, arguments.threads, narrate(progress));
   progress.print(closing_tables(study, result));
   progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", directory.string()));
+  progress.print(fmt::format("  report          {}", (directory / "report.html").string()));
   for (const auto& stage : result.stages) {
     const auto of_stage = directory / stage.name;
     progress.print(fmt::format("  microstructure  {}", (of_stage / "microstructure.svg").string()));

@@ -1,5 +1,7 @@
 #include "breccia/study/deck.hpp"
 
+#include <utility>
+
 #include "breccia/io/deck.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -13,7 +15,9 @@ Study resolve(const Deck& document) {
   study.title = root.optional_text("title").value_or(document.path().stem().string());
   study.deck = document.path();
   study.deck_text = document.text();
-  study.materials = read_materials(root);
+  auto [materials, temperature_shifts] = read_materials(root);
+  study.materials = std::move(materials);
+  study.temperature_shifts = std::move(temperature_shifts);
   study.stages = read_stages(root, study.materials);
   study.tests = read_tests(root);
   study.measurements = read_measurements(root, study.stages, study.tests);

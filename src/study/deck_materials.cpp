@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -62,41 +63,55 @@ PronySeries read_modulus(const Section& material, const std::string& key) {
   return read_series(material.section(key));
 }
 
-/// The shift factor a_T of `temperature_shift`; 1 without it.
-double read_shift_factor(const Section& material) {
-  const auto shift = material.optional_section("temperature_shift");
-  if (!shift) return 1.0;
-  static_cast<void>(shift->choice<bool>("law", {{"wlf", true}}));
+/// `temperature_shift`; nothing without it, and after a report.
+std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
+  const auto section = material.optional_section("temperature_shift");
+  if (!section) return std::nullopt;
+  static_cast<void>(section->choice<bool>("law", {{"wlf", true}}));
   const WilliamsLandelFerry law{
-      shift->number("c1", Range::positive()),
-      shift->quantity("c2", Dimension::temperature_difference, Range::positive()),
-      shift->quantity("reference", Dimension::temperature, Range::not_negative()),
+      section->number("c1", Range::positive()),
+      section->quantity("c2", Dimension::temperature_difference, Range::positive()),
+      section->quantity("reference", Dimension::temperature, Range::not_negative()),
   };
-  const double temperature = shift->quantity("temperature", Dimension::temperature, Range::not_negative());
-  double factor = 1.0;
-  if (std::isnan(law.c1 + law.c2 + law.reference_temperature + temperature)) return factor;
-  shift->report_errors_of("temperature", [&] { factor = law.shift_factor(temperature); });
-  return factor;
+  const double temperature = section->quantity("temperature", Dimension::temperature, Range::not_negative());
+  if (std::isnan(law.c1 + law.c2 + law.reference_temperature + temperature)) return std::nullopt;
+  std::optional<TemperatureShift> shift;
+  section->report_errors_of("temperature", [&] {
+    static_cast<void>(law.shift_factor(temperature));
+    shift = {law, temperature};
+  });
+  return shift;
 }
 
-Material read_material(const Section& section, const std::string& name) {
-  const Material material{name, section.quantity("density", Dimension::density, Range::positive()),
-                          read_modulus(section, "bulk"), read_modulus(section, "shear")};
-  return shifted(material, read_shift_factor(section));
+/// As the deck gives it, at the reference temperature of its shift.
+Material read_reference_material(const Section& section, const std::string& name) {
+  return {name, section.quantity("density", Dimension::density, Range::positive()), read_modulus(section, "bulk"),
+          read_modulus(section, "shear")};
+}
+
+Material shifted(const Material& material, const std::optional<TemperatureShift>& shift) {
+  return shift ? shifted(material, shift->law.shift_factor(shift->temperature)) : material;
 }
 
 }  // namespace
 
-std::vector<Material> read_materials(const Section& deck) {
+DeckMaterials read_materials(const Section& deck) {
   const auto section = deck.section("materials");
-  std::vector<Material> materials;
-  for (const auto& name : section.keys()) materials.push_back(read_material(section.section(name), name));
-  return materials;
+  DeckMaterials read;
+  for (const auto& name : section.keys()) {
+    const auto material = section.section(name);
+    const auto reference = read_reference_material(material, name);
+    const auto shift = read_temperature_shift(material);
+    read.materials.push_back(shifted(reference, shift));
+    if (shift) read.temperature_shifts.emplace(name, *shift);
+  }
+  return read;
 }
 
 Material read_material_file(const std::filesystem::path& file) {
   const Deck document(file);
-  auto material = read_material(document.root(), file.stem().string());
+  const auto reference = read_reference_material(document.root(), file.stem().string());
+  auto material = shifted(reference, read_temperature_shift(document.root()));
   document.finish();
   return material;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "breccia/io/deck.hpp"
@@ -14,8 +16,14 @@ Study resolve(const Deck& document);
 /// task remains the same when its sweep grows.
 std::string hash_of(const Deck& document);
 
+/// The materials of a deck, and by name the temperature shifts that are in them.
+struct DeckMaterials {
+  std::vector<Material> materials;
+  std::map<std::string, TemperatureShift> temperature_shifts;
+};
+
 /// [materials]: each table is a material, named by its key.
-std::vector<Material> read_materials(const Section& deck);
+DeckMaterials read_materials(const Section& deck);
 
 /// [[stages]], whose materials are among those given.
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);

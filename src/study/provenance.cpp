@@ -27,6 +27,13 @@ Json json_of(const Material& material) {
           {"shear", json_of(material.shear)}};
 }
 
+Json json_of(const TemperatureShift& shift) {
+  return {{"c1", shift.law.c1},
+          {"c2_K", shift.law.c2},
+          {"reference_K", shift.law.reference_temperature},
+          {"temperature_K", shift.temperature}};
+}
+
 Json json_of(const TimeWindow& window) {
   return {window.begin, window.end};
 }
@@ -174,7 +181,11 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
 
 void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result) {
   Json materials = Json::array(), stages = Json::array();
-  for (const auto& material : study.materials) materials.push_back(json_of(material));
+  for (const auto& material : study.materials) {
+    materials.push_back(json_of(material));
+    const auto shift = study.temperature_shifts.find(material.name);
+    if (shift != study.temperature_shifts.end()) materials.back()["temperature_shift"] = json_of(shift->second);
+  }
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     stages.push_back(json_of(study.stages[i], result.stages[i], study));
   }

@@ -11,6 +11,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/study/report.hpp"
 
 #include "comparison.hpp"
 #include "response_file.hpp"
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 /// The names of all that a run of a study may have left, so that no old number stands beside a new one.
 std::vector<std::string> old_results(const Study& study, const fs::path& directory) {
   auto names = curve_files();
-  names.insert(names.end(), {"comparison.csv", "study.json"});
+  names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
   for (const auto& stage : study.stages) {
     for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                              "fields.vtkhdf", "response.h5"}) {
@@ -209,9 +210,13 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, threads, observer, result).run();
+    write_once([&] { write_report(directory); });
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  write_once([&] { write_provenance(directory, study, result); });
+  write_once([&] {
+    write_provenance(directory, study, result);
+    write_report(directory);
+  });
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,6 +13,7 @@
 #include "breccia/experiment/virtual_test.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
 
 namespace breccia {
 
@@ -145,6 +147,8 @@ struct Study {
   std::vector<std::string> overrides;         ///< `key.path=value`
   std::string hash;                           ///< of what the deck says, overrides included, and the data files
   std::vector<Material> materials;            ///< in the order of the deck
+  /// By the names of the materials that have one; their relaxation times are shifted already.
+  std::map<std::string, TemperatureShift> temperature_shifts;
   std::vector<Stage> stages;
   Tests tests;
   std::vector<Measurement> measurements;

@@ -14,4 +14,10 @@ struct WilliamsLandelFerry {
   [[nodiscard]] double shift_factor(double temperature) const;
 };
 
+/// A law, and the temperature to which it brings a material.
+struct TemperatureShift {
+  WilliamsLandelFerry law;
+  double temperature;  ///< [K]
+};
+
 }  // namespace breccia

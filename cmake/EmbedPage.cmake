@@ -1,0 +1,38 @@
+# Puts the page of the report together, and makes a C++ source of it:
+#
+#   cmake -D PAGE=page.html -D STYLE=style.css -D LIBRARY=plot.js -D "SCRIPTS=a.js;b.js" -D OUTPUT=page_template.cpp
+#     -P EmbedPage.cmake
+file(READ "${PAGE}" page)
+file(READ "${STYLE}" style)
+file(READ "${LIBRARY}" library)
+set(scripts "")
+foreach(script IN LISTS SCRIPTS)
+  file(READ "${script}" text)
+  string(APPEND scripts "${text}\n")
+endforeach()
+string(REPLACE "<!--STYLE-->" "${style}" page "${page}")
+string(REPLACE "<!--SCRIPTS-->" "${scripts}" page "${page}")
+string(REPLACE "<!--LIBRARY-->" "${library}" page "${page}")
+
+# As numbers, because compilers limit the length of a literal and what may stand in it.
+file(WRITE "${OUTPUT}.html" "${page}")
+file(READ "${OUTPUT}.html" bytes HEX)
+string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+file(WRITE "${OUTPUT}" "#include \"page_template.hpp\"
+
+namespace breccia {
+namespace {
+
+constexpr unsigned char bytes[] = {
+${bytes}
+};
+
+}  // namespace
+
+std::string_view page_template() {
+  return {reinterpret_cast<const char*>(bytes), sizeof bytes};
+}
+
+}  // namespace breccia
+")

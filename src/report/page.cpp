@@ -1,0 +1,50 @@
+#include "breccia/report/page.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "page_template.hpp"
+
+namespace breccia {
+namespace {
+
+std::string replaced(std::string_view text, char sign, std::string_view with) {
+  std::string result;
+  for (const char c : text) {
+    if (c == sign) {
+      result += with;
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+/// In JSON this sign stands within text only; without it nothing there can end the element that holds the data.
+std::string as_script(std::string_view json) {
+  return replaced(json, '<', "\\u003c");
+}
+
+std::string as_html(std::string_view text) {
+  return replaced(replaced(text, '&', "&amp;"), '<', "&lt;");
+}
+
+/// The parts of a text before and after a marker.
+std::pair<std::string_view, std::string_view> split_at(std::string_view text, std::string_view marker) {
+  const auto at = text.find(marker);
+  if (at == std::string_view::npos) throw FileError(fmt::format("page of the report: no {} in it", marker));
+  return {text.substr(0, at), text.substr(at + marker.size())};
+}
+
+}  // namespace
+
+std::string report_page(std::string_view title, std::string_view data) {
+  const auto [before_title, after_title] = split_at(page_template(), "<!--TITLE-->");
+  const auto [before_data, after_data] = split_at(after_title, "<!--DATA-->");
+  return fmt::format("{}{}{}{}{}", before_title, as_html(title), before_data, as_script(data), after_data);
+}
+
+}  // namespace breccia

@@ -1,0 +1,105 @@
+"use strict";
+
+/// Solves a symmetric positive definite system by Cholesky factors. The matrix is a list of rows.
+function solveSymmetric(matrix, right) {
+  const n = right.length;
+  const factor = matrix.map((row) => row.slice());
+  for (let j = 0; j < n; ++j) {
+    for (let k = 0; k < j; ++k) {
+      for (let i = j; i < n; ++i) factor[i][j] -= factor[i][k] * factor[j][k];
+    }
+    const root = Math.sqrt(factor[j][j]);
+    for (let i = j; i < n; ++i) factor[i][j] /= root;
+  }
+  const x = right.slice();
+  for (let i = 0; i < n; ++i) {
+    for (let k = 0; k < i; ++k) x[i] -= factor[i][k] * x[k];
+    x[i] /= factor[i][i];
+  }
+  for (let i = n - 1; i >= 0; --i) {
+    for (let k = i + 1; k < n; ++k) x[i] -= factor[k][i] * x[k];
+    x[i] /= factor[i][i];
+  }
+  return x;
+}
+
+function dot(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+/// Subtracts from the second vector its reflection at the plane normal to the first, a unit vector, from an entry on.
+function reflect(normal, vector, begin) {
+  let product = 0;
+  for (let i = begin; i < vector.length; ++i) product += normal[i] * vector[i];
+  for (let i = begin; i < vector.length; ++i) vector[i] -= 2 * product * normal[i];
+}
+
+/// Least squares by Householder reflections: columns (a list of vectors) times the result is about the right side.
+function leastSquares(columns, right) {
+  const a = columns.map((column) => Float64Array.from(column));
+  const b = Float64Array.from(right);
+  for (let j = 0; j < a.length; ++j) {
+    const normal = Float64Array.from(a[j]).fill(0, 0, j);
+    const length = Math.sqrt(dot(normal, normal));
+    normal[j] += normal[j] < 0 ? -length : length;
+    const size = Math.sqrt(dot(normal, normal));
+    for (let i = j; i < normal.length; ++i) normal[i] /= size;
+    for (let k = j; k < a.length; ++k) reflect(normal, a[k], j);
+    reflect(normal, b, j);
+  }
+  const x = new Array(a.length).fill(0);
+  for (let j = a.length - 1; j >= 0; --j) {
+    let sum = b[j];
+    for (let k = j + 1; k < a.length; ++k) sum -= a[k][j] * x[k];
+    x[j] = sum / a[j][j];
+  }
+  return x;
+}
+
+/// Least squares with no negative unknown (C. L. Lawson, R. J. Hanson, Solving least squares problems, chapter 23).
+function nonNegativeLeastSquares(columns, right) {
+  const count = columns.length;
+  const x = new Array(count).fill(0);
+  const isFree = new Array(count).fill(false);
+  const tolerance = 1e-13;
+  for (let round = 0; round < 3 * count; ++round) {
+    const residual = Float64Array.from(right);
+    columns.forEach((column, j) => {
+      if (x[j] !== 0) for (let i = 0; i < residual.length; ++i) residual[i] -= x[j] * column[i];
+    });
+    let best = -1, steepest = tolerance;
+    for (let j = 0; j < count; ++j) {
+      const slope = isFree[j] ? 0 : dot(columns[j], residual) / Math.sqrt(dot(columns[j], columns[j]));
+      if (slope > steepest) [best, steepest] = [j, slope];
+    }
+    if (best < 0) break;
+    isFree[best] = true;
+    if (!moveToOptimum(columns, right, x, isFree, best)) break;
+  }
+  return x;
+}
+
+/// Moves the free unknowns to their optimum, fixing at zero those that would become negative. False where rounding
+/// lets the one that was freed last not rise.
+function moveToOptimum(columns, right, x, isFree, freed) {
+  for (;;) {
+    const free = isFree.flatMap((is, j) => (is ? [j] : []));
+    const optimum = leastSquares(free.map((j) => columns[j]), right);
+    if (x[freed] === 0 && !(optimum[free.indexOf(freed)] > 0)) {
+      isFree[freed] = false;
+      return false;
+    }
+    let step = 1;
+    free.forEach((j, i) => {
+      if (optimum[i] <= 0) step = Math.min(step, x[j] / (x[j] - optimum[i]));
+    });
+    free.forEach((j, i) => {
+      x[j] += step * (optimum[i] - x[j]);
+      if (optimum[i] <= 0 && x[j] < 1e-15 * Math.abs(optimum[i])) x[j] = 0;
+      if (x[j] <= 0) [x[j], isFree[j]] = [0, false];
+    });
+    if (step === 1) return true;
+  }
+}

@@ -1,0 +1,44 @@
+"use strict";
+
+const prefixes = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"],
+  [1e-12, "p"], [1e-15, "f"]];
+
+/// A number as people write it: display(1.234e-6, "s") is "1.234 µs".
+function display(value, unit, digits = 4) {
+  if (!Number.isFinite(value)) return value > 0 ? "∞" : "–";
+  if (value === 0) return `0 ${unit}`;
+  const rounded = Number(value.toPrecision(digits));
+  const [scale, prefix] = prefixes.find(([size]) => Math.abs(rounded) >= size * (1 - 1e-12)) ?? prefixes.at(-1);
+  return `${Number((rounded / scale).toPrecision(digits))} ${prefix}${unit}`;
+}
+
+/// "1.23 %"; small shares as powers of ten.
+function percent(share) {
+  if (share === null || share === undefined) return "";
+  const value = 100 * share;
+  if (value === 0) return "0 %";
+  return `${Math.abs(value) < 1e-3 ? value.toExponential(0) : Number(value.toPrecision(2))} %`;
+}
+
+/// Rising numbers from one to another, evenly spaced in their logarithms.
+function logarithmic(first, last, perDecade) {
+  const count = Math.max(1, Math.ceil(perDecade * Math.log10(last / first)));
+  return Array.from({length: count + 1}, (_, i) => first * Math.pow(last / first, i / count));
+}
+
+/// Whole powers of ten within two positive numbers.
+function decades(first, last) {
+  const rounding = 1e-9;
+  const list = [];
+  for (let k = Math.ceil(Math.log10(first) - rounding); k <= Math.log10(last) + rounding; ++k) list.push(10 ** k);
+  return list;
+}
+
+/// The value of a curve at a time, a power of time between its samples; NaN outside of them.
+function valueAt(times, values, time) {
+  const rounding = 1e-9;
+  if (time < times[0] * (1 - rounding) || time > times.at(-1) * (1 + rounding)) return NaN;
+  const right = Math.max(1, times.findIndex((t) => t >= time * (1 - rounding)));
+  const share = Math.log(time / times[right - 1]) / Math.log(times[right] / times[right - 1]);
+  return values[right - 1] * Math.pow(values[right] / values[right - 1], share);
+}
