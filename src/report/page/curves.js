@@ -1,1 +1,129 @@
 "use strict";
+
+/// All curves of the study, each {quantity, stage, load, boundary, method, cells, role, label, x, y}, with `band` [half
+/// widths] where it is extrapolated. `role` tells what it is of: "stage", "matrix" or "measured".
+
+const boundNames = {displacement: "upper bound", traction: "lower bound", periodic: "periodic"};
+const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
+const testColumns = ["stage", "load", "boundary", "method", "cells"];
+
+/// The quantities that can be shown, in their order.
+const quantities = [
+  {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "bulk", title: "Plane-strain bulk modulus K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
+  {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "1/s", unit: "Pa"},
+  {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "1/s", unit: ""},
+];
+
+function labelOf(stage, curve) {
+  const parts = [stage];
+  if (curve.boundary !== undefined) parts.push(boundNames[curve.boundary]);
+  if (curve.load === "shear-xx-yy") parts.push("xx-yy");
+  if (curve.method !== undefined && methodsOfStudy().length > 1) parts.push(methodNames[curve.method]);
+  if (curve.cells !== undefined && gridsOfStudy().length > 1) parts.push(gridName(curve.cells));
+  return parts.join(", ");
+}
+
+function gridName(cells) {
+  return cells === "extrapolated" ? "h → 0" : `${cells} cells`;
+}
+
+function methodsOfStudy() {
+  return distinct(study.stages.flatMap((stage) => stage.tests), "method");
+}
+
+function gridsOfStudy() {
+  return distinct(study.stages.flatMap((stage) => stage.tests), "cells").map(String);
+}
+
+/// The grid of a stage that tells most: the limit of several, else the only one.
+function bestGrid(stageName) {
+  const grids = study.stages.find((stage) => stage.name === stageName).cells;
+  return grids.length > 1 ? "extrapolated" : String(grids[0]);
+}
+
+function curvesInTime(table, column) {
+  const rows = readTable(table, ["time_s", column]);
+  return groupsOf(rows, testColumns).map((group) => {
+    const {stage, load, boundary, method, cells} = group[0];
+    const isBulk = load === "bulk";
+    const quantity = column !== "modulus_Pa" ? "compliance" : isBulk ? "bulk" : "shear";
+    const curve = {role: "stage", quantity, stage, load, boundary, method, cells,
+      x: group.map((row) => row.time_s), y: group.map((row) => row[column])};
+    curve.label = labelOf(stage, curve) + (quantity === "compliance" && isBulk ? ", bulk" : "");
+    return curve;
+  });
+}
+
+function addBands(curves) {
+  const rows = readTable("extrapolation.csv", ["time_s", "modulus_Pa", "half_band_Pa"]);
+  for (const group of groupsOf(rows, ["stage", "load", "boundary", "method"])) {
+    const {stage, load, boundary, method} = group[0];
+    const curve = curves.find((one) => one.quantity !== "compliance" && one.cells === "extrapolated" &&
+      one.stage === stage && one.load === load && one.boundary === boundary && one.method === method);
+    if (curve !== undefined) curve.band = group.map((row) => row.half_band_Pa);
+  }
+}
+
+function measuredCurves() {
+  const rows = readTable("comparison.csv", ["time_s", "measured_Pa"]);
+  return groupsOf(rows, ["measurement", "stage"]).map((group) => {
+    const measured = new Map(group.map((row) => [row.time_s, row.measured_Pa]));
+    return {role: "measured", quantity: "shear", stage: group[0].stage, label: `measured, ${group[0].measurement}`,
+      x: [...measured.keys()], y: [...measured.values()]};
+  });
+}
+
+/// The materials that serve as matrices, over the times of the study.
+function materialsInUse() {
+  const names = distinct(study.stages, "matrix");
+  return study.materials.filter((material) => names.includes(material.name));
+}
+
+function matrixCurves() {
+  const times = logarithmic(...study.times_s, 20);
+  return materialsInUse().flatMap((material) => {
+    const common = {role: "matrix", stage: material.name, label: material.name};
+    return [{...common, quantity: "shear", x: times, y: times.map((t) => relaxationModulus(material.shear, t))},
+      ...curvesInFrequency(material.shear, common)];
+  });
+}
+
+/// G', G'' and tan delta of a series, within the frequencies that belong to the times of the study.
+function curvesInFrequency(series, common) {
+  const frequencies = logarithmic(1 / study.times_s[1], 1 / study.times_s[0], 20);
+  const storage = frequencies.map((w) => storageModulus(series, w));
+  const loss = frequencies.map((w) => lossModulus(series, w));
+  return [
+    {...common, quantity: "dynamic", part: "storage", label: `${common.label}, G′`, x: frequencies, y: storage},
+    {...common, quantity: "dynamic", part: "loss", label: `${common.label}, G″`, x: frequencies, y: loss},
+    {...common, quantity: "loss-factor", x: frequencies, y: loss.map((value, i) => value / storage[i])},
+  ];
+}
+
+function curvesOfProny() {
+  const rows = readTable("prony.csv", ["relaxation_time_s", "modulus_Pa"]).filter((row) => row.load !== "bulk");
+  return groupsOf(rows, ["stage", "load", "boundary"]).flatMap((group) => {
+    const {stage, load, boundary} = group[0];
+    const isFinite = (row) => Number.isFinite(row.relaxation_time_s);
+    const equilibrium_Pa = group.filter((row) => !isFinite(row)).reduce((sum, row) => sum + row.modulus_Pa, 0);
+    const label = `${stage}, ${boundNames[boundary]}${load === "shear" ? "" : ", xx-yy"}`;
+    return curvesInFrequency({equilibrium_Pa, terms: group.filter(isFinite)}, {role: "stage", stage, load, boundary,
+      label});
+  });
+}
+
+function allCurves() {
+  const tested = [...curvesInTime("curves.csv", "modulus_Pa"), ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
+  addBands(tested);
+  return [...tested, ...curvesOfProny(), ...measuredCurves(), ...matrixCurves()];
+}
+
+/// A curve as CSV.
+function csvOf(curves, quantity) {
+  const unit = quantity.unit === "Pa" ? "_Pa" : quantity.unit === "1/Pa" ? "_1_per_Pa" : "";
+  const x = quantity.x === "time" ? "time_s" : "angular_frequency_1_per_s";
+  const lines = curves.flatMap((curve) => curve.x.map((at, i) => `"${curve.label}",${at},${curve.y[i]}`));
+  return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
+}

@@ -1,1 +1,124 @@
 "use strict";
+
+/// What all figures share: colours of the page, axes, buttons, files to keep.
+
+function pageColour(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+}
+
+/// On paper the page is light, whatever the screen is.
+const printing = {now: false};
+
+function isDark() {
+  return !printing.now && matchMedia("(prefers-color-scheme: dark)").matches;
+}
+
+const inks = {
+  light: {paper: "#ffffff", ink: "#1c2226", faint: "#5b666d", line: "#e2e6e8"},
+  dark: {paper: "#14191c", ink: "#e4e9ec", faint: "#9aa7ae", line: "#2b3439"},
+};
+
+function currentInks() {
+  return isDark() ? inks.dark : inks.light;
+}
+
+/// Hue by boundary, as in modulus.svg: blue above, red below, green between.
+const hues = {displacement: 205, traction: 18, periodic: 160};
+
+/// Later stages stand out more from the paper than earlier ones.
+function colourOf(curve) {
+  if (curve.role === "measured") return currentInks().ink;
+  if (curve.role === "matrix") return currentInks().faint;
+  const stages = study.stages.map((stage) => stage.name);
+  const rank = stages.length === 1 ? 1 : stages.indexOf(curve.stage) / (stages.length - 1);
+  const hue = hues[curve.boundary] + (curve.load === "shear-xx-yy" ? 70 : 0);
+  const lightness = isDark() ? 45 + 25 * rank : 70 - 32 * rank;
+  return `hsl(${hue}, 85%, ${lightness}%)`;
+}
+
+function logAxis(title) {
+  const {faint, line} = currentInks();
+  return {type: "log", title: {text: title, standoff: 8}, exponentformat: "power", dtick: 1, gridcolor: line,
+    linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true,
+    minor: {dtick: "D1"}};
+}
+
+function layoutOf(quantity) {
+  const {paper, ink, faint} = currentInks();
+  const isNarrow = document.body.clientWidth < 640;
+  const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
+  return {
+    paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
+    margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
+    xaxis: logAxis(`${quantity.x} / ${quantity.xUnit}`), yaxis: logAxis(`${quantity.title}${unit}`),
+    hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
+    legend: {orientation: "h", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
+    dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
+  };
+}
+
+const plotOptions = {responsive: true, displaylogo: false, modeBarButtonsToRemove: ["toImage", "select2d", "lasso2d"]};
+
+/// The trace of a curve, and before it that of its band.
+function tracesOf(curve, quantity, line = {}) {
+  const colour = colourOf(curve);
+  const at = (i) => `${display(curve.y[i], quantity.unit)}`;
+  const common = {x: curve.x, mode: "lines", type: "scatter", name: curve.label};
+  const traces = [];
+  if (curve.band !== undefined) {
+    const edge = {...common, hoverinfo: "skip", showlegend: false, line: {width: 0}};
+    traces.push({...edge, y: curve.y.map((y, i) => Math.max(y - curve.band[i], 1e-3 * y))});
+    traces.push({...edge, y: curve.y.map((y, i) => y + curve.band[i]), fill: "tonexty",
+      fillcolor: colour.replace("hsl", "hsla").replace(")", ", 0.18)")});
+  }
+  traces.push({...common, y: curve.y, text: curve.y.map((_, i) => at(i)), hovertemplate: "%{text}",
+    line: {color: colour, width: 2.2, ...line}});
+  return traces;
+}
+
+/// Makes an element with text or children in it.
+function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
+    else if (name in made) made[name] = value;
+    else made.setAttribute(name, value);
+  }
+  made.append(...children);
+  return made;
+}
+
+/// Hands the reader a file.
+function save(name, text, type) {
+  const url = URL.createObjectURL(new Blob([text], {type}));
+  element("a", {href: url, download: name}).click();
+  setTimeout(() => URL.revokeObjectURL(url), 1000);
+}
+
+function fileName(text, ending) {
+  return `${text.replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "")}.${ending}`;
+}
+
+/// The figure of a plot as SVG, in the colours of paper.
+async function saveFigure(plot, name, draw) {
+  printing.now = true;
+  await draw();
+  const url = await Plotly.toImage(plot, {format: "svg", width: 1000, height: 650});
+  printing.now = false;
+  await draw();
+  save(fileName(name, "svg"), decodeURIComponent(url.slice(url.indexOf(",") + 1)), "image/svg+xml");
+}
+
+/// A row of chips of which each can be on or off; `changed` is called when one changes.
+function chips(title, names, isOn, changed) {
+  const made = names.map(([value, label]) => {
+    const box = element("input", {type: "checkbox", checked: isOn.has(value), onchange: () => {
+      if (box.checked) isOn.add(value);
+      else isOn.delete(value);
+      changed();
+    }});
+    box.dataset.choice = value;
+    return element("label", {className: "chip"}, box, element("span", {}, label));
+  });
+  return element("fieldset", {}, element("span", {}, title), ...made);
+}

@@ -1,1 +1,156 @@
 "use strict";
+
+/// The words and the tables.
+
+function wordsOnStage(stage) {
+  const box = `a box of ${display(stage.box_m, "m")}`;
+  if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
+  const {particles, fraction} = stage.microstructure;
+  return `${particles} particles of ${stage.filler} fill ${percent2(fraction)} of ${box} of ${stage.matrix}`;
+}
+
+function percent2(share) {
+  return `${(100 * share).toFixed(1)} %`;
+}
+
+function listed(words) {
+  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
+}
+
+function showSummary() {
+  document.getElementById("title").textContent = study.title;
+  const tests = study.stages.flatMap((stage) => stage.tests);
+  const sentences = study.stages.map((stage, i) => {
+    const earlier = study.stages.slice(0, i).some((one) => one.name === stage.matrix);
+    const cells = `${listed(stage.cells.map(String))} cells a side`;
+    return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the stage before" : ""}; ${cells}.`;
+  });
+  const list = sentences.length > 1 ? element("ol", {}, ...sentences.map((text) => element("li", {}, text)))
+    : element("p", {}, sentences.join(""));
+  const [begin, end] = study.times_s.map((time) => display(time, "s"));
+  const bounds = listed(distinct(tests, "boundary").map((boundary) => boundNames[boundary]));
+  const methods = listed(distinct(tests, "method").map((method) => methodNames[method]));
+  const what = `The relaxation modulus from ${begin} to ${end}, computed from the constituents: ${bounds}, by the ` +
+    `${methods} method.`;
+  document.getElementById("summary").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), list);
+}
+
+function showWarnings() {
+  const warnings = study.stages.flatMap((stage) => stage.warnings.map((text) => `${stage.name}: ${text}`));
+  if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
+  const list = document.getElementById("warnings");
+  list.append(...warnings.map((text) => element("li", {}, text)));
+  list.hidden = warnings.length === 0;
+}
+
+/// A table; columns of numbers are set to the right, long texts may break.
+function table(heads, rows) {
+  const isNumber = heads.map((_, i) => rows.every((row) => /^[-–<]?[\d.]|^$|^∞/.test(row[i])));
+  const kind = (i, text) => ({className: isNumber[i] ? "number" : text.length > 40 ? "long" : ""});
+  const head = element("tr", {}, ...heads.map((text, i) => element("th", kind(i, ""), text)));
+  const body = rows.map((row) => element("tr", {}, ...row.map((text, i) => element("td", kind(i, text), text))));
+  return element("div", {className: "table"}, element("table", {}, element("thead", {}, head),
+    element("tbody", {}, ...body)));
+}
+
+/// Measured and computed moduli at whole decades, and where they agree best and worst.
+function showComparison() {
+  const rows = readTable("comparison.csv", ["time_s", "modulus_Pa", "measured_Pa", "ratio"]);
+  document.getElementById("comparison").hidden = rows.length === 0;
+  const place = document.getElementById("comparison-tables");
+  for (const group of groupsOf(rows, ["measurement", "stage"])) {
+    const {measurement, stage} = group[0];
+    const tests = groupsOf(group, ["boundary", "method"]);
+    const names = tests.map(([row]) => `${boundNames[row.boundary]}, ${methodNames[row.method]}`);
+    const at = (test, column, time) => valueAt(test.map((row) => row.time_s), test.map((row) => row[column]), time);
+    const every = tests.flat().map((row) => row.time_s);
+    const body = decades(Math.min(...every), Math.max(...every)).map((time) => {
+      const measured = tests.map((test) => at(test, "measured_Pa", time)).find(Number.isFinite);
+      return [display(time, "s"), display(measured, "Pa"), ...tests.flatMap((test) => {
+        const modulus = at(test, "modulus_Pa", time);
+        return Number.isFinite(modulus) ? [display(modulus, "Pa"), (modulus / measured).toFixed(3)] : ["–", "–"];
+      })];
+    });
+    place.append(element("h3", {}, `${stage}: ${measurement}`),
+      table(["time", "measured", ...names.flatMap((name) => [name, "ratio"])], body));
+  }
+  const extremes = study.stages.flatMap((stage) => (stage.comparisons ?? []).map((one) => [stage.name, one.measurement,
+    boundNames[one.boundary], methodNames[one.method],
+    `${one.best.ratio.toFixed(3)} at ${display(one.best.time_s, "s", 2)}`,
+    `${one.worst.ratio.toFixed(3)} at ${display(one.worst.time_s, "s", 2)}`]));
+  if (extremes.length > 0) {
+    place.append(element("h3", {}, "Where the ratio is nearest to one and where furthest"),
+      table(["stage", "measurement", "bound", "method", "best", "worst"], extremes));
+  }
+}
+
+function nameOfTest(stage, test) {
+  return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
+}
+
+function showQuality() {
+  const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test})));
+  const place = document.getElementById("quality-tables");
+  const add = (title, explanation, heads, rows) => {
+    if (rows.length > 0) {
+      place.append(element("h3", {}, title), element("p", {className: "note"}, explanation), table(heads, rows));
+    }
+  };
+  const what = ["stage", "load", "bound", "method"];
+  add("Errors in time, and of fits", "Relative. Error: of the reduced basis or of the time steps; the grid is not in it.",
+    [...what, "cells", "error", "fit", "snapshots"],
+    tests.filter(({test}) => test.error_estimate !== undefined || test.fit_error !== undefined)
+      .map(({stage, test}) => [...nameOfTest(stage, test), String(test.cells), percent(test.error_estimate),
+        percent(test.fit_error), String(test.snapshots?.length ?? "")]));
+  add("Overlaps of time domains", "Largest relative difference of two neighbouring runs where both are valid.",
+    [...what, "from", "to", "mismatch"],
+    tests.flatMap(({stage, test}) => (test.overlaps ?? []).map(({window_s: [begin, end], mismatch}) =>
+      [...nameOfTest(stage, test), display(begin, "s", 3), display(end, "s", 3), percent(mismatch)])));
+  add("Limit of vanishing cells", "Half the width of the band in which it is expected, over its value.",
+    ["stage", "load", "bound", "method", "smallest", "largest", "at"], extrapolationRows());
+  add("Stages as matrices", "Largest relative deviation of the fitted series that the next stage takes.",
+    ["stage", "bound", "method", "shear", "bulk"],
+    study.stages.flatMap((stage) => (stage.materials ?? []).map((one) => [stage.name, boundNames[one.boundary],
+      methodNames[one.method], percent(one.shear_fit_error), percent(one.bulk_fit_error)])));
+}
+
+function extrapolationRows() {
+  const rows = readTable("extrapolation.csv", ["time_s", "modulus_Pa", "half_band_Pa"]);
+  return groupsOf(rows, ["stage", "load", "boundary", "method"]).map((group) => {
+    const shares = group.map((row) => row.half_band_Pa / row.modulus_Pa);
+    const largest = Math.max(...shares);
+    const {stage, load, boundary, method, time_s} = group[shares.indexOf(largest)];
+    return [stage, load, boundNames[boundary], methodNames[method], percent(Math.min(...shares)), percent(largest),
+      display(time_s, "s", 2)];
+  });
+}
+
+function showDeck() {
+  const place = document.getElementById("deck-text");
+  if (study.overrides.length > 0) {
+    place.append(element("p", {}, "Overridden on the command line:"),
+      element("pre", {}, study.overrides.join("\n")));
+  }
+  place.append(element("pre", {}, study.deck_text));
+}
+
+function showProvenance() {
+  const place = document.getElementById("provenance-tables");
+  const seconds = study.wall_time_s;
+  place.append(table(["", ""], [
+    ["program", `${study.program} ${study.version}`],
+    ["deck", study.deck],
+    ["hash of deck, overrides and data", study.hash],
+    ["wall time", seconds === null || seconds === undefined ? "not complete" : `${Number(seconds.toPrecision(3))} s`],
+  ].map((row) => row.map(String))));
+  place.append(table(["stage", "particles", "fraction", "smallest gap", "gap in cells", "seed", "packed in"],
+    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percent2(made.fraction),
+      made.smallest_gap_m === null ? "" : display(made.smallest_gap_m, "m", 3),
+      made.smallest_gap_cells === null ? "" : String(Number(made.smallest_gap_cells.toPrecision(3))),
+      String(made.seed ?? ""), display(made.wall_time_s, "s", 2)])));
+  const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test})));
+  const secondsOf = (test) => test.wall_time_s ?? test.time_domains?.reduce((sum, one) => sum + one.wall_time_s, 0);
+  place.append(table(["stage", "load", "bound", "method", "cells", "volume strain", "solver", "wall time"],
+    tests.filter(({test}) => secondsOf(test) !== undefined).map(({stage, test}) => [...nameOfTest(stage, test),
+      String(test.cells), test.volumetric, test.solver ?? test.formulation, display(secondsOf(test), "s", 3)])));
+}
