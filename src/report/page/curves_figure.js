@@ -36,7 +36,7 @@ function curvesFigure(curves) {
   };
 
   const draw = () => {
-    const layout = layoutOf(shown.quantity);
+    const layout = layoutOf(shown.quantity, curves.filter(isShown));
     if (shown.extras.has("domains") && shown.quantity.x === "time") addTimeDomains(layout, shown);
     const traces = curves.filter(isShown).flatMap((curve) => {
       const {band, ...plain} = curve;
@@ -110,8 +110,8 @@ function addTimeDomains(layout, shown) {
     layout.shapes.push({type: "rect", xref: "x", yref: "paper", x0: begin, x1: end, y0: 0, y1: 1, layer: "below",
       line: {width: 0}, fillcolor: i % 2 === 0 ? "#4477aa" : "#998866", opacity: 0.13});
     if (isNarrow) return;
-    layout.annotations.push({xref: "x", yref: "paper", x: Math.log10(Math.sqrt(begin * end)), y: i % 2 === 0 ? 1 : 0.965,
-      yanchor: "bottom", showarrow: false, text: `ρ × ${Number(factor.toPrecision(3))}`,
+    layout.annotations.push({xref: "x", yref: "paper", x: Math.log10(Math.sqrt(begin * end)),
+      y: i % 2 === 0 ? 1 : 0.96, yanchor: "top", showarrow: false, text: `ρ × ${shortNumber(factor)}`,
       font: {size: 10, color: currentInks().faint}});
   });
 }

@@ -36,28 +36,32 @@ function colourOf(curve) {
   return `hsl(${hue}, 85%, ${lightness}%)`;
 }
 
-function logAxis(title) {
+function logAxis(title, values) {
   const {faint, line} = currentInks();
-  return {type: "log", title: {text: title, standoff: 8}, exponentformat: "power", dtick: 1, gridcolor: line,
-    linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true,
-    minor: {dtick: "D1"}};
+  const seen = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
+  const [least, most] = seen.length > 0 ? [Math.min(...seen), Math.max(...seen)] : [0, 1];
+  const room = 0.04 * (most - least) + 0.02;
+  return {type: "log", range: [least - room, most + room], dtick: most - least > 2 ? 1 : "D2", title: {text: title, standoff: 8}, exponentformat: "power", gridcolor: line,
+    linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true};
 }
 
-function layoutOf(quantity) {
+function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
   const isNarrow = document.body.clientWidth < 640;
   const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
   return {
     paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
     margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
-    xaxis: logAxis(`${quantity.x} / ${quantity.xUnit}`), yaxis: logAxis(`${quantity.title}${unit}`),
+    xaxis: logAxis(`${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
+    yaxis: logAxis(`${quantity.title}${unit}`, curves.flatMap((curve) => curve.y)), uirevision: quantity.name,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
     legend: {orientation: "h", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
     dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
   };
 }
 
-const plotOptions = {responsive: true, displaylogo: false, modeBarButtonsToRemove: ["toImage", "select2d", "lasso2d"]};
+const plotOptions = {responsive: true, displaylogo: false,
+  modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]]};
 
 /// The trace of a curve, and before it that of its band.
 function tracesOf(curve, quantity, line = {}) {

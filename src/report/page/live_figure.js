@@ -20,10 +20,11 @@ function liveFigure(curves) {
 
   const draw = () => {
     const liveCurves = curvesOfResults(results);
-    const traces = results.map(stored).filter((curve) => curve !== undefined).flatMap(({band, ...curve}) =>
-      tracesOf({...curve, label: `${curve.label}, of the run`}, quantity, {dash: "dot", width: 1.3}));
-    traces.push(...liveCurves.flatMap((curve) => tracesOf(curve, quantity)));
-    return Plotly.react(plot, traces, layoutOf(quantity), plotOptions);
+    const curvesOfRun = results.map(stored).filter((curve) => curve !== undefined);
+    const traces = liveCurves.flatMap((curve) => tracesOf(curve, quantity));
+    traces.push(...curvesOfRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`},
+      quantity, {dash: "dot", width: 1.3}).map((trace) => ({...trace, showlegend: false}))));
+    return Plotly.react(plot, traces, layoutOf(quantity, [...liveCurves, ...curvesOfRun]), plotOptions);
   };
 
   const compute = () => {
@@ -57,16 +58,20 @@ function curvesOfResults(results) {
     if (!(begin < end)) return [];
     const x = logarithmic(begin, end, 20);
     return [{quantity: "shear", role: "stage", stage: result.stage, boundary: result.boundary, load: "shear",
-      label: `${result.stage}, ${boundNames[result.boundary]}`, x, y: x.map((t) => relaxationModulus(result.series, t))}];
+      label: `${result.stage}, ${boundNames[result.boundary]}`, x, y: x.map((t) => result.modulus(t))}];
   });
 }
 
 function showRefusals(results) {
   const list = document.getElementById("live-refusals");
-  const texts = results.filter((result) => result.refusal !== undefined).map((result) => {
-    const {name, value, range} = result.refusal;
+  const isCut = ({window: [begin, end]}) => begin > study.times_s[0] || end < study.times_s[1];
+  const texts = results.filter((result) => result.refusal !== undefined || isCut(result)).map((result) => {
     const [begin, end] = result.window;
     const left = begin < end ? `shown from ${display(begin, "s", 2)} to ${display(end, "s", 2)} only` : "not shown";
+    if (result.refusal === undefined) {
+      return `${result.stage}, ${boundNames[result.boundary]}: ${left}, as far as ${result.matrix} is known.`;
+    }
+    const {name, value, range} = result.refusal;
     return `${result.stage}, ${boundNames[result.boundary]}: ${left}. There ${result.matrix} would have a ${name} ` +
       `modulus of ${display(value, "Pa", 3)}, outside the range from ${display(range[0], "Pa", 3)} to ` +
       `${display(range[1], "Pa", 3)} in which the run has sampled the boxes; run the study with wider times.`;
@@ -81,7 +86,8 @@ function showAgreement(results, stored) {
   for (const result of results) {
     const curve = stored(result);
     curve?.x.forEach((t, i) => {
-      worst = Math.max(worst, Math.abs(relaxationModulus(result.series, t) / curve.y[i] - 1));
+      if (t > result.window[1] || t < result.window[0]) return;
+      worst = Math.max(worst, Math.abs(result.modulus(t) / curve.y[i] - 1));
     });
   }
   const note = document.getElementById("live-note");

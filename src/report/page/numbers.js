@@ -20,6 +20,12 @@ function percent(share) {
   return `${Math.abs(value) < 1e-3 ? value.toExponential(0) : Number(value.toPrecision(2))} %`;
 }
 
+/// To three digits: "0.0103", "1.03e5".
+function shortNumber(value) {
+  const isPlain = value >= 1e-3 && value < 1e5;
+  return isPlain ? String(Number(value.toPrecision(3))) : value.toExponential(2).replace("e+", "e");
+}
+
 /// Rising numbers from one to another, evenly spaced in their logarithms.
 function logarithmic(first, last, perDecade) {
   const count = Math.max(1, Math.ceil(perDecade * Math.log10(last / first)));

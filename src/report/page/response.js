@@ -28,25 +28,35 @@ function limitOfCells(grids) {
   return fine.value - ((coarse.value - fine.value) / (1 / coarse.cells - 1 / fine.cells)) / fine.cells;
 }
 
-/// A stage under one boundary: its Carson moduli at Laplace variables, {shear, bulk: K + G/3}, each where it was tested.
-function stageModuli(responses, boundary, variables, matrix) {
-  const moduli = {};
-  for (const load of distinct(responses, "load")) {
-    const ofLoad = responses.filter((response) => response.load === load && response.boundary === boundary);
-    if (ofLoad.length === 0) continue;
-    moduli[load] = variables.map((_, j) => limitOfCells(ofLoad.map((response) => ({
-      cells: response.cells, value: compositeModulus(response, matrix.shear[j], matrix.bulk[j])}))));
-  }
-  return moduli;
+/// The Carson moduli of a stage at Laplace variables under one load, on each of its grids: [{cells, moduli}].
+function stageModuli(responses, load, variables, matrix) {
+  return responses.filter((response) => response.load === load).map((response) => ({
+    cells: response.cells,
+    moduli: variables.map((_, j) => compositeModulus(response, matrix.shear[j], matrix.bulk[j]))}));
+}
+
+/// Value by value the limit of vanishing cells.
+function limitsOfCells(grids) {
+  return grids[0].moduli.map((_, j) => limitOfCells(grids.map(({cells, moduli}) => ({cells, value: moduli[j]}))));
+}
+
+/// From which of the rising variables on the moduli are those of a solid: positive, and rising no faster than s. The
+/// limit of coarse grids is not at long times.
+function firstSound(variables, moduli) {
+  const rounding = 1e-6;
+  const isSound = (j) => moduli[j] > 0 && moduli[j + 1] / moduli[j] < (variables[j + 1] / variables[j]) * (1 + rounding);
+  let first = moduli.length - 1;
+  while (first > 0 && isSound(first - 1)) --first;
+  return first;
 }
 
 /// The Laplace variables for whose times 1/s the moduli of a matrix leave what was sampled, as text; and the times that
 /// remain.
-function timesInRange(responses, boundary, variables, matrix, window) {
+function timesInRange(responses, variables, matrix, window) {
   const refusals = [];
   let [begin, end] = window;
   const rounding = 1e-9;
-  for (const response of responses.filter((one) => one.boundary === boundary)) {
+  for (const response of responses) {
     const range = sampledRange(response);
     variables.forEach((s, j) => {
       const time = 1 / s;
@@ -64,32 +74,51 @@ function timesInRange(responses, boundary, variables, matrix, window) {
   return {window: [begin, end], refusal: refusals[0]};
 }
 
-/// G(t) of every stage and boundary with other materials (by name, {bulk, shear}): [{stage, boundary, window, series}],
-/// and where the matrix leaves the sampled range, `refusal`.
+/// G(t) of every stage and boundary with other materials (by name, {bulk, shear}): [{stage, boundary, window, modulus}],
+/// the last a function of time, and where the matrix leaves the sampled range, `refusal`.
 function respond(materials) {
   const margin = 30;
-  const variables = logarithmic(1 / (margin * study.times_s[1]), margin / study.times_s[0], 10);
-  const known = new Map();  // Carson moduli of the stages so far, by stage and boundary
+  const allVariables = logarithmic(1 / (margin * study.times_s[1]), margin / study.times_s[0], 10);
+  const known = new Map();  // what stages have become, by stage and boundary
   const results = [];
   for (const stage of study.stages) {
-    const responses = data.responses[stage.name];
-    if (responses === undefined) continue;
-    for (const boundary of distinct(responses, "boundary")) {
-      const matrix = matrixModuli(stage, boundary, variables, materials, known);
+    const ofStage = data.responses[stage.name] ?? [];
+    for (const boundary of distinct(ofStage, "boundary")) {
+      const matrix = matrixModuli(stage, boundary, allVariables, materials, known);
       if (matrix === undefined) continue;
-      const inRange = timesInRange(responses, boundary, variables, matrix.moduli, matrix.window);
-      const moduli = stageModuli(responses, boundary, variables, matrix.moduli);
-      const refusal = inRange.refusal ?? matrix.refusal;
-      if (moduli.shear !== undefined && moduli.bulk !== undefined) {
-        const bulk = moduli.bulk.map((kappa, j) => kappa - moduli.shear[j] / 3);
-        known.set(`${stage.name}|${boundary}`, {moduli: {shear: moduli.shear, bulk}, window: inRange.window, refusal});
+      const variables = matrix.variables;
+      const responses = ofStage.filter((response) => response.boundary === boundary);
+      const {window, refusal} = timesInRange(responses, variables, matrix.moduli, matrix.window);
+      const shear = stageModuli(responses, "shear", variables, matrix.moduli);
+      const bulk = stageModuli(responses, "bulk", variables, matrix.moduli);
+      if (shear.length > 0 && bulk.length > 0) {
+        const g = limitsOfCells(shear), kappa = limitsOfCells(bulk);
+        known.set(`${stage.name}|${boundary}`, stageAsMatrix(variables, g, kappa, window));
       }
-      if (moduli.shear === undefined) continue;
-      results.push({stage: stage.name, boundary, matrix: stage.matrix, window: inRange.window, refusal: inRange.refusal,
-        series: seriesOfCarsonModuli(variables, moduli.shear)});
+      if (shear.length === 0) continue;
+      results.push({stage: stage.name, boundary, matrix: stage.matrix, window, refusal,
+        modulus: modulusInTime(variables, shear)});
     }
   }
   return results;
+}
+
+/// G(t) of the limit of vanishing cells. Each grid is taken back to time by itself: the limit alone may have no series
+/// without negative terms.
+function modulusInTime(variables, grids) {
+  const series = grids.map(({cells, moduli}) => ({cells, series: seriesOfCarsonModuli(variables, moduli)}));
+  return (time) => limitOfCells(series.map((one) => ({cells: one.cells, value: relaxationModulus(one.series, time)})));
+}
+
+/// What a stage has become, as far as its grids tell it. What is asked of it at a time takes some of what is after it.
+function stageAsMatrix(variables, g, kappa, [begin, end]) {
+  const after = 10;
+  const first = Math.max(firstSound(variables, g), firstSound(variables, kappa));
+  const reach = first === 0 ? end : Math.min(end, 1 / (after * variables[first]));
+  return {
+    variables: variables.slice(first), window: [begin, reach],
+    moduli: {shear: g.slice(first), bulk: kappa.slice(first).map((k, j) => k - g[first + j] / 3)},
+  };
 }
 
 /// The matrix of a stage under a boundary: a material, or what an earlier stage became.
@@ -97,8 +126,8 @@ function matrixModuli(stage, boundary, variables, materials, known) {
   const material = materials[stage.matrix];
   if (material === undefined) return known.get(`${stage.matrix}|${boundary}`);
   return {
+    variables, window: study.times_s,
     moduli: {shear: variables.map((s) => carsonModulus(material.shear, s)),
       bulk: variables.map((s) => carsonModulus(material.bulk, s))},
-    window: study.times_s,
   };
 }

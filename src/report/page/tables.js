@@ -36,7 +36,7 @@ function showSummary() {
 }
 
 function showWarnings() {
-  const warnings = study.stages.flatMap((stage) => stage.warnings.map((text) => `${stage.name}: ${text}`));
+  const warnings = study.stages.flatMap((stage) => stage.warnings);
   if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
   const list = document.getElementById("warnings");
   list.append(...warnings.map((text) => element("li", {}, text)));
