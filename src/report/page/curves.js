@@ -21,7 +21,7 @@ function labelOf(stage, curve) {
   if (curve.boundary !== undefined) parts.push(boundNames[curve.boundary]);
   if (curve.load === "shear-xx-yy") parts.push("xx-yy");
   if (curve.method !== undefined && methodsOfStudy().length > 1) parts.push(methodNames[curve.method]);
-  if (curve.cells !== undefined && gridsOfStudy().length > 1) parts.push(gridName(curve.cells));
+  if (curve.cells !== undefined && curve.cells !== bestGrid(stage)) parts.push(gridName(curve.cells));
   return parts.join(", ");
 }
 

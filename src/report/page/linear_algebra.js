@@ -61,29 +61,32 @@ function leastSquares(columns, right) {
 /// Least squares with no negative unknown (C. L. Lawson, R. J. Hanson, Solving least squares problems, chapter 23).
 function nonNegativeLeastSquares(columns, right) {
   const count = columns.length;
+  const tolerance = 1e-13;
   const x = new Array(count).fill(0);
   const isFree = new Array(count).fill(false);
-  const tolerance = 1e-13;
+  const lengths = columns.map((column) => Math.sqrt(dot(column, column)));
   for (let round = 0; round < 3 * count; ++round) {
-    const residual = Float64Array.from(right);
-    columns.forEach((column, j) => {
-      if (x[j] !== 0) for (let i = 0; i < residual.length; ++i) residual[i] -= x[j] * column[i];
-    });
-    let best = -1, steepest = tolerance;
-    for (let j = 0; j < count; ++j) {
-      const slope = isFree[j] ? 0 : dot(columns[j], residual) / Math.sqrt(dot(columns[j], columns[j]));
-      if (slope > steepest) [best, steepest] = [j, slope];
-    }
-    if (best < 0) break;
-    isFree[best] = true;
-    if (!moveToOptimum(columns, right, x, isFree, best)) break;
+    const residual = residualOf(columns, right, x);
+    const slopes = columns.map((column, j) => (isFree[j] ? 0 : dot(column, residual) / lengths[j]));
+    // Those that rounding keeps from rising are passed over.
+    const candidates = slopes.flatMap((slope, j) => (slope > tolerance ? [j] : [])).sort((a, b) => slopes[b] - slopes[a]);
+    if (!candidates.some((j) => moveToOptimum(columns, right, x, isFree, j))) break;
   }
   return x;
 }
 
-/// Moves the free unknowns to their optimum, fixing at zero those that would become negative. False where rounding
-/// lets the one that was freed last not rise.
+function residualOf(columns, right, x) {
+  const residual = Float64Array.from(right);
+  columns.forEach((column, j) => {
+    if (x[j] !== 0) for (let i = 0; i < residual.length; ++i) residual[i] -= x[j] * column[i];
+  });
+  return residual;
+}
+
+/// Frees one more unknown and moves to the optimum, fixing at zero those that would become negative. False, and nothing
+/// moved, where rounding keeps the new one from rising.
 function moveToOptimum(columns, right, x, isFree, freed) {
+  isFree[freed] = true;
   for (;;) {
     const free = isFree.flatMap((is, j) => (is ? [j] : []));
     const optimum = leastSquares(free.map((j) => columns[j]), right);

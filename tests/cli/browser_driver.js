@@ -1,0 +1,100 @@
+"use strict";
+
+// What the reader of tests/cli/browser-test does. It goes by what is on the page, as far as it can.
+const complaints = [];
+addEventListener("error", (event) => complaints.push(event.message));
+addEventListener("unhandledrejection", (event) => complaints.push(String(event.reason)));
+document.addEventListener("securitypolicyviolation", (event) => complaints.push(`fetches ${event.blockedURI}`));
+for (const level of ["error", "warn"]) console[level] = (...words) => complaints.push(words.join(" "));
+
+const seen = [];
+const see = (what, value) => seen.push(`${what}: ${value}`);
+const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const at = (id) => document.getElementById(id);
+
+const shownTraces = (start) => at("curve-plot").data.filter((trace) => trace.name.startsWith(start)).length;
+
+/// The value at 10 ms of the curve of a stage that the page has computed.
+function liveModulus(stage) {
+  const trace = at("live-plot").data.find((one) => one.name === `${stage}, upper bound`);
+  const right = trace.x.findIndex((time) => time > 0.01);
+  const share = Math.log(0.01 / trace.x[right - 1]) / Math.log(trace.x[right] / trace.x[right - 1]);
+  return trace.y[right - 1] * Math.pow(trace.y[right] / trace.y[right - 1], share);
+}
+
+function move(slider, value) {
+  slider.value = value;
+  slider.dispatchEvent(new Event("input"));
+}
+
+async function paste(text) {
+  at("spectrum-text").value = text;
+  at("take-spectrum").click();
+  await wait(100);
+  return at("spectrum-complaint").textContent;
+}
+
+async function look() {
+  see("title", document.querySelector("h1").textContent);
+  const chip = document.querySelector('input[data-choice="A"]');
+  see("curves of stage A", shownTraces("A, "));
+  chip.click();
+  await wait(100);
+  see("curves of stage A when it is off", shownTraces("A, "));
+  chip.click();
+  await wait(100);
+
+  const pane = at("curve-plot").querySelector(".nsewdrag");
+  pane.scrollIntoView({block: "center"});
+  const {left, top, width, height} = pane.getBoundingClientRect();
+  const pointer = {bubbles: true, clientX: left + width / 2, clientY: top + height / 2};
+  pane.dispatchEvent(new MouseEvent("mouseover", pointer));
+  pane.dispatchEvent(new MouseEvent("mousemove", pointer));
+  await wait(500);
+  const hover = at("curve-plot").querySelector(".hoverlayer").textContent;
+  const texts = at("curve-plot").data.find((trace) => trace.name.startsWith("A, upper")).text;
+  see("hover tells the curve", hover.includes("A, upper") && texts.some((text) => hover.includes(text)));
+
+  const quantity = at("quantity");
+  quantity.value = "dynamic";
+  quantity.dispatchEvent(new Event("change"));
+  await wait(100);
+  see("storage modulus", at("curve-plot").data.some((trace) => trace.name.includes("G′")));
+  const picture = decodeURIComponent(await Plotly.toImage(at("curve-plot"), {format: "svg"}));
+  see("figure as SVG", picture.includes("<svg"));
+
+  see("agreement", at("live-note").dataset.agreement);
+  for (const stage of ["A", "B"]) see(`${stage} at 19 C`, liveModulus(stage));
+  move(at("temperature"), 25);
+  await wait(100);
+  for (const stage of ["A", "B"]) see(`${stage} at 25 C`, liveModulus(stage));
+  see("refusals at 25 C", at("live-refusals").childElementCount);
+  move(at("temperature"), 79);
+  await wait(100);
+  see("refusals at 79 C", at("live-refusals").hidden ? 0 : "some");
+  move(at("temperature"), 19);
+
+  see("bad spectrum", await paste("relaxation_time_s,modulus_Pa\n0.01,stiff"));
+  see("empty spectrum", await paste(""));
+  await paste("relaxation_time_s,modulus_Pa\n0.01,0.5e6\n1,0.1e6\n");
+  see("A with the same spectrum pasted", liveModulus("A"));
+
+  document.querySelector('button[aria-label="larger"]').click();
+  see("zoomed picture", document.querySelector(".picture img").style.transform.includes("scale(1.5)"));
+  const fetched = performance.getEntriesByType("resource").filter((entry) => !/^(data|blob):/.test(entry.name));
+  see("fetched", fetched.length);
+  see("complaints", complaints.length === 0 ? 0 : complaints.join("; "));
+  seen.push("done");
+}
+
+addEventListener("load", async () => {
+  try {
+    await look();
+  } catch (error) {
+    seen.push(error.stack);
+  }
+  const list = document.createElement("pre");
+  list.id = "seen";
+  list.textContent = `\n${seen.join("\n")}\n`;
+  document.body.append(list);
+});
