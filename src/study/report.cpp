@@ -44,8 +44,8 @@ Json json_of(const StoredResponses::Entry& entry) {
 Json responses_of(const fs::path& file, const std::string& hash) {
   const auto stored = read_responses(file);
   if (stored.deck_hash != hash) {
-    throw FileError(fmt::format("{}: of another study (hash {}) than study.json (hash {})", file.string(),
-                                stored.deck_hash, hash));
+    throw FileError(
+        fmt::format("{}: of another study (hash {}) than study.json (hash {})", file.string(), stored.deck_hash, hash));
   }
   Json responses = Json::array();
   for (const auto& entry : stored.entries) responses.push_back(json_of(entry));
@@ -60,10 +60,10 @@ Json read_study_record(const fs::path& directory) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it", file.string()));
   }
   const bool is_sweep = fs::is_regular_file(directory / "sweep.json");
-  throw InputError(
-      fmt::format("{}: {}", directory.string(),
-                  is_sweep ? "the results of a sweep: each of its tasks has a directory and a report of its own"
-                           : "no study.json, which `breccia run` leaves with its results"));
+  throw InputError(fmt::format("{}: {}", directory.string(),
+                               is_sweep
+                                   ? "the results of a sweep: each of its tasks has a directory and a report of its own"
+                                   : "no study.json, which `breccia run` leaves with its results"));
 }
 
 /// Everything that the page shows, as it is on the disk.

@@ -75,9 +75,10 @@ class Quasistatic : public ::testing::Test {
 };
 
 TEST_F(Quasistatic, LeavesTheseFiles) {
-  EXPECT_THAT(study->results(), ::testing::ElementsAre("A/bulk_modulus.svg", "A/microstructure.csv",
-                                                       "A/microstructure.svg", "A/modulus.svg", "A/response.h5",
-                                                       "compliance.csv", "curves.csv", "prony.csv", "study.json"));
+  EXPECT_THAT(study->results(),
+              ::testing::ElementsAre("A/bulk_modulus.svg", "A/microstructure.csv", "A/microstructure.svg",
+                                     "A/modulus.svg", "A/response.h5", "compliance.csv", "curves.csv", "prony.csv",
+                                     "report.html", "study.json"));
 }
 
 TEST_F(Quasistatic, BoundsOfTheShearModulusAreInOrder) {

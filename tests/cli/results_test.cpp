@@ -74,6 +74,7 @@ TEST_F(Results, AreTheseFiles) {
                                     "A/modulus.svg",
                                     "curves.csv",
                                     "prony.csv",
+                                    "report.html",
                                     "study.json"};
   for (const auto& test : tests) {
     for (std::size_t i = 1; i <= test["time_domains"].size(); ++i) {

@@ -51,8 +51,9 @@ function decadesOfShift(law, temperature) {
 /// The series whose Carson moduli are those given, at Laplace variables that rise: a fit with relative weights and no
 /// negative term.
 function seriesOfCarsonModuli(variables, moduli) {
-  const beyond = 30;
-  const times = logarithmic(1 / (beyond * variables.at(-1)), beyond / variables[0], 10);
+  // A few close times stand well for one between them: errors in time are some 1e-4.
+  const beyond = 30, perDecade = 30;
+  const times = logarithmic(1 / (beyond * variables.at(-1)), beyond / variables[0], perDecade);
   const columns = [variables.map((_, j) => 1 / moduli[j]),
     ...times.map((tau) => variables.map((s, j) => (s * tau) / (1 + s * tau) / moduli[j]))];
   const [equilibrium, ...strengths] = nonNegativeLeastSquares(columns, variables.map(() => 1));

@@ -1,0 +1,114 @@
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/text_file.hpp"
+
+#include "model_deck.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::StudyDirectory;
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+namespace fs = std::filesystem;
+
+/// What a page holds of its study.
+Json data_of(const std::string& page) {
+  const std::string begin = R"(id="data">)";
+  const auto from = page.find(begin) + begin.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+test::Outcome report(const StudyDirectory& study, const std::string& directory = "out") {
+  return test::run_breccia(study.path(), {"report", directory});
+}
+
+/// The results of a quasi-static run of the model composite.
+class Report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto run = study.breccia(
+        "run",
+        {"--set", "tests.method=quasistatic", "--set", "stages.A.cells=8", "--set",
+         R"(materials.binder.temperature_shift={law="wlf",c1=6.5,c2="120 K",reference="0 degC",temperature="10 degC"})"});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+  }
+
+  StudyDirectory study{test::model_deck};
+};
+
+TEST_F(Report, HoldsWhatIsOnTheDisk) {
+  const auto data = data_of(read_text(study.result("report.html")));
+  EXPECT_EQ(data.at("study"), Json::parse(read_text(study.result("study.json"))));
+  EXPECT_EQ(data.at("study").at("complete"), true);
+  EXPECT_EQ(data.at("tables").at("curves.csv"), read_text(study.result("curves.csv")));
+  EXPECT_EQ(data.at("pictures").at("A"), read_text(study.result("A/microstructure.svg")));
+  const auto& response = data.at("responses").at("A").at(0);
+  EXPECT_EQ(response.at("boundary"), "displacement");
+  EXPECT_EQ(response.at("filler_Pa").size(), response.at("load_forces").size());
+}
+
+TEST_F(Report, TellsTheTemperatureShift) {
+  const auto study_record = Json::parse(read_text(study.result("study.json")));
+  const auto& shift = study_record.at("materials").at(0).at("temperature_shift");
+  EXPECT_DOUBLE_EQ(shift.at("c1"), 6.5);
+  EXPECT_DOUBLE_EQ(shift.at("c2_K"), 120.0);
+  EXPECT_DOUBLE_EQ(shift.at("reference_K"), 273.15);
+  EXPECT_DOUBLE_EQ(shift.at("temperature_K"), 283.15);
+  EXPECT_FALSE(study_record.at("materials").at(1).contains("temperature_shift"));
+}
+
+TEST_F(Report, IsTheSameWhenWrittenAnew) {
+  const auto first = read_text(study.result("report.html"));
+  fs::remove(study.result("report.html"));
+  const auto outcome = report(study);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "out/report.html\n");
+  EXPECT_EQ(read_text(study.result("report.html")), first);
+}
+
+TEST_F(Report, RefusesWhatDoesNotBelongTogether) {
+  auto record = Json::parse(read_text(study.result("study.json")));
+  record["hash"] = "0123456789abcdef";
+  write_text(study.result("study.json"), record.dump());
+  const auto outcome = report(study);
+  EXPECT_EQ(outcome.exit_code, 4);
+  EXPECT_THAT(outcome.errors, HasSubstr("out/A/response.h5: of another study (hash "));
+}
+
+TEST_F(Report, RefusesWhatIsNoRecordOfAStudy) {
+  for (const auto* text :
+       {"{", "[]", "{}", R"({"title": 1, "hash": "", "stages": []})", R"({"title": "", "hash": ""})"}) {
+    write_text(study.result("study.json"), text);
+    const auto outcome = report(study);
+    EXPECT_EQ(outcome.exit_code, 4) << text;
+    EXPECT_THAT(outcome.errors, HasSubstr("out/study.json: not as `breccia run` writes it")) << text;
+  }
+}
+
+TEST(ReportCommand, SaysWhereThereAreNoResults) {
+  const StudyDirectory study(test::model_deck);
+  const auto nothing = report(study, ".");
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_EQ(nothing.errors, ".: no study.json, which `breccia run` leaves with its results\n");
+  study.write("sweep.json", "{}");
+  EXPECT_THAT(report(study, ".").errors, HasSubstr("each of its tasks has a directory and a report of its own"));
+  EXPECT_THAT(report(study, "nowhere").errors, HasSubstr("nowhere: no study.json"));
+}
+
+TEST(ReportCommand, AStudyThatIsPackedHasOneToo) {
+  const StudyDirectory study(test::model_deck);
+  ASSERT_EQ(study.breccia("pack").exit_code, 0);
+  EXPECT_EQ(report(study).exit_code, 0);
+  EXPECT_EQ(data_of(read_text(study.result("report.html"))).at("study").at("complete"), false);
+}
+
+}  // namespace
+}  // namespace breccia

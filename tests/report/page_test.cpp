@@ -1,0 +1,29 @@
+#include "breccia/report/page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(ReportPage, NeedsNoOtherFile) {
+  const auto page = report_page("T", "{}");
+  EXPECT_THAT(page, AllOf(HasSubstr("Plotly"), HasSubstr("--paper"), HasSubstr("default-src 'none'")));
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("<script src")), Not(HasSubstr("<link"))));
+  for (const auto* part : {"<!--TITLE-->", "<!--STYLE-->", "<!--DATA-->", "<!--LIBRARY-->", "<!--SCRIPTS-->"}) {
+    EXPECT_THAT(page, Not(HasSubstr(part)));
+  }
+}
+
+TEST(ReportPage, TextCannotLeaveItsPlace) {
+  const auto page = report_page("a </title><script>b & c", R"({"deck_text":"</script><script>d"})");
+  EXPECT_THAT(page, HasSubstr("<title>a &lt;/title>&lt;script>b &amp; c</title>"));
+  EXPECT_THAT(page, HasSubstr(R"({"deck_text":"\u003c/script>\u003cscript>d"}</script>)"));
+}
+
+}  // namespace
+}  // namespace breccia
