@@ -49,13 +49,15 @@ function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
   const isNarrow = document.body.clientWidth < 640;
   const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
+  const xHover = quantity.x === "time" ? "%{x:.3~s}s" : "%{x:.3~s} /s";
   return {
     paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
     margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
-    xaxis: logAxis(`${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
+    xaxis: {...logAxis(`${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
+      unifiedhovertitle: {text: xHover}},
     yaxis: logAxis(`${quantity.title}${unit}`, curves.flatMap((curve) => curve.y)), uirevision: quantity.name,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
-    legend: {orientation: "h", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
+    legend: {orientation: "h", traceorder: "normal", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
     dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
   };
 }

@@ -98,7 +98,7 @@ function showAgreement(results, stored) {
 
 function liveChoices(candidates, state, compute) {
   const rows = [];
-  const temperature = element("div", {});
+  const temperature = element("div", {className: "temperature"});
   const offer = () => temperature.replaceChildren(...temperatureChoice(state, compute));
   if (candidates.length > 1) {
     const select = element("select", {ariaLabel: "material", onchange: () => {
@@ -125,7 +125,7 @@ function temperatureChoice(state, compute) {
     if (!isKnown) return void (reading.textContent = "give the three constants of the WLF law to move it");
     const kelvin = Number(slider.value) + zeroCelsius;
     state.decades = decadesOfShift(law, kelvin) - decadesOfShift(law, law.temperature_K);
-    reading.textContent = ` ${Number(slider.value)} °C, relaxation times × ${Number((10 ** state.decades).toPrecision(3))}`;
+    reading.textContent = `${Number(slider.value)} °C, relaxation times × ${Number((10 ** state.decades).toPrecision(3))}`;
     compute();
   };
   const range = () => {
@@ -138,8 +138,8 @@ function temperatureChoice(state, compute) {
   slider.addEventListener("input", show);
   if (known !== undefined) {
     range();
-    reading.textContent = ` ${slider.value} °C, as in the run`;
-    return [`Temperature of ${state.material.name} `, slider, reading];
+    reading.textContent = `${slider.value} °C, as in the run`;
+    return [`Temperature of ${state.material.name}`, slider, reading];
   }
   const field = (label, take) => {
     const input = element("input", {type: "number", step: "any", ariaLabel: label, oninput: () => {
@@ -154,7 +154,7 @@ function temperatureChoice(state, compute) {
   const constants = element("div", {},
     field("c1", (value) => { law.c1 = value; }), field("c2 / K", (value) => { law.c2_K = value; }),
     field("temperature of the run / °C", (value) => { law.reference_K = law.temperature_K = value + zeroCelsius; }));
-  return [constants, `Temperature of ${state.material.name} `, slider, reading];
+  return [constants, `Temperature of ${state.material.name}`, slider, reading];
 }
 
 /// A pasted spectrum; throws an Error that names the line.

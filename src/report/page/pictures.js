@@ -38,6 +38,8 @@ function makeZoomable(frame, image) {
     show();
   };
   frame.addEventListener("wheel", (event) => {
+    // The wheel alone scrolls the page; with Ctrl it is also what browsers make of a pinch.
+    if (!event.ctrlKey) return;
     event.preventDefault();
     const {left, top} = frame.getBoundingClientRect();
     zoomAt(Math.exp(-0.002 * event.deltaY), event.clientX - left, event.clientY - top);
