@@ -17,8 +17,9 @@ string(REPLACE "<!--LIBRARY-->" "${library}" page "${page}")
 # As numbers, because compilers limit the length of a literal and what may stand in it.
 file(WRITE "${OUTPUT}.html" "${page}")
 file(READ "${OUTPUT}.html" bytes HEX)
-string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
-string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes "${bytes}")
+string(REPEAT "." 40 line)
+string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
 file(WRITE "${OUTPUT}" "#include \"page_template.hpp\"
 
 namespace breccia {

@@ -115,7 +115,8 @@ function curvesOfProny() {
 }
 
 function allCurves() {
-  const tested = [...curvesInTime("curves.csv", "modulus_Pa"), ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
+  const tested = [...curvesInTime("curves.csv", "modulus_Pa"),
+    ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
   addBands(tested);
   return [...tested, ...curvesOfProny(), ...measuredCurves(), ...matrixCurves()];
 }

@@ -2,10 +2,6 @@
 
 /// What all figures share: colours of the page, axes, buttons, files to keep.
 
-function pageColour(name) {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
-}
-
 /// On paper the page is light, whatever the screen is.
 const printing = {now: false};
 
@@ -41,7 +37,8 @@ function logAxis(title, values) {
   const seen = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
   const [least, most] = seen.length > 0 ? [Math.min(...seen), Math.max(...seen)] : [0, 1];
   const room = 0.04 * (most - least) + 0.02;
-  return {type: "log", range: [least - room, most + room], dtick: most - least > 2 ? 1 : "D2", title: {text: title, standoff: 8}, exponentformat: "power", gridcolor: line,
+  return {type: "log", range: [least - room, most + room], dtick: most - least > 2 ? 1 : "D2",
+    title: {text: title, standoff: 8}, exponentformat: "power", gridcolor: line,
     linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true};
 }
 

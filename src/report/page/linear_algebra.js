@@ -69,7 +69,8 @@ function nonNegativeLeastSquares(columns, right) {
     const residual = residualOf(columns, right, x);
     const slopes = columns.map((column, j) => (isFree[j] ? 0 : dot(column, residual) / lengths[j]));
     // Those that rounding keeps from rising are passed over.
-    const candidates = slopes.flatMap((slope, j) => (slope > tolerance ? [j] : [])).sort((a, b) => slopes[b] - slopes[a]);
+    const candidates = slopes.flatMap((slope, j) => (slope > tolerance ? [j] : []))
+      .sort((a, b) => slopes[b] - slopes[a]);
     if (!candidates.some((j) => moveToOptimum(columns, right, x, isFree, j))) break;
   }
   return x;

@@ -44,7 +44,8 @@ function limitsOfCells(grids) {
 /// limit of coarse grids is not at long times.
 function firstSound(variables, moduli) {
   const rounding = 1e-6;
-  const isSound = (j) => moduli[j] > 0 && moduli[j + 1] / moduli[j] < (variables[j + 1] / variables[j]) * (1 + rounding);
+  const isSound = (j) => moduli[j] > 0 &&
+    moduli[j + 1] / moduli[j] < (variables[j + 1] / variables[j]) * (1 + rounding);
   let first = moduli.length - 1;
   while (first > 0 && isSound(first - 1)) --first;
   return first;
@@ -74,8 +75,8 @@ function timesInRange(responses, variables, matrix, window) {
   return {window: [begin, end], refusal: refusals[0]};
 }
 
-/// G(t) of every stage and boundary with other materials (by name, {bulk, shear}): [{stage, boundary, window, modulus}],
-/// the last a function of time, and where the matrix leaves the sampled range, `refusal`.
+/// G(t) of every stage and boundary with other materials (by name, {bulk, shear}): [{stage, boundary, window,
+/// modulus}], the last a function of time, and where the matrix leaves the sampled range, `refusal`.
 function respond(materials) {
   const margin = 30;
   const allVariables = logarithmic(1 / (margin * study.times_s[1]), margin / study.times_s[0], 10);

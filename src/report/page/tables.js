@@ -6,10 +6,11 @@ function wordsOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
   if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
   const {particles, fraction} = stage.microstructure;
-  return `${particles} particles of ${stage.filler} fill ${percent2(fraction)} of ${box} of ${stage.matrix}`;
+  return `${particles} particles of ${stage.filler} fill ${percentOfBox(fraction)} of ${box} of ${stage.matrix}`;
 }
 
-function percent2(share) {
+/// Shares of areas.
+function percentOfBox(share) {
   return `${(100 * share).toFixed(1)} %`;
 }
 
@@ -97,7 +98,8 @@ function showQuality() {
     }
   };
   const what = ["stage", "load", "bound", "method"];
-  add("Errors in time, and of fits", "Relative. Error: of the reduced basis or of the time steps; the grid is not in it.",
+  add("Errors in time, and of fits",
+    "Relative. Error: of the reduced basis or of the time steps; the grid is not in it.",
     [...what, "cells", "error", "fit", "snapshots"],
     tests.filter(({test}) => test.error_estimate !== undefined || test.fit_error !== undefined)
       .map(({stage, test}) => [...nameOfTest(stage, test), String(test.cells), percent(test.error_estimate),
@@ -144,7 +146,7 @@ function showProvenance() {
     ["wall time", seconds === null || seconds === undefined ? "not complete" : `${Number(seconds.toPrecision(3))} s`],
   ].map((row) => row.map(String))));
   place.append(table(["stage", "particles", "fraction", "smallest gap", "gap in cells", "seed", "packed in"],
-    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percent2(made.fraction),
+    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percentOfBox(made.fraction),
       made.smallest_gap_m === null ? "" : display(made.smallest_gap_m, "m", 3),
       made.smallest_gap_cells === null ? "" : String(Number(made.smallest_gap_cells.toPrecision(3))),
       String(made.seed ?? ""), display(made.wall_time_s, "s", 2)])));
