@@ -108,6 +108,9 @@ function addTimeDomains(layout, shown) {
     one.load === load);
   if (test === undefined) return;
   const isNarrow = document.body.clientWidth < 640;
+  // Room for the labels above the curves.
+  const [least, most] = layout.yaxis.range;
+  if (!isNarrow) layout.yaxis.range = [least, most + 0.1 * (most - least)];
   test.time_domains.forEach(({valid_s: [begin, end], density_factor: factor}, i) => {
     layout.shapes.push({type: "rect", xref: "x", yref: "paper", x0: begin, x1: end, y0: 0, y1: 1, layer: "below",
       line: {width: 0}, fillcolor: i % 2 === 0 ? "#4477aa" : "#998866", opacity: 0.13});
