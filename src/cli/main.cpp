@@ -1,8 +1,11 @@
+#include <chrono>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <string_view>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -56,42 +59,44 @@ int run(int argc, char** argv) {
   return static_cast<int>(breccia::ExitCode::done);
 }
 
-/// Says what went wrong, and returns the exit code. Of several processes that read the same deck one says it.
-int fail(std::string_view message, breccia::ExitCode exit_code) {
-  if (breccia::parallel::rank() == 0) fmt::print(stderr, "{}\n", message);
-  return static_cast<int>(exit_code);
-}
+struct Outcome {
+  breccia::ExitCode exit_code = breccia::ExitCode::done;
+  std::string failure = {};  ///< what went wrong; empty when it has been said, or nothing has
+};
 
-/// The same for what may happen to one of several processes alone.
-int fail_alone(const std::string& message, breccia::ExitCode exit_code) {
-  const bool is_alone = breccia::parallel::ranks() == 1;
-  fmt::print(stderr, "{}{}\n", is_alone ? "" : fmt::format("process {}: ", breccia::parallel::rank()), message);
-  return static_cast<int>(exit_code);
-}
-
-int guarded_run(int argc, char** argv) {
+Outcome guarded_run(int argc, char** argv) {
   using breccia::ExitCode;
   try {
     if (breccia::parallel::is_under_mpirun()) breccia::parallel::start();
-    return run(argc, argv);
+    return {static_cast<ExitCode>(run(argc, argv))};
   } catch (const breccia::Error& error) {
-    return fail(error.what(), error.exit_code());
+    return {error.exit_code(), error.what()};
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail_alone(fmt::format("breccia: {}", error.what()), ExitCode::file_failure);
+    return {ExitCode::file_failure, fmt::format("breccia: {}", error.what())};
   } catch (const std::bad_alloc&) {
-    return fail_alone("not enough memory for this deck; `breccia check` tells how much it takes",
-                      ExitCode::numerical_failure);
+    return {ExitCode::numerical_failure, "not enough memory for this deck; `breccia check` tells how much it takes"};
   } catch (const std::exception& error) {
-    return fail_alone(fmt::format("breccia: internal error: {}", error.what()), ExitCode::numerical_failure);
+    return {ExitCode::numerical_failure, fmt::format("breccia: internal error: {}", error.what())};
   }
+}
+
+/// Of several processes that fail alike the first says so and ends all. One that fails alone is still there after a
+/// while: it speaks for itself, and ends the others, which may be waiting for it.
+void end_all(const Outcome& outcome) {
+  const int rank = breccia::parallel::rank();
+  constexpr std::chrono::seconds while_the_first_speaks(3);
+  if (rank > 0) std::this_thread::sleep_for(while_the_first_speaks);
+  if (!outcome.failure.empty()) {
+    fmt::print(stderr, "{}{}\n", rank > 0 ? fmt::format("process {}: ", rank) : "", outcome.failure);
+  }
+  if (breccia::parallel::ranks() > 1) breccia::parallel::abort(static_cast<int>(outcome.exit_code));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int exit_code = guarded_run(argc, argv);
-  // The others may be waiting for a process that has failed.
-  if (exit_code != 0 && breccia::parallel::ranks() > 1) breccia::parallel::abort(exit_code);
+  const auto outcome = guarded_run(argc, argv);
+  if (outcome.exit_code != breccia::ExitCode::done) end_all(outcome);
   breccia::parallel::stop();
-  return exit_code;
+  return static_cast<int>(outcome.exit_code);
 }
