@@ -15,11 +15,6 @@ double distance_from_one(const ComparedSample& sample) {
   return std::abs(std::log(sample.ratio()));
 }
 
-/// As tables name the grid of a result.
-std::string grid_name(int cells) {
-  return cells == 0 ? "extrapolated" : std::to_string(cells);
-}
-
 }  // namespace
 
 const ComparedSample& Comparison::best() const {
@@ -60,7 +55,7 @@ void write_comparisons(const std::filesystem::path& directory, const StudyResult
         stages.push_back(stage.name);
         boundaries.push_back(name_of(comparison.boundary));
         methods.push_back(name_of(comparison.method));
-        cells.push_back(grid_name(comparison.cells));
+        cells.push_back(name_of_grid(comparison.cells));
         measurements.push_back(comparison.measurement);
         times.push_back(sample.time);
         moduli.push_back(sample.modulus);

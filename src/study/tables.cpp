@@ -19,7 +19,7 @@ struct TestColumns {
     loads.push_back(name_of(test.load));
     boundaries.push_back(name_of(test.boundary));
     methods.push_back(name_of(test.method));
-    cells.push_back(test.cells == 0 ? "extrapolated" : std::to_string(test.cells));
+    cells.push_back(name_of_grid(test.cells));
   }
 };
 

@@ -140,5 +140,7 @@ std::string name_of(Boundary boundary);
 std::string name_of(Method method);
 /// "upper bound", "lower bound" or "periodic".
 std::string bound_of(Boundary boundary);
+/// The cells per side of a grid as tables have them: a number, or "extrapolated" for 0.
+std::string name_of_grid(int cells);
 
 }  // namespace breccia
