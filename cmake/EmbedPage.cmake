@@ -1,7 +1,7 @@
-# Puts the page of the report together, and makes a C++ source of it:
+# Puts a page of the report together, and makes a C++ source of it with a function that returns it:
 #
-#   cmake -D PAGE=page.html -D STYLE=style.css -D LIBRARY=plot.js -D "SCRIPTS=a.js;b.js" -D OUTPUT=page_template.cpp
-#     -P EmbedPage.cmake
+#   cmake -D PAGE=page.html -D STYLE=style.css -D LIBRARY=plot.js -D "SCRIPTS=a.js;b.js" -D FUNCTION=page_template
+#     -D OUTPUT=page_template.cpp -P EmbedPage.cmake
 file(READ "${PAGE}" page)
 file(READ "${STYLE}" style)
 file(READ "${LIBRARY}" library)
@@ -20,7 +20,7 @@ file(READ "${OUTPUT}.html" bytes HEX)
 string(REPEAT "." 40 line)
 string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
-file(WRITE "${OUTPUT}" "#include \"page_template.hpp\"
+file(WRITE "${OUTPUT}" "#include \"page_templates.hpp\"
 
 namespace breccia {
 namespace {
@@ -31,7 +31,7 @@ ${bytes}
 
 }  // namespace
 
-std::string_view page_template() {
+std::string_view ${FUNCTION}() {
   return {reinterpret_cast<const char*>(bytes), sizeof bytes};
 }
 

@@ -76,7 +76,7 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, Progress& progre
   const auto result = run_sweep(sweep, directory, {arguments.threads, arguments.resume}, narrate(sweep, progress));
   progress.print(closing_table(sweep, result));
   progress.print(fmt::format("Results are in {}", directory.string()));
-  for (const auto* file : {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
+  for (const auto* file : {"report.html", "sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
     if (std::filesystem::exists(directory / file)) progress.print(fmt::format("  {}", (directory / file).string()));
   }
   refuse_failures(sweep, result);

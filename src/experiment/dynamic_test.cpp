@@ -30,6 +30,7 @@ DomainRules rules_of(const DynamicTest& test) {
   rules.density = mean_density(test.discretisation, test.materials);
   rules.times = test.times;
   rules.density_factors = test.options.density_factors;
+  rules.overlap = test.options.overlap;
   return rules;
 }
 

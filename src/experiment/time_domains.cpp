@@ -67,7 +67,8 @@ bool DomainSequence::observe(double time, double modulus) {
   }
   window_->end = time;
   if (time >= rules_.times.end) {
-    complete_ = true;
+    // Given factors all have their run, as far as it counts.
+    complete_ = rules_.density_factors.empty() || !next_admissible_;
     return false;
   }
   // Earlier times are known from the domain before.
@@ -106,7 +107,7 @@ void DomainSequence::advance() {
     if (given_ + 1 < rules_.density_factors.size()) ++given_;
   }
   const double begin = next_admissible_ ? *next_admissible_ : window_->end / rules_.overlap;
-  if (window_->end <= furthest_) {
+  if (rules_.density_factors.empty() && window_->end <= furthest_) {
     throw NumericalError(
         fmt::format("time domains: none with a smaller density factor goes beyond {:.3e} s; likely causes: ringing "
                     "after too short a "

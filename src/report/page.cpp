@@ -6,7 +6,7 @@
 
 #include "breccia/error.hpp"
 
-#include "page_template.hpp"
+#include "page_templates.hpp"
 
 namespace breccia {
 namespace {
@@ -39,12 +39,20 @@ std::pair<std::string_view, std::string_view> split_at(std::string_view text, st
   return {text.substr(0, at), text.substr(at + marker.size())};
 }
 
-}  // namespace
-
-std::string report_page(std::string_view title, std::string_view data) {
-  const auto [before_title, after_title] = split_at(page_template(), "<!--TITLE-->");
+std::string filled(std::string_view page, std::string_view title, std::string_view data) {
+  const auto [before_title, after_title] = split_at(page, "<!--TITLE-->");
   const auto [before_data, after_data] = split_at(after_title, "<!--DATA-->");
   return fmt::format("{}{}{}{}{}", before_title, as_html(title), before_data, as_script(data), after_data);
+}
+
+}  // namespace
+
+std::string study_page(std::string_view title, std::string_view data) {
+  return filled(study_page_template(), title, data);
+}
+
+std::string sweep_page(std::string_view title, std::string_view data) {
+  return filled(sweep_page_template(), title, data);
 }
 
 }  // namespace breccia

@@ -86,6 +86,7 @@ DynamicOptions read_dynamic(const Section& section) {
   options.creep_ramp_transits =
       section.optional_number("creep_ramp_transits", Range::not_negative()).value_or(options.creep_ramp_transits);
   options.density_factors = read_density_factors(section);
+  options.overlap = section.optional_number("overlap", Range::above_and_up_to(1.0, 1e6)).value_or(options.overlap);
   options.reduction_tolerance =
       section.optional_number("reduction_tolerance", Range::between(0.0, 1.0)).value_or(options.reduction_tolerance);
   return options;

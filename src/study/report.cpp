@@ -8,6 +8,8 @@
 #include "breccia/report/page.hpp"
 #include "breccia/study/respond.hpp"
 
+#include "history_file.hpp"
+#include "report_data.hpp"
 #include "results.hpp"
 
 namespace breccia {
@@ -41,34 +43,46 @@ Json json_of(const StoredResponses::Entry& entry) {
           {"snapshots", std::move(snapshots)}};
 }
 
+void refuse_foreign(const fs::path& file, const std::string& its_hash, const std::string& hash) {
+  if (its_hash == hash) return;
+  throw FileError(
+      fmt::format("{}: of another study (hash {}) than study.json (hash {})", file.string(), its_hash, hash));
+}
+
 Json responses_of(const fs::path& file, const std::string& hash) {
   const auto stored = read_responses(file);
-  if (stored.deck_hash != hash) {
-    throw FileError(
-        fmt::format("{}: of another study (hash {}) than study.json (hash {})", file.string(), stored.deck_hash, hash));
-  }
+  refuse_foreign(file, stored.deck_hash, hash);
   Json responses = Json::array();
   for (const auto& entry : stored.entries) responses.push_back(json_of(entry));
   return responses;
 }
 
-Json read_study_record(const fs::path& directory) {
-  const auto file = directory / "study.json";
-  if (fs::is_regular_file(file)) {
-    auto study = Json::parse(read_text(file), nullptr, false);
-    if (study.is_object()) return study;
-    throw FileError(fmt::format("{}: not as `breccia run` writes it", file.string()));
+/// The history of each time domain of a stage, thinned.
+Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
+  Json histories = Json::array();
+  for (const auto& test : stage.at("tests")) {
+    const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
+    for (std::size_t number = 1; number <= domains; ++number) {
+      const auto name = fmt::format("{}-{}-dynamic-{}-{}.h5", test.at("load").get<std::string>(),
+                                    test.at("boundary").get<std::string>(), test.at("cells").get<int>(), number);
+      const auto file = directory / name;
+      if (!fs::exists(file)) continue;
+      const auto history = outline_of(read_history(file));
+      refuse_foreign(file, history.deck_hash, hash);
+      histories.push_back({{"load", test.at("load")},
+                           {"boundary", test.at("boundary")},
+                           {"cells", test.at("cells")},
+                           {"domain", number - 1},
+                           {"time_s", rounded(history.times)},
+                           {"value", rounded(history.values)}});
+    }
   }
-  const bool is_sweep = fs::is_regular_file(directory / "sweep.json");
-  throw InputError(fmt::format("{}: {}", directory.string(),
-                               is_sweep
-                                   ? "the results of a sweep: each of its tasks has a directory and a report of its own"
-                                   : "no study.json, which `breccia run` leaves with its results"));
+  return histories;
 }
 
 /// Everything that the page shows, as it is on the disk.
 Json data_of(const fs::path& directory, Json study) {
-  Json tables = Json::object(), pictures = Json::object(), responses = Json::object();
+  Json tables = Json::object(), pictures = Json::object(), responses = Json::object(), histories = Json::object();
   auto names = curve_files();
   names.emplace_back("comparison.csv");
   for (const auto& name : names) {
@@ -80,27 +94,30 @@ Json data_of(const fs::path& directory, Json study) {
     const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
     if (fs::exists(picture)) pictures[name] = read_text(picture);
     if (fs::exists(response)) responses[name] = responses_of(response, hash);
+    histories[name] = histories_of(directory / name, stage, hash);
   }
   return {{"study", std::move(study)},
           {"tables", std::move(tables)},
           {"pictures", std::move(pictures)},
-          {"responses", std::move(responses)}};
+          {"responses", std::move(responses)},
+          {"histories", std::move(histories)}};
 }
 
 }  // namespace
 
-void write_report(const std::filesystem::path& directory) {
-  auto study = read_study_record(directory);
-  std::string title;
-  Json data;
-  try {
-    title = study.at("title").get<std::string>();
-    data = data_of(directory, std::move(study));
-  } catch (const Json::exception& error) {
-    throw FileError(
-        fmt::format("{}: not as `breccia run` writes it: {}", (directory / "study.json").string(), error.what()));
+void write_study_report(const fs::path& directory) {
+  write_page(directory, "study.json", study_page, [&](Json study) { return data_of(directory, std::move(study)); });
+}
+
+void write_report(const fs::path& directory) {
+  if (fs::is_regular_file(directory / "sweep.json")) {
+    write_sweep_report(directory);
+  } else if (fs::is_regular_file(directory / "study.json")) {
+    write_study_report(directory);
+  } else {
+    throw InputError(fmt::format("{}: no study.json or sweep.json, which `breccia run` leaves with its results",
+                                 directory.string()));
   }
-  write_text(directory / "report.html", report_page(title, data.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 }  // namespace breccia

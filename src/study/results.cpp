@@ -8,9 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/csv.hpp"
-#include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/io/vtkhdf.hpp"
 #include "breccia/report/microstructure_picture.hpp"
 
@@ -27,39 +25,6 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
   write_csv(directory / "microstructure.csv", {{"x_m", x}, {"y_m", y}, {"diameter_m", diameters}},
             fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
   write_text(directory / "microstructure.svg", microstructure_picture(microstructure.microstructure));
-}
-
-void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                   const HistoryName& name, const TimeDomain& domain) {
-  std::vector<double> times, moduli;
-  for (const auto& [time, modulus] : domain.history) {
-    times.push_back(time);
-    moduli.push_back(modulus);
-  }
-  Hdf5Writer file(directory / fmt::format("{}-{}-dynamic-{}-{}.h5", name_of(name.load), name_of(name.boundary),
-                                          name.cells, name.number));
-  file.write("/history/time_s", times);
-  if (name.boundary == Boundary::traction) {
-    for (auto& value : moduli) value = 1.0 / value;
-    file.write("/history/compliance_1_per_Pa", moduli);
-  } else {
-    file.write("/history/modulus_Pa", moduli);
-  }
-  const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
-      {"deck_hash", study.hash},
-      {"stage", stage.name},
-      {"load", name_of(name.load)},
-      {"boundary", name_of(name.boundary)},
-      {"cells", std::int64_t{name.cells}},
-      {"density_factor", domain.density_factor},
-      {"time_step_s", domain.time_step},
-      {"ramp_s", domain.ramp},
-      {"steps", domain.steps},
-      {"valid_s", std::vector<double>{domain.window.begin, domain.window.end}},
-      {"active_terms", static_cast<std::int64_t>(domain.terms)},
-      {"reduction_error", domain.reduction_error}};
-  for (const auto& [attribute, value] : attributes) file.write_attribute("/history", attribute, value);
-  file.commit();
 }
 
 void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields) {

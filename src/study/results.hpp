@@ -12,18 +12,6 @@ namespace breccia {
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure);
 
-/// Which time domain a history is of.
-struct HistoryName {
-  Boundary boundary;
-  Load load;
-  int cells;           ///< per side
-  std::size_t number;  ///< from 1
-};
-
-/// Writes the history of one time domain as `<load>-<boundary>-dynamic-<cells>-<number>.h5`.
-void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                   const HistoryName& name, const TimeDomain& domain);
-
 /// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
 void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields);
 

@@ -20,6 +20,7 @@
 #include "stage_materials.hpp"
 #include "stage_plot.hpp"
 #include "stage_tests.hpp"
+#include "sweep_results.hpp"
 
 namespace breccia {
 namespace {
@@ -30,6 +31,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> old_results(const Study& study, const fs::path& directory) {
   auto names = curve_files();
   names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
+  std::ranges::copy(sweep_files(), std::back_inserter(names));
   for (const auto& stage : study.stages) {
     for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                              "fields.vtkhdf", "response.h5"}) {
@@ -210,12 +212,12 @@ StudyResult run_study(const Study& study, const fs::path& directory, int threads
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, threads, observer, result).run();
-    write_once([&] { write_report(directory); });
+    write_once([&] { write_study_report(directory); });
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_once([&] {
     write_provenance(directory, study, result);
-    write_report(directory);
+    write_study_report(directory);
   });
   return result;
 }

@@ -10,6 +10,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
+#include "history_file.hpp"
 #include "named_errors.hpp"
 #include "results.hpp"
 

@@ -6,6 +6,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
 
 #include "results.hpp"
@@ -70,6 +71,7 @@ class SweepRun {
     if (parallel::rank() != 0) return;
     write_sweep_tables(directory_, sweep_, result_);
     write_sweep_plot(directory_, sweep_, result_);
+    write_sweep_report(directory_);
   }
 
   const Sweep& sweep_;
@@ -86,7 +88,7 @@ SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory
   require_gnuplot();
   if (parallel::rank() == 0) {
     make_directory(directory);
-    remove_sweep_results(directory);
+    remove_files(directory, sweep_files());
   }
   return SweepRun(sweep, directory, options, observer).run();
 }

@@ -13,8 +13,8 @@ std::vector<TaskCurve> curves_of(const StudyResult& result);
 /// The curves that an earlier run has left in a directory. Throws FileError or InputError when they cannot be read.
 std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 
-/// Removes what an earlier sweep has left beside the directories of its tasks.
-void remove_sweep_results(const std::filesystem::path& directory);
+/// Names of the files that a sweep writes beside the directories of its tasks.
+std::vector<std::string> sweep_files();
 
 /// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);

@@ -143,16 +143,16 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
   Json keys = Json::array();
   for (const auto& key : sweep.keys) keys.push_back(key.path);
   const auto& study = sweep.tasks.front().study;
-  const Json json = {{"program", "breccia"},         {"version", BRECCIA_VERSION}, {"deck", study.deck.string()},
-                     {"deck_text", study.deck_text}, {"keys", std::move(keys)},    {"tasks", std::move(tasks)}};
+  const Json json = {{"program", "breccia"},        {"version", BRECCIA_VERSION},   {"title", study.title},
+                     {"deck", study.deck.string()}, {"deck_text", study.deck_text}, {"overrides", study.overrides},
+                     {"keys", std::move(keys)},     {"tasks", std::move(tasks)}};
   write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace
 
-void remove_sweep_results(const std::filesystem::path& directory) {
-  const std::vector<std::string> names = {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg"};
-  remove_files(directory, names);
+std::vector<std::string> sweep_files() {
+  return {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg", "report.html"};
 }
 
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {

@@ -22,6 +22,12 @@ function liveModulus(stage) {
   return trace.y[right - 1] * Math.pow(trace.y[right] / trace.y[right - 1], share);
 }
 
+function choose(id, text) {
+  const select = at(id);
+  select.selectedIndex = [...select.options].findIndex((option) => option.textContent === text);
+  select.dispatchEvent(new Event("change"));
+}
+
 function move(slider, value) {
   slider.value = value;
   slider.dispatchEvent(new Event("input"));
@@ -32,6 +38,21 @@ async function paste(text) {
   at("take-spectrum").click();
   await wait(100);
   return at("spectrum-complaint").textContent;
+}
+
+/// The page of a sweep.
+async function lookAtSweep() {
+  see("title", document.querySelector("h1").textContent);
+  see("curves", at("curve-plot").data.length);
+  see("links", document.querySelectorAll('#task-table a[href$="/report.html"]').length);
+  const last = at("key-plot").data.map((trace) => trace.y.at(-1));
+  move(at("key-slider"), 0);
+  await wait(100);
+  see("slider moves the time", at("key-plot").data.every((trace, i) => trace.y.at(-1) > last[i]));
+  choose("reference", "deviation from cells 12");
+  await wait(100);
+  see("curves compared", at("curve-plot").data.length);
+  see("coarse cells are stiffer", at("curve-plot").data.every((trace) => trace.y.every((value) => value > 0)));
 }
 
 async function look() {
@@ -63,6 +84,18 @@ async function look() {
   const picture = decodeURIComponent(await Plotly.toImage(at("curve-plot"), {format: "svg"}));
   see("figure as SVG", picture.includes("<svg"));
 
+  quantity.value = "shear";
+  quantity.dispatchEvent(new Event("change"));
+  choose("reference", "deviation from A, upper bound, quasi-static");
+  await wait(100);
+  const deviation = at("curve-plot").data.find((trace) => trace.name === "A, upper bound, dynamic");
+  see("dynamic within a per cent", deviation.y.every((value) => Math.abs(value) < 1));
+  const runs = () => at("runs-plot").data;
+  see("runs of the dynamic method", runs().some((trace) => trace.name.startsWith("ρ × ") && trace.x[0] > 0));
+  choose("runs-axis", "linear time, with the load");
+  await wait(100);
+  see("load beside the runs", runs().some((trace) => trace.name === "load" && Math.max(...trace.y) === 1));
+
   see("agreement", at("live-note").dataset.agreement);
   for (const stage of ["A", "B"]) see(`${stage} at 19 C`, liveModulus(stage));
   move(at("temperature"), 25);
@@ -81,15 +114,15 @@ async function look() {
 
   document.querySelector('button[aria-label="larger"]').click();
   see("zoomed picture", document.querySelector(".picture img").style.transform.includes("scale(1.5)"));
-  const fetched = performance.getEntriesByType("resource").filter((entry) => !/^(data|blob):/.test(entry.name));
-  see("fetched", fetched.length);
-  see("complaints", complaints.length === 0 ? 0 : complaints.join("; "));
-  seen.push("done");
 }
 
 addEventListener("load", async () => {
   try {
-    await look();
+    await (at("task-table") === null ? look() : lookAtSweep());
+    const fetched = performance.getEntriesByType("resource").filter((entry) => !/^(data|blob):/.test(entry.name));
+    see("fetched", fetched.length);
+    see("complaints", complaints.length === 0 ? 0 : complaints.join("; "));
+    seen.push("done");
   } catch (error) {
     seen.push(error.stack);
   }

@@ -97,10 +97,39 @@ TEST(ReportCommand, SaysWhereThereAreNoResults) {
   const StudyDirectory study(test::model_deck);
   const auto nothing = report(study, ".");
   EXPECT_EQ(nothing.exit_code, 2);
-  EXPECT_EQ(nothing.errors, ".: no study.json, which `breccia run` leaves with its results\n");
-  study.write("sweep.json", "{}");
-  EXPECT_THAT(report(study, ".").errors, HasSubstr("each of its tasks has a directory and a report of its own"));
+  EXPECT_EQ(nothing.errors, ".: no study.json or sweep.json, which `breccia run` leaves with its results\n");
   EXPECT_THAT(report(study, "nowhere").errors, HasSubstr("nowhere: no study.json"));
+}
+
+TEST(ReportCommand, OfASweepHoldsTheCurvesOfItsTasks) {
+  const StudyDirectory study(std::string(test::model_deck) + "[sweep]\n\"stages.A.cells\" = [8, 12]\n");
+  ASSERT_EQ(study.breccia("run", {"--set", "tests.method=quasistatic"}).exit_code, 0);
+  const auto first = read_text(study.result("report.html"));
+  const auto data = data_of(first);
+  EXPECT_EQ(data.at("sweep"), Json::parse(read_text(study.result("sweep.json"))));
+  ASSERT_EQ(data.at("curves").size(), 2U);
+  EXPECT_EQ(data.at("curves").at(1).at("task"), 1);
+  EXPECT_EQ(data.at("curves").at(1).at("cells"), "12");
+  EXPECT_EQ(data.at("curves").at(1).at("time_s").size(), data.at("curves").at(1).at("modulus_Pa").size());
+  EXPECT_EQ(report(study).exit_code, 0);
+  EXPECT_EQ(read_text(study.result("report.html")), first);
+  write_text(study.result("sweep.json"), R"({"title": ""})");
+  EXPECT_THAT(report(study).errors, HasSubstr("out/sweep.json: not as `breccia run` writes it"));
+  // A single run in its place leaves nothing of the sweep.
+  study.write("deck.toml", std::string(test::model_deck));
+  ASSERT_EQ(study.breccia("run", {"--set", "tests.method=quasistatic"}).exit_code, 0);
+  EXPECT_FALSE(fs::exists(study.result("sweep.json")));
+}
+
+TEST(ReportCommand, HoldsTheHistoriesOfDynamicRuns) {
+  const StudyDirectory study(test::model_deck);
+  ASSERT_EQ(study.breccia("run", {"--set", "stages.A.cells=8"}).exit_code, 0);
+  const auto data = data_of(read_text(study.result("report.html")));
+  const auto& runs = data.at("histories").at("A");
+  ASSERT_FALSE(runs.empty());
+  EXPECT_EQ(runs.at(0).at("load"), "shear");
+  EXPECT_EQ(runs.at(0).at("domain"), 0);
+  EXPECT_EQ(runs.at(0).at("time_s").size(), runs.at(0).at("value").size());
 }
 
 TEST(ReportCommand, AStudyThatIsPackedHasOneToo) {

@@ -46,7 +46,7 @@ TEST(Sweep, RunsEveryTaskLikeADeckWithOverrides) {
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, AllOf(HasSubstr("task 2 of 3: seed-2"), HasSubstr("mean and standard deviation")));
   EXPECT_THAT(study.results(), AllOf(Contains("seed-1/curves.csv"), Contains("seed-3/A/modulus.svg"),
-                                     Contains("sweep.svg"), Contains("spread.csv")));
+                                     Contains("sweep.svg"), Contains("spread.csv"), Contains("report.html")));
   EXPECT_THAT(states(study), ElementsAre("done", "done", "done"));
   EXPECT_THAT(read_text(study.result("sweep.svg")), HasSubstr("</svg>"));
   const StudyDirectory single(deck.substr(0, deck.find("[sweep]")));

@@ -63,6 +63,18 @@ TEST(DomainSequence, HandsOverWithTheOverlapThatIsAskedFor) {
   EXPECT_NEAR(domains[0].window.end, 90.0, 0.3);
 }
 
+TEST(DomainSequence, WithALongOverlapAllGivenFactorsRunToTheEnd) {
+  auto rules = unit_box({6.1, 1000.0}, {1.0, 100.0, 1e4, 1e6});
+  rules.overlap = 1e3;
+  const auto domains = walk(rules, one);
+  // The last factor would count from 6000 s on.
+  ASSERT_EQ(domains.size(), 3U);
+  for (std::size_t i = 0; i < domains.size(); ++i) {
+    EXPECT_NEAR(domains[i].window.begin / std::pow(10.0, static_cast<double>(i)), 6.0, 0.02);
+    EXPECT_NEAR(domains[i].window.end, 1000.0, 3.0);
+  }
+}
+
 TEST(DomainSequence, ChosenFactorsCoverTheTimesWithoutAGap) {
   const auto power_law = [](double t) { return std::pow(t, -0.6); };
   const auto domains = walk(unit_box({1e-6, 1e2}), power_law);

@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 TEST(ReportPage, NeedsNoOtherFile) {
-  const auto page = report_page("T", "{}");
+  const auto page = study_page("T", "{}");
   EXPECT_THAT(page, AllOf(HasSubstr("Plotly"), HasSubstr("--paper"), HasSubstr("default-src 'none'")));
   EXPECT_THAT(page, AllOf(Not(HasSubstr("<script src")), Not(HasSubstr("<link"))));
   for (const auto* part : {"<!--TITLE-->", "<!--STYLE-->", "<!--DATA-->", "<!--LIBRARY-->", "<!--SCRIPTS-->"}) {
@@ -19,8 +19,15 @@ TEST(ReportPage, NeedsNoOtherFile) {
   }
 }
 
+TEST(ReportPage, OfASweepIsAnother) {
+  const auto page = sweep_page("T", "{}");
+  EXPECT_THAT(page, AllOf(HasSubstr("Plotly"), HasSubstr("default-src 'none'"), HasSubstr("sweepFigure")));
+  EXPECT_THAT(page, Not(HasSubstr("<!--SCRIPTS-->")));
+  EXPECT_THAT(study_page("T", "{}"), Not(HasSubstr("sweepFigure")));
+}
+
 TEST(ReportPage, TextCannotLeaveItsPlace) {
-  const auto page = report_page("a </title><script>b & c", R"({"deck_text":"</script><script>d"})");
+  const auto page = study_page("a </title><script>b & c", R"({"deck_text":"</script><script>d"})");
   EXPECT_THAT(page, HasSubstr("<title>a &lt;/title>&lt;script>b &amp; c</title>"));
   EXPECT_THAT(page, HasSubstr(R"({"deck_text":"\u003c/script>\u003cscript>d"}</script>)"));
 }

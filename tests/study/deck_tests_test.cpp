@@ -78,6 +78,7 @@ start = "affine"
 courant = 1
 ramp = "0.1 ms"
 density_factors = [1, 4, 100]
+overlap = 50
 reduction_tolerance = 1e-4
 )"));
   EXPECT_THAT(given.loads, ElementsAre(Load::bulk, Load::shear));
@@ -88,6 +89,7 @@ reduction_tolerance = 1e-4
   EXPECT_EQ(given.dynamic.courant, 1.0);
   EXPECT_DOUBLE_EQ(given.dynamic.ramp_time.value(), 1e-4);
   EXPECT_THAT(given.dynamic.density_factors, ElementsAre(1.0, 4.0, 100.0));
+  EXPECT_EQ(given.dynamic.overlap, 50.0);
   EXPECT_EQ(given.dynamic.reduction_tolerance, 1e-4);
 }
 

@@ -19,7 +19,7 @@ struct DomainRules {
   TimeWindow times;                     ///< requested
   std::vector<double> density_factors;  ///< given, rising; empty: chosen
   double factor_ratio = 10.0;           ///< of neighbouring factors where they are chosen
-  double overlap = 1.5;                 ///< ratio of times that neighbouring windows share
+  double overlap = 1.5;                 ///< ratio of times for which a run goes on beside the next one
   double longest = 100.0;               ///< largest ratio of times in one domain, from where it is expected to be valid
 
   /// Largest density factor with which a run is valid at a time when the composite's shear modulus is `modulus` [Pa]:

@@ -19,6 +19,7 @@ struct DynamicOptions {
   double creep_ramp_transits = 5.0;          ///< the same of the traction's ramp, since a free boundary rings longer
   std::optional<double> ramp_time = {};      ///< the same as a time at density factor 1 [s]; overrides ramp_transits
   std::vector<double> density_factors = {};  ///< rising [-]; empty: chosen from the requested times
+  double overlap = 1.5;                      ///< ratio of times for which a run goes on beside the next one [-]
   double reduction_tolerance = 1e-3;         ///< relative error of G(t) that leaving out Prony terms may cause [-]
 };
 

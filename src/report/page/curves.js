@@ -3,18 +3,7 @@
 /// All curves of the study, each {quantity, stage, load, boundary, method, cells, role, label, x, y}, with `band` [half
 /// widths] where it is extrapolated. `role` tells what it is of: "stage", "matrix" or "measured".
 
-const boundNames = {displacement: "upper bound", traction: "lower bound", periodic: "periodic"};
-const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 const testColumns = ["stage", "load", "boundary", "method", "cells"];
-
-/// The quantities that can be shown, in their order.
-const quantities = [
-  {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
-  {name: "bulk", title: "Plane-strain bulk modulus K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
-  {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
-  {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "1/s", unit: "Pa"},
-  {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "1/s", unit: ""},
-];
 
 function labelOf(stage, curve) {
   const parts = [stage];
@@ -23,10 +12,6 @@ function labelOf(stage, curve) {
   if (curve.method !== undefined && methodsOfStudy().length > 1) parts.push(methodNames[curve.method]);
   if (curve.cells !== undefined && curve.cells !== bestGrid(stage)) parts.push(gridName(curve.cells));
   return parts.join(", ");
-}
-
-function gridName(cells) {
-  return cells === "extrapolated" ? "h → 0" : `${cells} cells`;
 }
 
 function methodsOfStudy() {
@@ -119,12 +104,4 @@ function allCurves() {
     ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
   addBands(tested);
   return [...tested, ...curvesOfProny(), ...measuredCurves(), ...matrixCurves()];
-}
-
-/// A curve as CSV.
-function csvOf(curves, quantity) {
-  const unit = quantity.unit === "Pa" ? "_Pa" : quantity.unit === "1/Pa" ? "_1_per_Pa" : "";
-  const x = quantity.x === "time" ? "time_s" : "angular_frequency_1_per_s";
-  const lines = curves.flatMap((curve) => curve.x.map((at, i) => `"${curve.label}",${at},${curve.y[i]}`));
-  return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
 }

@@ -4,6 +4,20 @@
 
 const dashes = {quasistatic: "solid", dynamic: "dash"};
 
+/// Hue by boundary, as in modulus.svg: blue above, red below, green between.
+const hues = {displacement: 205, traction: 18, periodic: 160};
+
+/// Later stages stand out more from the paper than earlier ones.
+function colourOf(curve) {
+  if (curve.role === "measured") return currentInks().ink;
+  if (curve.role === "matrix") return currentInks().faint;
+  const stages = study.stages.map((stage) => stage.name);
+  const rank = stages.length === 1 ? 1 : stages.indexOf(curve.stage) / (stages.length - 1);
+  const hue = hues[curve.boundary] + (curve.load === "shear-xx-yy" ? 70 : 0);
+  const lightness = isDark() ? 45 + 25 * rank : 70 - 32 * rank;
+  return `hsl(${hue}, 85%, ${lightness}%)`;
+}
+
 function curvesFigure(curves) {
   const plot = document.getElementById("curve-plot");
   const shown = {
@@ -14,6 +28,7 @@ function curvesFigure(curves) {
     loads: new Set(["shear", "shear-xx-yy", "bulk"]),
     grids: new Set(["best"]),
     extras: new Set(["measured", "matrix", "band", "domains"]),
+    reference: "",
   };
 
   const isShown = (curve) => {
@@ -28,30 +43,40 @@ function curvesFigure(curves) {
   };
 
   const lineOf = (curve) => {
-    if (curve.role === "matrix") return {dash: "dot", width: 1.6};
-    if (curve.role === "measured") return {width: 2.8};
+    const color = colourOf(curve);
+    if (curve.role === "matrix") return {color, dash: "dot", width: 1.6};
+    if (curve.role === "measured") return {color, width: 2.8};
     const isFine = curve.cells === undefined || curve.cells === bestGrid(curve.stage);
-    if (curve.part === "loss") return {dash: "dash"};
-    return {dash: dashes[curve.method] ?? "solid", width: isFine ? 2.2 : 1};
+    if (curve.part === "loss") return {color, dash: "dash"};
+    return {color, dash: dashes[curve.method] ?? "solid", width: isFine ? 2.2 : 1};
+  };
+
+  /// What is shown, and what it is.
+  const contents = () => {
+    const seen = curves.filter(isShown).map((curve) => {
+      const {band, ...plain} = curve;
+      return shown.extras.has("band") ? curve : plain;
+    });
+    const reference = curves.find((curve) => curve.label === shown.reference && curve.quantity === shown.quantity.name);
+    if (reference === undefined) return [seen, shown.quantity];
+    const compared = seen.filter((curve) => curve.role !== "matrix");
+    return [deviationsFrom(reference, compared), deviationOf(shown.quantity, reference.label)];
   };
 
   const draw = () => {
-    const layout = layoutOf(shown.quantity, curves.filter(isShown));
+    const [seen, quantity] = contents();
+    const layout = layoutOf(quantity, seen);
     if (shown.extras.has("domains") && shown.quantity.x === "time") addTimeDomains(layout, shown);
-    const traces = curves.filter(isShown).flatMap((curve) => {
-      const {band, ...plain} = curve;
-      return tracesOf(shown.extras.has("band") ? curve : plain, shown.quantity, lineOf(curve));
-    });
+    const traces = seen.flatMap((curve) => tracesOf(curve, quantity, lineOf(curve)));
     const unknown = shown.quantity.x !== "time" ? " From the Prony series, of the grid and method that tell most." : "";
-    document.getElementById("curve-note").textContent = noteOn(curves.filter(isShown)) + unknown;
+    document.getElementById("curve-note").textContent = noteOn(seen) + unknown;
     return Plotly.react(plot, traces, layout, plotOptions);
   };
 
   document.getElementById("curve-choices").append(...choicesOf(curves, shown, draw));
-  const name = () => `${study.title} ${shown.quantity.title}`;
+  const name = () => `${study.title} ${contents()[1].title}`;
   document.getElementById("curve-buttons").append(
-    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(curves.filter(isShown), shown.quantity),
-      "text/csv")}, "These curves as CSV"),
+    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(...contents()), "text/csv")}, "These curves as CSV"),
     element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
   listFiles(curves);
   return draw;
@@ -72,12 +97,27 @@ function noteOn(curves) {
 function choicesOf(curves, shown, draw) {
   const tests = study.stages.flatMap((stage) => stage.tests);
   const rows = [];
+  const reference = element("select", {id: "reference", ariaLabel: "compared with", onchange: () => {
+    shown.reference = reference.value;
+    draw();
+  }});
+  // A quantity has curves of its own to compare with; the same one stays if it is among them.
+  const offerReferences = () => {
+    const labels = curves.filter((curve) => curve.quantity === shown.quantity.name && curve.role !== "matrix")
+      .map((curve) => curve.label);
+    reference.replaceChildren(element("option", {value: ""}, "as it is"),
+      ...labels.map((label) => element("option", {value: label}, `deviation from ${label}`)));
+    shown.reference = labels.includes(shown.reference) ? shown.reference : "";
+    reference.value = shown.reference;
+  };
   const select = element("select", {id: "quantity", ariaLabel: "quantity", onchange: () => {
     shown.quantity = quantities.find((quantity) => quantity.name === select.value);
+    offerReferences();
     draw();
   }}, ...quantities.filter((quantity) => curves.some((curve) => curve.quantity === quantity.name))
     .map((quantity) => element("option", {value: quantity.name}, quantity.title)));
-  rows.push(select);
+  offerReferences();
+  rows.push(select, reference);
   const add = (title, names, isOn) => {
     if (names.length > 1) rows.push(chips(title, names, isOn, draw));
   };

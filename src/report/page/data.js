@@ -1,6 +1,7 @@
 "use strict";
 
-/// What `breccia` has put into the page: `study` (study.json), `tables` (the CSV files), `pictures` and `responses`.
+/// What `breccia` has put into the page (docs/results.md): of a run `study` (study.json), of a sweep `sweep` (sweep.json),
+/// `tables` (the CSV files), and more.
 const data = JSON.parse(document.getElementById("data").textContent);
 const study = data.study;
 

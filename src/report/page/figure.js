@@ -18,20 +18,6 @@ function currentInks() {
   return isDark() ? inks.dark : inks.light;
 }
 
-/// Hue by boundary, as in modulus.svg: blue above, red below, green between.
-const hues = {displacement: 205, traction: 18, periodic: 160};
-
-/// Later stages stand out more from the paper than earlier ones.
-function colourOf(curve) {
-  if (curve.role === "measured") return currentInks().ink;
-  if (curve.role === "matrix") return currentInks().faint;
-  const stages = study.stages.map((stage) => stage.name);
-  const rank = stages.length === 1 ? 1 : stages.indexOf(curve.stage) / (stages.length - 1);
-  const hue = hues[curve.boundary] + (curve.load === "shear-xx-yy" ? 70 : 0);
-  const lightness = isDark() ? 45 + 25 * rank : 70 - 32 * rank;
-  return `hsl(${hue}, 85%, ${lightness}%)`;
-}
-
 function logAxis(title, values) {
   const {faint, line} = currentInks();
   const seen = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
@@ -42,17 +28,37 @@ function logAxis(title, values) {
     linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true};
 }
 
+/// From the smallest to the largest value, zero among them.
+function linearAxis(title, values) {
+  const {faint, line} = currentInks();
+  const seen = [0, ...values.filter(Number.isFinite)];
+  const [least, most] = [Math.min(...seen), Math.max(...seen)];
+  const room = 0.05 * (most - least) || 1;
+  return {range: [least - room, most + room], title: {text: title, standoff: 8}, gridcolor: line, linecolor: faint,
+    zerolinecolor: faint, ticks: "outside", tickcolor: line, automargin: true, showline: true};
+}
+
+/// Shares of another curve are linear, all else logarithmic.
+function valueAxis(quantity, curves) {
+  const axis = quantity.unit === "%" ? linearAxis : logAxis;
+  const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
+  return axis(`${quantity.title}${unit}`, curves.flatMap((curve) => curve.y));
+}
+
+function valueText(value, quantity) {
+  return quantity.unit === "%" ? `${shortNumber(value)} %` : display(value, quantity.unit);
+}
+
 function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
   const isNarrow = document.body.clientWidth < 640;
-  const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
   const xHover = quantity.x === "time" ? "%{x:.3~s}s" : "%{x:.3~s} /s";
   return {
     paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
     margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
     xaxis: {...logAxis(`${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
       unifiedhovertitle: {text: xHover}},
-    yaxis: logAxis(`${quantity.title}${unit}`, curves.flatMap((curve) => curve.y)), uirevision: quantity.name,
+    yaxis: valueAxis(quantity, curves), uirevision: `${quantity.name} ${quantity.title}`,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
     legend: {orientation: "h", traceorder: "normal", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
     dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
@@ -62,20 +68,18 @@ function layoutOf(quantity, curves) {
 const plotOptions = {responsive: true, displaylogo: false,
   modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]]};
 
-/// The trace of a curve, and before it that of its band.
-function tracesOf(curve, quantity, line = {}) {
-  const colour = colourOf(curve);
-  const at = (i) => `${display(curve.y[i], quantity.unit)}`;
+/// The trace of a curve in a colour, and before it that of its band.
+function tracesOf(curve, quantity, line) {
   const common = {x: curve.x, mode: "lines", type: "scatter", name: curve.label};
   const traces = [];
   if (curve.band !== undefined) {
     const edge = {...common, hoverinfo: "skip", showlegend: false, line: {width: 0}};
     traces.push({...edge, y: curve.y.map((y, i) => Math.max(y - curve.band[i], 1e-3 * y))});
     traces.push({...edge, y: curve.y.map((y, i) => y + curve.band[i]), fill: "tonexty",
-      fillcolor: colour.replace("hsl", "hsla").replace(")", ", 0.18)")});
+      fillcolor: line.color.replace("hsl", "hsla").replace(")", ", 0.18)")});
   }
-  traces.push({...common, y: curve.y, text: curve.y.map((_, i) => at(i)), hovertemplate: "%{text}",
-    line: {color: colour, width: 2.2, ...line}});
+  traces.push({...common, y: curve.y, text: curve.y.map((y) => valueText(y, quantity)), hovertemplate: "%{text}",
+    line: {width: 2.2, ...line}});
   return traces;
 }
 
@@ -89,17 +93,6 @@ function element(tag, attributes = {}, ...children) {
   }
   made.append(...children);
   return made;
-}
-
-/// Hands the reader a file.
-function save(name, text, type) {
-  const url = URL.createObjectURL(new Blob([text], {type}));
-  element("a", {href: url, download: name}).click();
-  setTimeout(() => URL.revokeObjectURL(url), 1000);
-}
-
-function fileName(text, ending) {
-  return `${text.replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "")}.${ending}`;
 }
 
 /// The figure of a plot as SVG, in the colours of paper.
@@ -124,4 +117,16 @@ function chips(title, names, isOn, changed) {
     return element("label", {className: "chip"}, box, element("span", {}, label));
   });
   return element("fieldset", {}, element("span", {}, title), ...made);
+}
+
+/// Draws figures now, and anew where their colours change: with those of the screen, and on paper.
+function keepFigures(drawAll) {
+  drawAll();
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);
+  for (const [event, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
+    addEventListener(event, () => {
+      printing.now = isPrinting;
+      drawAll();
+    });
+  }
 }

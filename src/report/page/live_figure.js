@@ -19,9 +19,10 @@ function liveFigure(curves) {
   const draw = () => {
     const liveCurves = curvesOfResults(results);
     const curvesOfRun = results.map(stored).filter((curve) => curve !== undefined);
-    const traces = liveCurves.flatMap((curve) => tracesOf(curve, quantity));
+    const traces = liveCurves.flatMap((curve) => tracesOf(curve, quantity, {color: colourOf(curve)}));
     traces.push(...curvesOfRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`},
-      quantity, {dash: "dot", width: 1.3}).map((trace) => ({...trace, showlegend: false}))));
+      quantity,
+      {color: colourOf(curve), dash: "dot", width: 1.3}).map((trace) => ({...trace, showlegend: false}))));
     return Plotly.react(plot, traces, layoutOf(quantity, [...liveCurves, ...curvesOfRun]), plotOptions);
   };
 

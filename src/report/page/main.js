@@ -9,26 +9,9 @@ showDeck();
 showProvenance();
 
 const curvesOfStudy = allCurves();
-const figures = [];
-
-function drawAll() {
-  for (const draw of figures) draw();
-}
-
 if (curvesOfStudy.some((curve) => curve.role === "stage")) {
-  figures.push(curvesFigure(curvesOfStudy));
-  figures.push(liveFigure(curvesOfStudy));
-  drawAll();
+  const figures = [curvesFigure(curvesOfStudy), runsFigure(curvesOfStudy), liveFigure(curvesOfStudy)];
+  keepFigures(() => figures.forEach((draw) => draw()));
 } else {
   document.getElementById("curves").hidden = true;
 }
-
-matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);
-addEventListener("beforeprint", () => {
-  printing.now = true;
-  drawAll();
-});
-addEventListener("afterprint", () => {
-  printing.now = false;
-  drawAll();
-});

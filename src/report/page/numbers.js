@@ -22,7 +22,7 @@ function percent(share) {
 
 /// To three digits: "0.0103", "1.03e5".
 function shortNumber(value) {
-  const isPlain = value >= 1e-3 && value < 1e5;
+  const isPlain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e5);
   return isPlain ? String(Number(value.toPrecision(3))) : value.toExponential(2).replace("e+", "e");
 }
 

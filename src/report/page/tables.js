@@ -14,10 +14,6 @@ function percentOfBox(share) {
   return `${(100 * share).toFixed(1)} %`;
 }
 
-function listed(words) {
-  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
-}
-
 function showSummary() {
   document.getElementById("title").textContent = study.title;
   const tests = study.stages.flatMap((stage) => stage.tests);
@@ -42,16 +38,6 @@ function showWarnings() {
   const list = document.getElementById("warnings");
   list.append(...warnings.map((text) => element("li", {}, text)));
   list.hidden = warnings.length === 0;
-}
-
-/// A table; columns of numbers are set to the right, long texts may break.
-function table(heads, rows) {
-  const isNumber = heads.map((_, i) => rows.every((row) => /^[-–<]?[\d.]|^$|^∞/.test(row[i])));
-  const kind = (i, text) => ({className: isNumber[i] ? "number" : text.length > 40 ? "long" : ""});
-  const head = element("tr", {}, ...heads.map((text, i) => element("th", kind(i, ""), text)));
-  const body = rows.map((row) => element("tr", {}, ...row.map((text, i) => element("td", kind(i, text), text))));
-  return element("div", {className: "table"}, element("table", {}, element("thead", {}, head),
-    element("tbody", {}, ...body)));
 }
 
 /// Measured and computed moduli at whole decades, and where they agree best and worst.

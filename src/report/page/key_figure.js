@@ -1,0 +1,80 @@
+"use strict";
+
+/// The modulus at one time against a swept key that holds numbers.
+
+function keyFigure(curves, choice) {
+  const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1);
+  document.getElementById("key").hidden = keys.length === 0;
+  if (keys.length === 0) return () => {};
+  const plot = document.getElementById("key-plot");
+  const [begin, end] = [Math.min, Math.max].map((of) => of(...curves.flatMap((curve) => [curve.x[0], curve.x.at(-1)])));
+  const shown = {key: keys.at(-1), time: end};
+
+  const draw = () => {
+    const [seen, quantity] = sweepContents(curves, choice);
+    const lines = linesAgainst(shown.key, shown.time, seen, choice);
+    const layout = layoutOf({...quantity, xUnit: shown.key.unit || "–", x: shown.key.label}, lines);
+    const text = (curve, i) => `${shown.key.label} ${shown.key.values[curve.places[i]]}: ` +
+      valueText(curve.y[i], quantity);
+    const spread = Math.max(...shown.key.numbers) / Math.min(...shown.key.numbers);
+    layout.xaxis = {...layout.xaxis, ...keyAxis(shown.key, spread)};
+    layout.hovermode = "closest";
+    document.getElementById("key-time").textContent = `at ${display(shown.time, "s", 3)}`;
+    return Plotly.react(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter", mode: "lines+markers",
+      name: curve.label, text: curve.x.map((_, i) => text(curve, i)), hovertemplate: "%{text}",
+      line: {width: 2, ...curve.line}, marker: {size: 7}})), layout, plotOptions);
+  };
+
+  const slider = element("input", {type: "range", id: "key-slider", ariaLabel: "time", min: 0, max: 200, value: 200,
+    oninput: () => {
+      shown.time = begin * Math.pow(end / begin, slider.value / 200);
+      draw();
+    }});
+  if (keys.length > 1) {
+    const select = chooser("key-choice", "key", keys.map((key) => [key, `against ${key.label}`]), (key) => {
+      shown.key = key;
+      draw();
+    });
+    select.selectedIndex = keys.length - 1;
+    document.getElementById("key-choices").append(select);
+  }
+  document.getElementById("key-choices").append(slider, element("span", {id: "key-time"}));
+  document.getElementById("key-buttons").append(element("button", {onclick: () =>
+    saveFigure(plot, `${sweep.title} against ${shown.key.label}`, draw)}, "This figure as SVG"));
+  return draw;
+}
+
+function keyAxis(key, spread) {
+  const isLogarithmic = Math.min(...key.numbers) > 0 && spread >= 8;
+  const ends = [Math.min(...key.numbers), Math.max(...key.numbers)];
+  if (isLogarithmic) {
+    const room = 0.05 * Math.log10(spread);
+    return {type: "log", range: [Math.log10(ends[0]) - room, Math.log10(ends[1]) + room], tickvals: key.numbers,
+      ticktext: key.numbers.map(shortNumber), dtick: undefined};
+  }
+  const room = 0.05 * (ends[1] - ends[0]);
+  return {type: "linear", range: [ends[0] - room, ends[1] + room], dtick: undefined, exponentformat: "SI"};
+}
+
+/// A line for all shown curves that differ in the key alone; `places` are those of its values.
+function linesAgainst(key, time, seen, choice) {
+  const others = choice.dimensions.filter(({name}) => name !== key.path);
+  const groups = new Map();
+  for (const curve of seen) {
+    const value = valueAt(curve.x, curve.y, time);
+    const direct = curve.y[curve.x.findIndex((x) => Math.abs(x / time - 1) < 1e-6)];
+    const y = direct ?? value;
+    if (!Number.isFinite(y)) continue;
+    const name = others.map((one) => one.of(curve)).join("|");
+    if (!groups.has(name)) groups.set(name, {curve, points: []});
+    const place = key.values.indexOf(curve.values[key.path]);
+    groups.get(name).points.push([key.numbers[place], y, place]);
+  }
+  return [...groups.values()].map(({curve, points}) => {
+    points.sort(([a], [b]) => a - b);
+    const label = labelOfSweepCurve(curve, others, choice.values);
+    const coloured = choice.coloured?.name === key.path ? {color: undefined} : {};
+    return {label, x: points.map(([x]) => x), y: points.map(([, y]) => y), places: points.map(([, , place]) => place),
+      line: {...lineOfSweepCurve(curve, choice), ...coloured}};
+  });
+}

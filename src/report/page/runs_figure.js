@@ -1,0 +1,99 @@
+"use strict";
+
+/// The whole history of every run of a dynamic test: the ringing at its beginning, and where it counts.
+
+function runsFigure(curves) {
+  const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test, runs: runsOf(stage, test)})))
+    .filter(({runs}) => runs.length > 0);
+  document.getElementById("runs").hidden = tests.length === 0;
+  if (tests.length === 0) return () => {};
+  const plot = document.getElementById("runs-plot");
+  const shown = {of: tests[0], isLogarithmic: tests[0].runs.length > 1};
+
+  const quantityOf = ({test}) => quantities.find(({name}) => name ===
+    (test.boundary === "traction" ? "compliance" : test.load === "bulk" ? "bulk" : "shear"));
+
+  const draw = () => {
+    const quantity = quantityOf(shown.of);
+    const lines = shown.of.runs.flatMap((run, i) => linesOf(run, colourOfRun(i, shown.of.runs.length)));
+    const beside = curves.find((curve) => curve.quantity === quantity.name && curve.stage === shown.of.stage.name &&
+      curve.boundary === shown.of.test.boundary && curve.method === "quasistatic" &&
+      curve.cells === String(shown.of.test.cells));
+    if (beside !== undefined) {
+      lines.push({x: beside.x, y: beside.y, label: "quasi-static", line: {color: currentInks().ink, dash: "dot"}});
+    }
+    const isSeen = ({x}) => !shown.isLogarithmic || x > 0;
+    const seen = lines.map((curve) => {
+      const kept = curve.x.map((x, i) => ({x, y: curve.y[i]})).filter(isSeen);
+      return {...curve, x: kept.map(({x}) => x), y: kept.map(({y}) => y)};
+    });
+    const layout = shown.isLogarithmic ? layoutOf(quantity, seen) : linearLayout(quantity, seen);
+    const traces = seen.flatMap((curve) => tracesOf(curve, quantity, curve.line).map((trace) =>
+      ({...trace, showlegend: curve.isNamed ?? true})));
+    if (!shown.isLogarithmic) traces.push(loadTrace(shown.of));
+    return Plotly.react(plot, traces, layout, plotOptions);
+  };
+
+  const nameOf = ({stage, test}) => nameOfTest(stage, test).concat(gridName(test.cells)).join(", ");
+  const select = element("select", {id: "runs-test", ariaLabel: "test", onchange: () => {
+    shown.of = tests.find((one) => nameOf(one) === select.value);
+    draw();
+  }}, ...tests.map((one) => element("option", {value: nameOf(one)}, nameOf(one))));
+  const axis = element("select", {id: "runs-axis", ariaLabel: "time axis", onchange: () => {
+    shown.isLogarithmic = axis.value === "logarithmic";
+    draw();
+  }}, element("option", {value: "logarithmic"}, "logarithmic time"),
+    element("option", {value: "linear"}, "linear time, with the load"));
+  axis.value = shown.isLogarithmic ? "logarithmic" : "linear";
+  document.getElementById("runs-choices").append(...(tests.length > 1 ? [select] : []), axis);
+  document.getElementById("runs-buttons").append(element("button", {onclick: () =>
+    saveFigure(plot, `${study.title} runs of ${nameOf(shown.of)}`, draw)}, "This figure as SVG"));
+  return draw;
+}
+
+/// The runs of a test with what study.json says about each.
+function runsOf(stage, test) {
+  if (test.time_domains === undefined) return [];
+  return (data.histories[stage.name] ?? [])
+    .filter((run) => run.load === test.load && run.boundary === test.boundary && run.cells === test.cells)
+    .map((run) => ({...run, ...test.time_domains[run.domain]}));
+}
+
+function colourOfRun(i, count) {
+  return `hsl(${count === 1 ? 205 : 250 - 225 * i / (count - 1)}, 75%, ${isDark() ? 62 : 42}%)`;
+}
+
+/// A run: thin where it does not count.
+function linesOf(run, color) {
+  const label = `ρ × ${shortNumber(run.density_factor)}`;
+  const [begin, end] = run.valid_s;
+  const within = run.time_s.map((t, i) => [t, run.value[i]]).filter(([t]) => t >= begin && t <= end);
+  return [
+    {x: run.time_s, y: run.value, label: `${label}, all of it`, isNamed: false, line: {color, width: 0.8}},
+    {x: within.map(([t]) => t), y: within.map(([, y]) => y), label, line: {color, width: 2.4}},
+  ];
+}
+
+/// The load above, the response below, over the same time.
+function linearLayout(quantity, curves) {
+  const layout = layoutOf(quantity, curves);
+  const {yaxis, xaxis} = layout;
+  const times = curves.flatMap((curve) => curve.x);
+  return {...layout, uirevision: `${quantity.name} linear`,
+    xaxis: {...xaxis, type: "linear", range: [Math.min(...times), Math.max(...times)], dtick: undefined,
+      exponentformat: "SI"},
+    yaxis: {...yaxis, ...linearAxis(yaxis.title.text, curves.flatMap((curve) => curve.y)), type: "linear",
+      dtick: undefined, exponentformat: "SI", domain: [0, 0.7]},
+    yaxis2: {...linearAxis("load applied", [1]), domain: [0.78, 1]},
+  };
+}
+
+/// The share of the load that is applied, a raised cosine over the ramp of the last run.
+function loadTrace({runs}) {
+  const {ramp_s: ramp, time_s: times} = runs.at(-1);
+  const half = ramp / 2;
+  const x = [Math.min(-half, times[0]), ...Array.from({length: 41}, (_, i) => half * (i / 20 - 1)), times.at(-1)];
+  const share = (t) => t <= -half ? 0 : t >= half ? 1 : 0.5 * (1 + Math.sin(Math.PI * t / ramp));
+  return {x, y: x.map(share), yaxis: "y2", mode: "lines", name: "load", showlegend: false, hoverinfo: "skip",
+    line: {color: currentInks().ink, width: 1.6}};
+}

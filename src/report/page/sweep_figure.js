@@ -1,0 +1,117 @@
+"use strict";
+
+/// The figure with the curves of all tasks. What is chosen for it holds for the figure against a key too.
+
+/// Colours that can be told apart, for keys without order.
+const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999", "#bb5500", "#777777"];
+
+/// What is shown: `values` by dimension, the dimension that colours tell, and what the curves are compared with.
+function sweepChoice(curves) {
+  const dimensions = dimensionsOf(curves);
+  const coloured = dimensions.findLast(({name}) => sweep.keys.includes(name)) ?? dimensions.at(-1);
+  const isKept = ({name}) => name !== "stage";
+  const values = Object.fromEntries(dimensions.map((one) => [one.name,
+    new Set(isKept(one) ? one.values : one.values.slice(-1))]));
+  return {dimensions, values, coloured, reference: undefined,
+    quantity: quantities.find(({name}) => name === curves[0].quantity)};
+}
+
+/// What is shown, as it is or as deviations, and what it is.
+function sweepContents(curves, choice) {
+  const {dimensions, values, quantity, reference} = choice;
+  const seen = curves.filter((curve) => curve.quantity === quantity.name &&
+    dimensions.every((one) => values[one.name].has(one.of(curve))))
+    .map((curve) => ({...curve, label: labelOfSweepCurve(curve, dimensions, values)}));
+  if (reference === undefined) return [seen, quantity];
+  const {dimension, value} = reference;
+  const compared = seen.filter((curve) => dimension.of(curve) !== value).flatMap((curve) => {
+    const partner = partnerOf(curve, dimension, value, curves, dimensions);
+    return partner === undefined ? [] : deviationsFrom(partner, [curve]);
+  });
+  return [compared, deviationOf(quantity, nameOfValue(dimension, value))];
+}
+
+function nameOfValue(dimension, value) {
+  return typeof value === "string" ? dimension.textOf(value) : `${dimension.label} ${value}`;
+}
+
+/// Only what tells the shown curves apart.
+function labelOfSweepCurve(curve, dimensions, values) {
+  return dimensions.filter(({name}) => values[name].size > 1)
+    .map((one) => nameOfValue(one, one.of(curve))).join(", ") || sweep.title;
+}
+
+function colourOfSweepCurve(curve, {coloured}) {
+  if (coloured === undefined) return palette[0];
+  const i = coloured.values.indexOf(coloured.of(curve));
+  const hasOrder = sweptKeys.some((key) => key.path === coloured.name && key.numbers !== undefined);
+  if (!hasOrder && coloured.values.length <= palette.length) return palette[i];
+  return `hsl(${260 - 235 * i / (coloured.values.length - 1)}, 70%, ${isDark() ? 62 : 42}%)`;
+}
+
+function lineOfSweepCurve(curve, choice) {
+  return {color: colourOfSweepCurve(curve, choice), dash: curve.method === "dynamic" ? "dash" : "solid",
+    width: {displacement: 2.2, periodic: 1.6, traction: 1.1}[curve.boundary]};
+}
+
+function noteOnSweep(curves) {
+  const notes = [];
+  if (distinct(curves, "method").length > 1) notes.push("Dashed: dynamic method.");
+  if (distinct(curves, "boundary").length > 1) notes.push("Thick: upper bound; thin: lower bound.");
+  return notes.join(" ");
+}
+
+function sweepFigure(curves, choice, drawAll) {
+  const plot = document.getElementById("curve-plot");
+  const draw = () => {
+    const [seen, quantity] = sweepContents(curves, choice);
+    document.getElementById("curve-note").textContent = noteOnSweep(seen);
+    return Plotly.react(plot, seen.flatMap((curve) => tracesOf(curve, quantity, lineOfSweepCurve(curve, choice))),
+      layoutOf(quantity, seen), plotOptions);
+  };
+  document.getElementById("curve-choices").append(...sweepChoices(curves, choice, drawAll));
+  const name = () => `${sweep.title} ${sweepContents(curves, choice)[1].title}`;
+  document.getElementById("curve-buttons").append(
+    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(...sweepContents(curves, choice)),
+      "text/csv")}, "These curves as CSV"),
+    element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
+  return draw;
+}
+
+function chooser(id, label, options, changed) {
+  const select = element("select", {id, ariaLabel: label, onchange: () => changed(options[select.selectedIndex][0])},
+    ...options.map(([, text]) => element("option", {}, text)));
+  return select;
+}
+
+/// Each choice only where there is something to choose.
+function sweepChoices(curves, choice, drawAll) {
+  const {dimensions, values} = choice;
+  const rows = [];
+  const shownQuantities = quantities.filter(({name}) => curves.some((curve) => curve.quantity === name));
+  if (shownQuantities.length > 1) {
+    rows.push(chooser("quantity", "quantity", shownQuantities.map((one) => [one, one.title]), (quantity) => {
+      choice.quantity = quantity;
+      drawAll();
+    }));
+  }
+  const references = dimensions.flatMap((dimension) => dimension.values.map((value) =>
+    [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
+  rows.push(chooser("reference", "compared with", [[undefined, "as it is"], ...references], (reference) => {
+    choice.reference = reference;
+    drawAll();
+  }));
+  if (dimensions.length > 1) {
+    const select = chooser("colour", "colours tell", dimensions.map((one) => [one, `colours: ${one.label}`]),
+      (dimension) => {
+        choice.coloured = dimension;
+        drawAll();
+      });
+    select.selectedIndex = dimensions.indexOf(choice.coloured);
+    rows.push(select);
+  }
+  for (const one of dimensions) {
+    rows.push(chips(one.label, one.values.map((value) => [value, one.textOf(value)]), values[one.name], drawAll));
+  }
+  return rows;
+}

@@ -1,0 +1,61 @@
+"use strict";
+
+/// The words and the tables of a sweep.
+
+function showSweepSummary() {
+  document.getElementById("title").textContent = sweep.title;
+  const what = sweptKeys.map(({path, values}) => `${path}: ${listed(values.map(String))}`);
+  document.getElementById("summary").append(
+    element("p", {}, `One deck, ${sweep.tasks.length} times, with all combinations of`),
+    element("ul", {}, ...what.map((text) => element("li", {}, text))));
+  const ofState = (state) => sweep.tasks.filter((task) => task.state === state).length;
+  const warnings = [];
+  if (ofState("waiting") > 0) warnings.push(`${ofState("waiting")} tasks are still to be done.`);
+  for (const task of sweep.tasks.filter(({state}) => state === "failed")) warnings.push(`${task.name}: ${task.error}`);
+  const list = document.getElementById("warnings");
+  list.append(...warnings.map((text) => element("li", {}, text)));
+  list.hidden = warnings.length === 0;
+}
+
+function showTasks() {
+  const rows = sweep.tasks.map((task) => {
+    const name = task.state === "done" ? element("a", {href: `${encodeURIComponent(task.name)}/report.html`}, task.name)
+      : task.name;
+    const seconds = task.wall_time_s === null ? "" : `${Number(task.wall_time_s.toPrecision(3))} s`;
+    return element("tr", {}, ...[name, ...sweptKeys.map(({path}) => String(task.values[path])), task.state, seconds]
+      .map((text) => element("td", {}, text)));
+  });
+  const heads = ["task", ...sweptKeys.map(({label}) => label), "state", "wall time"];
+  document.getElementById("task-table").append(element("div", {className: "table"}, element("table", {},
+    element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", {}, text)))),
+    element("tbody", {}, ...rows))));
+}
+
+/// Mean and spread over the seeds, at whole decades.
+function showSpread() {
+  const rows = readTable("spread.csv", ["time_s", "tasks", "mean_modulus_Pa", "standard_deviation_Pa"]);
+  document.getElementById("spread").hidden = rows.length === 0;
+  const keys = sweep.keys.filter((path) => rows.length > 0 && path in rows[0]);
+  for (const group of groupsOf(rows, [...keys, "stage", "load", "boundary", "method", "cells"])) {
+    const {stage, load, boundary, method, cells, tasks} = group[0];
+    const times = group.map((row) => row.time_s);
+    const at = (column, time) => valueAt(times, group.map((row) => row[column]), time);
+    const title = [...keys.map((path) => `${labelOfKey(path)} = ${group[0][path]}`), stage, load, boundNames[boundary],
+      methodNames[method], gridName(cells), `${tasks} seeds`].join(", ");
+    document.getElementById("spread-tables").append(element("h3", {}, title),
+      table(["time", "mean", "standard deviation"], decades(times[0], times.at(-1)).map((time) => {
+        const mean = at("mean_modulus_Pa", time);
+        return [display(time, "s"), display(mean, "Pa"), percent(at("standard_deviation_Pa", time) / mean)];
+      })));
+  }
+}
+
+function showSweepDeck() {
+  const place = document.getElementById("deck-text");
+  if (sweep.overrides.length > 0) {
+    place.append(element("p", {}, "Overridden on the command line:"),
+      element("pre", {}, sweep.overrides.join("\n")));
+  }
+  place.append(element("pre", {}, sweep.deck_text));
+  place.append(element("p", {className: "note"}, `${sweep.program} ${sweep.version}, ${sweep.deck}`));
+}

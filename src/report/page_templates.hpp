@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string_view>
+
+namespace breccia {
+
+/// Pages with their style, their scripts and the plotting library in them. Made when the program is built.
+
+/// `page/study.html`
+std::string_view study_page_template();
+/// `page/sweep.html`
+std::string_view sweep_page_template();
+
+}  // namespace breccia

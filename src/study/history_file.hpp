@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+/// Which time domain a history is of.
+struct HistoryName {
+  Boundary boundary;
+  Load load;
+  int cells;           ///< per side
+  std::size_t number;  ///< from 1
+
+  /// `<load>-<boundary>-dynamic-<cells>-<number>.h5`
+  [[nodiscard]] std::string file() const;
+};
+
+/// Writes the history of one time domain to the directory of its stage (docs/results.md).
+void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                   const HistoryName& name, const TimeDomain& domain);
+
+/// A history as it was written.
+struct StoredHistory {
+  std::string deck_hash;
+  std::vector<double> times;   ///< since the middle of the ramp [s]
+  std::vector<double> values;  ///< modulus [Pa], or compliance under a traction boundary [1/Pa]
+};
+
+/// Throws FileError when the file cannot be read or is not as write_history writes it.
+StoredHistory read_history(const std::filesystem::path& file);
+
+/// A history with few samples that looks the same on a linear and on a logarithmic axis of time: the smallest and the
+/// largest value of each short part of the time.
+StoredHistory outline_of(const StoredHistory& history);
+
+}  // namespace breccia
