@@ -29,7 +29,8 @@ struct RunArguments {
   int threads = 0;                  ///< 0: all
   bool quiet = false;
   bool resume = false;
-  std::string petsc_options;  ///< as on a command line of PETSc
+  int processes_per_task = 0;  ///< of a sweep; 0: all
+  std::string petsc_options;   ///< as on a command line of PETSc
 
   /// Where the results go.
   [[nodiscard]] std::filesystem::path results() const;

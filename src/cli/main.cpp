@@ -83,13 +83,14 @@ Outcome guarded_run(int argc, char** argv) {
 /// Of several processes that fail alike the first says so and ends all. One that fails alone is still there after a
 /// while: it speaks for itself, and ends the others, which may be waiting for it.
 void end_all(const Outcome& outcome) {
-  const int rank = breccia::parallel::rank();
+  namespace parallel = breccia::parallel;
   constexpr std::chrono::seconds while_the_first_speaks(3);
-  if (rank > 0) std::this_thread::sleep_for(while_the_first_speaks);
+  if (!parallel::is_first()) std::this_thread::sleep_for(while_the_first_speaks);
   if (!outcome.failure.empty()) {
-    fmt::print(stderr, "{}{}\n", rank > 0 ? fmt::format("process {}: ", rank) : "", outcome.failure);
+    const int process = parallel::group() * parallel::ranks() + parallel::rank();
+    fmt::print(stderr, "{}{}\n", process > 0 ? fmt::format("process {}: ", process) : "", outcome.failure);
   }
-  if (breccia::parallel::ranks() > 1) breccia::parallel::abort(static_cast<int>(outcome.exit_code));
+  if (parallel::ranks() * parallel::groups() > 1) parallel::abort(static_cast<int>(outcome.exit_code));
 }
 
 }  // namespace

@@ -90,14 +90,23 @@ void add_run(CLI::App& application) {
   add_run_arguments(*command, *arguments);
   command->add_flag("--resume", arguments->resume, "leave alone what is complete, of a sweep each task by itself");
   command
+      ->add_option("--processes-per-task", arguments->processes_per_task,
+                   "of a sweep under mpirun: so many processes share a task, the others do other tasks beside")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command
       ->add_option("--petsc", arguments->petsc_options,
                    "options for PETSc, such as \"-quasistatic_ksp_monitor\" (docs/decks.md)")
       ->type_name("OPTIONS");
   command->callback([arguments] {
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
+    if (arguments->processes_per_task > 0) {
+      if (sweep.keys.empty()) throw InputError("--processes-per-task: the deck sweeps nothing");
+      parallel::divide(arguments->processes_per_task);
+    }
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
-    Progress progress(arguments->quiet || parallel::rank() != 0);
+    Progress progress(arguments->quiet || !parallel::is_first());
     if (sweep.keys.empty()) {
       run_single(sweep.tasks.front().study, *arguments, progress);
     } else {

@@ -10,6 +10,7 @@
 #include <mpi.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/session.hpp"
 
 namespace breccia::dynamics {
@@ -50,9 +51,9 @@ void RowExchange::swap(const RowForces& highest, const RowForces& lowest, const 
   const int neighbour_below = rank_ > 0 ? rank_ - 1 : wraps_ ? ranks_ - 1 : MPI_PROC_NULL;
   for (std::size_t i = 0; i < 4; ++i) {
     MPI_Sendrecv(up[i], length, MPI_DOUBLE, neighbour_above, 0, below[i], length, MPI_DOUBLE, neighbour_below, 0,
-                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+                 parallel::communicator(), MPI_STATUS_IGNORE);
     MPI_Sendrecv(down[i], length, MPI_DOUBLE, neighbour_below, 1, above[i], length, MPI_DOUBLE, neighbour_above, 1,
-                 MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+                 parallel::communicator(), MPI_STATUS_IGNORE);
   }
 }
 
@@ -75,7 +76,7 @@ void RowExchange::gather(std::span<double> values, int rows) const {
     counts.push_back((end - first_of(rank)) * per_row);
   }
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), MPI_DOUBLE,
-                 MPI_COMM_WORLD);
+                 parallel::communicator());
 }
 
 }  // namespace breccia::dynamics

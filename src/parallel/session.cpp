@@ -2,15 +2,28 @@
 
 #include <array>
 #include <cstdlib>
+#include <numeric>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <petscsys.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/communicator.hpp"
 
 namespace breccia::parallel {
 namespace {
+
+/// How the processes are divided.
+struct Division {
+  int group = 0;
+  int groups = 1;
+};
+
+Division& division() noexcept {
+  static Division instance;
+  return instance;
+}
 
 bool is_running() noexcept {
   PetscBool running = PETSC_FALSE;
@@ -26,6 +39,13 @@ void keep_blas_to_one_thread() noexcept {
   if (set_threads != nullptr) set_threads(1);
 }
 
+void start_petsc() {
+  check(PetscInitializeNoArguments(), "starting PETSc");
+  // Signals and errors are ours: an error comes back as a code and becomes an exception.
+  check(PetscPopSignalHandler(), "setting up PETSc");
+  check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "setting up PETSc");
+}
+
 }  // namespace
 
 void start() {
@@ -36,10 +56,22 @@ void start() {
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {
     throw NumericalError("MPI does not start on this machine");
   }
-  check(PetscInitializeNoArguments(), "starting PETSc");
-  // Signals and errors are ours: an error comes back as a code and becomes an exception.
-  check(PetscPopSignalHandler(), "setting up PETSc");
-  check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "setting up PETSc");
+  start_petsc();
+}
+
+void divide(int processes_each) {
+  start();
+  const int processes = ranks();
+  if (processes_each < 1 || processes % processes_each != 0) {
+    throw InputError(fmt::format("{} processes cannot be divided into groups of {}", processes, processes_each));
+  }
+  int number = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &number);
+  division() = {number / processes_each, processes / processes_each};
+  // PETSc takes its processes when it starts.
+  check(PetscFinalize(), "dividing the processes");
+  MPI_Comm_split(MPI_COMM_WORLD, division().group, number, &PETSC_COMM_WORLD);
+  start_petsc();
 }
 
 bool is_under_mpirun() noexcept {
@@ -65,7 +97,7 @@ void stop() noexcept {
 }
 
 void abort(int exit_code) noexcept {
-  MPI_Abort(PETSC_COMM_WORLD, exit_code);
+  MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }
 
@@ -79,6 +111,40 @@ int ranks() noexcept {
   int count = 1;
   if (is_running()) MPI_Comm_size(PETSC_COMM_WORLD, &count);
   return count;
+}
+
+MPI_Comm communicator() noexcept {
+  return PETSC_COMM_WORLD;
+}
+
+int group() noexcept {
+  return division().group;
+}
+
+int groups() noexcept {
+  return division().groups;
+}
+
+bool is_first() noexcept {
+  return rank() == 0 && group() == 0;
+}
+
+std::vector<std::string> gather(const std::string& text_of_group) {
+  if (ranks() * groups() == 1) return {text_of_group};
+  // The first process of a group tells the text, the others nothing.
+  const std::string told = rank() == 0 ? text_of_group : "";
+  const auto processes = static_cast<std::size_t>(ranks()) * static_cast<std::size_t>(groups());
+  std::vector<int> lengths(processes), places(processes);
+  const int length = static_cast<int>(told.size());
+  MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
+  std::exclusive_scan(lengths.begin(), lengths.end(), places.begin(), 0);
+  std::string all(static_cast<std::size_t>(places.back() + lengths.back()), ' ');
+  MPI_Allgatherv(told.data(), length, MPI_CHAR, all.data(), lengths.data(), places.data(), MPI_CHAR, MPI_COMM_WORLD);
+  std::vector<std::string> texts;
+  for (std::size_t process = 0; process < processes; process += static_cast<std::size_t>(ranks())) {
+    texts.push_back(all.substr(static_cast<std::size_t>(places[process]), static_cast<std::size_t>(lengths[process])));
+  }
+  return texts;
 }
 
 void check(int petsc_error, const char* what) {

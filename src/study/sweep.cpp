@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
@@ -26,12 +28,17 @@ class SweepRun {
   SweepResult run() {
     if (options_.resume) take_over();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (!is_ours(task)) continue;
       if (result_[task].state == TaskState::done) {
         if (observer_.skipped) observer_.skipped(task);
         continue;
       }
       if (observer_.begun) observer_.begun(task);
       run(task);
+      write();
+    }
+    if (parallel::groups() > 1) {
+      exchange();
       write();
     }
     return std::move(result_);
@@ -51,6 +58,28 @@ class SweepRun {
     write();
   }
 
+  /// The groups of processes take the tasks in turn.
+  [[nodiscard]] static bool is_ours(std::size_t task) {
+    return task % static_cast<std::size_t>(parallel::groups()) == static_cast<std::size_t>(parallel::group());
+  }
+
+  /// Learns from the other groups what became of their tasks.
+  void exchange() {
+    nlohmann::json ours = nlohmann::json::array();
+    for (std::size_t task = 0; task < result_.size(); ++task) {
+      if (is_ours(task)) ours.push_back({result_[task].state, result_[task].seconds, result_[task].error});
+    }
+    const auto told = parallel::gather(ours.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    for (std::size_t task = 0; task < result_.size(); ++task) {
+      if (is_ours(task)) continue;
+      const auto theirs = nlohmann::json::parse(told[task % told.size()])[task / told.size()];
+      result_[task].state = theirs[0].get<TaskState>();
+      result_[task].seconds = theirs[1].get<double>();
+      result_[task].error = theirs[2].get<std::string>();
+      if (result_[task].state == TaskState::done) result_[task].curves = read_curves(directory_of(task));
+    }
+  }
+
   void run(std::size_t task) {
     try {
       const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_.threads, observer_.study);
@@ -68,7 +97,7 @@ class SweepRun {
   }
 
   void write() const {
-    if (parallel::rank() != 0) return;
+    if (!parallel::is_first()) return;
     write_sweep_tables(directory_, sweep_, result_);
     write_sweep_plot(directory_, sweep_, result_);
     write_sweep_report(directory_);
@@ -86,7 +115,7 @@ class SweepRun {
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
                       const SweepObserver& observer) {
   require_gnuplot();
-  if (parallel::rank() == 0) {
+  if (parallel::is_first()) {
     make_directory(directory);
     remove_files(directory, sweep_files());
   }

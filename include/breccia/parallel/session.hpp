@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace breccia::parallel {
 
@@ -15,15 +16,30 @@ bool is_under_mpirun() noexcept;
 /// Throws InputError when PETSc cannot read them.
 void set_petsc_options(const std::string& options);
 
+/// Parts the processes that mpirun started into groups of so many, which work by themselves from now on: what this
+/// process does with others is with those of its group. To be called once, before anything is solved.
+/// Throws InputError when the processes cannot be so divided.
+void divide(int processes_each);
+
 /// Ends MPI and PETSc in good order where they run; to be called once, last.
 void stop() noexcept;
 
 /// Ends all processes of this run with an exit code. For a failure that the others may not share and would wait for.
 [[noreturn]] void abort(int exit_code) noexcept;
 
-/// Number of this process, from 0, and how many there are; 0 of 1 before start().
+/// Number of this process in its group, from 0, and how many there are; 0 of 1 before start().
 int rank() noexcept;
 int ranks() noexcept;
+
+/// Number of the group of this process, from 0, and how many there are; 0 of 1 before divide().
+int group() noexcept;
+int groups() noexcept;
+
+/// Whether this is the first process of the first group, which speaks for all.
+bool is_first() noexcept;
+
+/// A text from each group, in their order, for every process. Waits for all.
+std::vector<std::string> gather(const std::string& text_of_group);
 
 /// Throws NumericalError when a PETSc function has failed, naming what was tried.
 void check(int petsc_error, const char* what);

@@ -79,9 +79,10 @@ struct SweepObserver {
   StudyObserver study = {};  ///< follows each task
 };
 
-/// Runs the tasks one after the other, each in the directory of its name, and writes `sweep.csv`, `sweep.json`,
-/// `sweep.svg` and, where seeds are swept, `spread.csv` (docs/results.md) anew after each of them. A task that fails
-/// for its numbers or its microstructure does not end the others. Throws FileError or Interrupted.
+/// Runs the tasks one after the other, those of each group of processes (parallel::divide) beside the others, each in
+/// the directory of its name, and writes `sweep.csv`, `sweep.json`, `sweep.svg` and, where seeds are swept,
+/// `spread.csv` (docs/results.md) anew after each of them. A task that fails for its numbers or its microstructure does
+/// not end the others. Throws FileError or Interrupted.
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
                       const SweepObserver& observer = {});
 
