@@ -23,7 +23,10 @@ function logAxis(title, values) {
   const seen = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
   const [least, most] = seen.length > 0 ? [Math.min(...seen), Math.max(...seen)] : [0, 1];
   const room = 0.04 * (most - least) + 0.02;
-  return {type: "log", range: [least - room, most + room], dtick: most - least > 2 ? 1 : "D2",
+  // Powers of ten where there are several of them, and else numbers that can be read alone.
+  const span = most - least;
+  const ticks = span > 2 ? {dtick: 1} : span > 0.7 ? {dtick: "D2", tickformat: "~s"} : {tickformat: "~s"};
+  return {type: "log", range: [least - room, most + room], ...ticks,
     title: {text: title, standoff: 8}, exponentformat: "power", gridcolor: line,
     linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true};
 }
@@ -56,7 +59,7 @@ function layoutOf(quantity, curves) {
   return {
     paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
     margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
-    xaxis: {...logAxis(`${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
+    xaxis: {...logAxis(quantity.xUnit === "" ? quantity.x : `${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
       unifiedhovertitle: {text: xHover}},
     yaxis: valueAxis(quantity, curves), uirevision: `${quantity.name} ${quantity.title}`,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},

@@ -3,7 +3,8 @@
 /// The modulus at one time against a swept key that holds numbers.
 
 function keyFigure(curves, choice) {
-  const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1);
+  // Seeds are numbers without a meaning.
+  const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1 && key.label !== "seed");
   document.getElementById("key").hidden = keys.length === 0;
   if (keys.length === 0) return () => {};
   const plot = document.getElementById("key-plot");
@@ -13,7 +14,7 @@ function keyFigure(curves, choice) {
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
     const lines = linesAgainst(shown.key, shown.time, seen, choice);
-    const layout = layoutOf({...quantity, xUnit: shown.key.unit || "–", x: shown.key.label}, lines);
+    const layout = layoutOf({...quantity, xUnit: shown.key.unit, x: shown.key.label}, lines);
     const text = (curve, i) => `${shown.key.label} ${shown.key.values[curve.places[i]]}: ` +
       valueText(curve.y[i], quantity);
     const spread = Math.max(...shown.key.numbers) / Math.min(...shown.key.numbers);
@@ -50,7 +51,7 @@ function keyAxis(key, spread) {
   if (isLogarithmic) {
     const room = 0.05 * Math.log10(spread);
     return {type: "log", range: [Math.log10(ends[0]) - room, Math.log10(ends[1]) + room], tickvals: key.numbers,
-      ticktext: key.numbers.map(shortNumber), dtick: undefined};
+      ticktext: key.numbers.map(shortNumber), dtick: undefined, tickformat: undefined};
   }
   const room = 0.05 * (ends[1] - ends[0]);
   return {type: "linear", range: [ends[0] - room, ends[1] + room], dtick: undefined, exponentformat: "SI"};

@@ -80,10 +80,9 @@ function linearLayout(quantity, curves) {
   const {yaxis, xaxis} = layout;
   const times = curves.flatMap((curve) => curve.x);
   return {...layout, uirevision: `${quantity.name} linear`,
-    xaxis: {...xaxis, type: "linear", range: [Math.min(...times), Math.max(...times)], dtick: undefined,
-      exponentformat: "SI"},
+    xaxis: {...xaxis, type: "linear", range: [Math.min(...times), Math.max(...times)], dtick: undefined, tickformat: "~s"},
     yaxis: {...yaxis, ...linearAxis(yaxis.title.text, curves.flatMap((curve) => curve.y)), type: "linear",
-      dtick: undefined, exponentformat: "SI", domain: [0, 0.7]},
+      dtick: undefined, tickformat: "~s", domain: [0, 0.7]},
     yaxis2: {...linearAxis("load applied", [1]), domain: [0.78, 1]},
   };
 }
