@@ -6,6 +6,7 @@
 
 #include "breccia/report/display.hpp"
 #include "breccia/study/run.hpp"
+#include "breccia/study/stage_warnings.hpp"
 
 #include "command.hpp"
 #include "summary.hpp"
@@ -76,10 +77,7 @@ void print_plan(const Study& study) {
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
     fmt::print("{}", plan_of(study, stage, packed));
-    for (const auto& warning : packed.warnings) fmt::print("warning: {}\n", warning);
-    if (const auto warning = warning_of_cut_particles(stage, packed.microstructure, study.tests.bounds)) {
-      fmt::print("warning: {}\n", *warning);
-    }
+    for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
   }
 }
 

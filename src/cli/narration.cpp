@@ -15,7 +15,7 @@ std::string describe(const StageResult& stage) {
                           packed.microstructure.discs.size(), 100.0 * packed.fraction, 100.0 * stage.point_fraction,
                           stage.points);
   if (packed.events > 0) text += fmt::format(", packed in {:.2g} s", packed.seconds);
-  for (const auto& warning : packed.warnings) text += "\nwarning: " + warning;
+  for (const auto& warning : stage.warnings) text += "\nwarning: " + warning;
   return text;
 }
 

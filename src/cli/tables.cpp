@@ -103,10 +103,8 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
   }
   std::string remarks;
   for (const auto& stage : result.stages) {
-    // Those of the particles have been told when they were packed.
-    for (std::size_t i = stage.microstructure.warnings.size(); i < stage.warnings.size(); ++i) {
-      remarks += "warning: " + stage.warnings[i] + "\n";
-    }
+    // Some have been told when the stage was packed, hours ago perhaps.
+    for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
       if (dynamic == nullptr || dynamic->overlaps.empty()) continue;

@@ -1,6 +1,5 @@
 #include "breccia/study/microstructures.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
@@ -90,31 +89,11 @@ Microstructure place_particles(const Stage& stage, const PackingWatch& watch, St
                     stage.filler->packing);
 }
 
-/// Gaps that the grid hardly sees.
-std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, double gap) {
-  constexpr double cells_per_gap = 3.0;
-  constexpr double rounding = 1e-9;
-  const double cells = gap / stage.cell_size();
-  if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
-  const double needed = std::ceil(cells_per_gap * stage.side / gap);
-  constexpr double affordable = 20000.0;
-  return fmt::format(
-      "the smallest gap between particles or to a wall, {}, is {:.2g} cells wide; below {:g} the "
-      "modulus at long times comes out "
-      "too "
-      "high, by several times below 1{}",
-      readable(gap, Dimension::length), cells, cells_per_gap,
-      needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
-}
-
-void describe(const Stage& stage, StageMicrostructure& result) {
+void describe(StageMicrostructure& result) {
   result.fraction = area_fraction(result.microstructure);
   result.interface_per_area = interface_per_area(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
   result.wall_gap = smallest_wall_gap(result.microstructure);
-  if (const auto warning = warning_of_narrow_gaps(stage, std::min(result.gap, result.wall_gap))) {
-    result.warnings.push_back(stage.name + ": " + *warning);
-  }
 }
 
 }  // namespace
@@ -124,19 +103,8 @@ StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& 
   const auto start = std::chrono::steady_clock::now();
   result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, watch, result); });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  describe(stage, result);
+  describe(result);
   return result;
-}
-
-std::optional<std::string> warning_of_cut_particles(const Stage& stage, const Microstructure& microstructure,
-                                                    const std::vector<Bound>& bounds) {
-  const bool cuts = std::ranges::any_of(bounds, [](Bound bound) { return bound != Bound::periodic; });
-  if (microstructure.walls != Walls::periodic || !cuts) return std::nullopt;
-  return fmt::format(
-      "{}: the boundaries of the upper and lower bound cut the particles that cross the sides of this periodic box; "
-      "under the upper one they bridge it, and the modulus at long times comes out far too high; "
-      "packing.walls = true keeps them inside",
-      stage.name);
 }
 
 }  // namespace breccia

@@ -12,6 +12,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/report.hpp"
+#include "breccia/study/stage_warnings.hpp"
 
 #include "comparison.hpp"
 #include "response_file.hpp"
@@ -68,11 +69,7 @@ StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& d
   result.name = stage.name;
   result.cells = stage.cells;
   result.microstructure = make_microstructure(stage, watch);
-  auto& warnings = result.microstructure.warnings;
-  if (auto warning = warning_of_cut_particles(stage, result.microstructure.microstructure, study.tests.bounds)) {
-    warnings.push_back(std::move(*warning));
-  }
-  result.warnings = result.microstructure.warnings;
+  result.warnings = warnings_on(study, stage, result.microstructure);
   const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
   result.point_fraction = discretisation.fractions(2)[1];

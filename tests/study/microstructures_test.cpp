@@ -68,7 +68,6 @@ TEST(MakeMicrostructure, EmptyBox) {
   EXPECT_EQ(packed.interface_per_area, 0.0);
   EXPECT_EQ(packed.gap, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(packed.size_deviation);
-  EXPECT_THAT(packed.warnings, IsEmpty());
 }
 
 TEST(MakeMicrostructure, RegularPacking) {
@@ -137,17 +136,6 @@ TEST(MakeMicrostructure, TheSeedDecidesWhereParticlesAre) {
   EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).microstructure.discs, first.microstructure.discs);
   EXPECT_NE(make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).microstructure.discs,
             first.microstructure.discs);
-}
-
-TEST(MakeMicrostructure, GapsBelowThreeCellsAreWarnedOf) {
-  const auto with_gap = [](double gap) {
-    return make_microstructure(box(listed({{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}))).warnings;
-  };
-  EXPECT_THAT(with_gap(0.15e-3), IsEmpty()) << "three cells";
-  EXPECT_THAT(with_gap(0.1e-3),
-              ElementsAre(AllOf(HasSubstr("A: the smallest gap between particles or to a wall, 100 um, is 2 cells"),
-                                HasSubstr("(cells = 300 would resolve it)"))));
-  EXPECT_THAT(with_gap(0.0), ElementsAre(testing::Not(HasSubstr("would resolve it")))) << "no number of cells does";
 }
 
 TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {

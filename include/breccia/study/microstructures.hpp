@@ -19,16 +19,11 @@ struct StageMicrostructure {
   std::optional<double> size_deviation;  ///< largest between the size distributions drawn and asked for, by area [-]
   std::uint64_t events = 0;              ///< of the packing
   double seconds = 0.0;                  ///< wall time of the packing
-  std::vector<std::string> warnings;     ///< what makes the particles or their grid doubtful
 };
 
 /// Packs, arranges or takes over the particles of a stage.
 /// Throws InputError when the particles cannot be where the deck puts them, NumericalError when the packing is
 /// impossible, Interrupted when `watch` returns false.
 StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch = {});
-
-/// What makes particles that cross the sides of a periodic box doubtful under these bounds, if anything does.
-std::optional<std::string> warning_of_cut_particles(const Stage& stage, const Microstructure& microstructure,
-                                                    const std::vector<Bound>& bounds);
 
 }  // namespace breccia

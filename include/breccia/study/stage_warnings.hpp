@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/study/microstructures.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// What makes the results of a stage doubtful before anything is computed, each with the name of the stage: gaps that
+/// its grid hardly sees, particles that a boundary cuts, times at which the spectrum of its matrix says nothing.
+std::vector<std::string> warnings_on(const Study& study, const Stage& stage, const StageMicrostructure& microstructure);
+
+}  // namespace breccia
