@@ -121,6 +121,11 @@ std::string describe(const Tests& tests) {
   auto text =
       fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
                   fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
+  if (!tests.field_times.empty()) {
+    std::vector<std::string> times;
+    for (const double at : tests.field_times) times.push_back(time(at));
+    text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
+  }
   for (const auto method : tests.methods) {
     text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic);
   }

@@ -387,17 +387,11 @@ Energy Classical::energy() const {
 }
 
 PointFields Classical::fields() const {
-  const auto count = problem().discretisation.points();
   const double scale = 1.0 / problem().amplitude;
-  PointFields fields;
-  fields.material.assign(count, no_material);
-  fields.displacement.resize(count);
-  fields.strain.resize(count);
-  fields.stress.resize(count);
+  auto fields = zero_fields(problem().discretisation);
   for (const auto& point : points_) {
     const auto i = point.lattice;
     const auto& [sxx, syy, sxy] = point.deviator;
-    fields.material[i] = point.material;
     fields.displacement[i] = {scale * point.displacement[0], scale * point.displacement[1]};
     fields.strain[i] = {scale * point.strain[0], scale * point.strain[1], 0.5 * scale * point.strain[2]};
     fields.stress[i] = {scale * (point.pressure + sxx), scale * (point.pressure + syy),

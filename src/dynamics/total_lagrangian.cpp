@@ -373,19 +373,7 @@ Energy TotalLagrangian::energy() const {
 PointFields TotalLagrangian::fields() const {
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();
-  PointFields fields;
-  fields.material.resize(discretisation.points());
-  fields.displacement.resize(discretisation.points());
-  fields.strain.resize(discretisation.points());
-  fields.stress.resize(discretisation.points());
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      for (int p = 0; p < points_per_cell; ++p) {
-        fields.material[grid.point_index(column, row, p)] =
-            discretisation.cell(column, row)[static_cast<std::size_t>(p)];
-      }
-    }
-  }
+  auto fields = zero_fields(discretisation);
   for (int row = exchange_.first(); row < exchange_.end(); ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const CellVector u = cell_values(column, row, 0);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +14,8 @@
 #include "breccia/experiment/time_domains.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "test_times.hpp"
 
 namespace breccia {
 namespace {
@@ -114,13 +117,15 @@ double ramps_to_wait(Boundary boundary) {
 /// Told how far a domain is, and the time that it has reached.
 using DomainReport = std::function<void(const TimeDomain&, double)>;
 
-/// Runs until the sequence has seen enough.
-void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, DomainSequence& sequence,
-                DynamicSolver& solver, TimeDomain& domain, const DomainReport& report) {
+/// Runs until the sequence has seen enough. Returns the fields just after those of the times [s] that it has reached.
+std::vector<TimedFields> run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, DomainSequence& sequence,
+                                    DynamicSolver& solver, TimeDomain& domain, std::span<const double> field_times,
+                                    const DomainReport& report) {
   const bool creeps = test.boundary == Boundary::traction;
   const auto points = test.discretisation.points();
   const auto start = Clock::now();
   std::vector<Averages> steps;
+  std::vector<TimedFields> fields;
   for (bool go_on = true; go_on;) {
     steps.clear();
     const double time = solver.time();
@@ -132,15 +137,16 @@ void run_domain(const DynamicTest& test, const ShearModulusBounds& bounds, Domai
     // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
     const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
     go_on = sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
+    if (fields.size() < field_times.size() && sample.time >= field_times[fields.size()]) {
+      fields.push_back({solver.time(), solver.fields()});
+    }
     report(domain, sample.time);
   }
+  return fields;
 }
 
 void require_complete(const DynamicTest& test) {
-  if (!(test.times.begin > 0.0) || !(test.times.end >= test.times.begin)) {
-    throw InputError(
-        fmt::format("dynamic test: expected rising positive times, got {} to {} s", test.times.begin, test.times.end));
-  }
+  require_times("dynamic test", test.times, test.field_times);
   if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
     throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
   }
@@ -241,23 +247,26 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   for (;;) {
     auto [problem, domain] = prepare(test, rules, bounds, sequence);
     const auto solver = make_dynamic_solver(test.options.formulation, std::move(problem), test.threads);
-    run_domain(test, bounds, sequence, *solver, domain, [&](const TimeDomain& running, double time) {
-      if (!observer.progress) return;
-      furthest = std::max(furthest, time);
-      const double done = std::log(furthest / test.times.begin);
-      observer.progress({.domain = result.domains.size(),
-                         .density_factor = running.density_factor,
-                         .time = time,
-                         .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
-                         .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
-    });
+    const auto field_times = std::span(test.field_times).subspan(result.fields.size());
+    auto fields =
+        run_domain(test, bounds, sequence, *solver, domain, field_times, [&](const TimeDomain& running, double time) {
+          if (!observer.progress) return;
+          furthest = std::max(furthest, time);
+          const double done = std::log(furthest / test.times.begin);
+          observer.progress({.domain = result.domains.size(),
+                             .density_factor = running.density_factor,
+                             .time = time,
+                             .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
+                             .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+        });
     domain.window = window_wanted(sequence);
+    // The first domain that is valid at a time tells its fields: the lightest.
+    for (std::size_t i = 0; i < fields.size() && field_times[i] <= domain.window.end; ++i) {
+      result.fields.push_back(std::move(fields[i]));
+    }
     result.domains.push_back(std::move(domain));
     if (observer.finished) observer.finished(result.domains.back());
-    if (sequence.is_complete()) {
-      result.fields = solver->fields();
-      break;
-    }
+    if (sequence.is_complete()) break;
     sequence.advance();
   }
   result.overlaps = compare_overlaps(result.domains, test.points_per_decade);

@@ -11,6 +11,8 @@
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "test_times.hpp"
+
 namespace breccia {
 namespace {
 
@@ -48,6 +50,7 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
     }
     response.reduced = std::move(reduced);
   }
+  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, matrix, time)});
 }
 
 /// Where a stepped run passes: from well before the first time wanted, through all of them.
@@ -66,6 +69,14 @@ std::size_t step_at(const std::vector<double>& steps, double time) {
   return static_cast<std::size_t>(found - steps.begin());
 }
 
+/// Makes a time one of the steps where it is none, and returns the step.
+double make_step_at(std::vector<double>& steps, double time) {
+  constexpr double rounding = 1e-9;
+  const auto place = steps.begin() + static_cast<std::ptrdiff_t>(step_at(steps, time));
+  if (place != steps.end() && *place <= time * (1.0 + rounding)) return *place;
+  return *steps.insert(place, time);
+}
+
 /// Largest relative deviation of a fit from its data, from one of them on.
 double worst_from(std::size_t first, const std::vector<double>& data, const FitQuality& quality) {
   double worst = 0.0;
@@ -77,14 +88,17 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
 
 void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
   auto steps = step_times(test);
-  // The first time wanted is an end of the curve, and need not be one of the steps.
-  const auto first = step_at(steps, test.times.begin);
-  if (steps.at(first) > test.times.begin * (1.0 + 1e-9)) {
-    steps.insert(steps.begin() + static_cast<std::ptrdiff_t>(first), test.times.begin);
-  }
-  const auto stepped = run_log_time_stepping(problem_of(test), test.loads, steps, [&](double share) {
-    if (observer) observer(fmt::format("{} steps", steps.size()), share);
-  });
+  // The first time wanted is an end of the curve, and need not be one of the steps; nor need those of fields.
+  make_step_at(steps, test.times.begin);
+  std::vector<double> field_steps;
+  for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
+  auto stepped = run_log_time_stepping(
+      problem_of(test), test.loads, steps,
+      [&](double share) {
+        if (observer) observer(fmt::format("{} steps", steps.size()), share);
+      },
+      field_steps);
+  result.fields = std::move(stepped.fields);
   result.effort = stepped.effort;
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   const auto first_step = step_at(steps, test.times.begin);
@@ -121,10 +135,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
 }  // namespace
 
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer) {
-  if (!(test.times.begin > 0.0) || !(test.times.end >= test.times.begin)) {
-    throw InputError(fmt::format("quasi-static test: expected rising positive times, got {} to {} s", test.times.begin,
-                                 test.times.end));
-  }
+  require_times("quasi-static test", test.times, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

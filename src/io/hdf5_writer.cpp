@@ -85,11 +85,43 @@ void Hdf5Writer::create_group(const std::string& name) {
 }
 
 void Hdf5Writer::write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape);
+  write_raw(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape, H5P_DEFAULT);
 }
 
 void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_INT64, shape);
+  write_raw(name, values.data(), values.size(), H5T_NATIVE_INT64, shape, H5P_DEFAULT);
+}
+
+void Hdf5Writer::write_compressed(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
+  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape);
+}
+
+void Hdf5Writer::write_compressed(const std::string& name, std::span<const float> values, const Hdf5Shape& shape) {
+  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_FLOAT, shape);
+}
+
+void Hdf5Writer::write_compressed(const std::string& name, std::span<const std::int64_t> values,
+                                  const Hdf5Shape& shape) {
+  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_INT64, shape);
+}
+
+void Hdf5Writer::write_compressed(const std::string& name, std::span<const std::uint8_t> values,
+                                  const Hdf5Shape& shape) {
+  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_UINT8, shape);
+}
+
+void Hdf5Writer::write_in_chunks(const std::string& name, const void* values, std::size_t count, std::int64_t type,
+                                 const Hdf5Shape& shape) {
+  const Hdf5Silence silence;
+  constexpr hsize_t longest = 16384;
+  std::vector<hsize_t> chunk;
+  for (const auto extent : shape) chunk.push_back(std::clamp<hsize_t>(extent, 1, longest));
+  const auto properties = property_handle(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
+  H5Pset_shuffle(properties.id());
+  constexpr unsigned effort = 4;
+  H5Pset_deflate(properties.id(), effort);
+  write_raw(name, values, count, type, shape, properties.id());
 }
 
 void Hdf5Writer::write(const std::string& name, std::span<const double> values) {
@@ -101,7 +133,7 @@ void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> va
 }
 
 void Hdf5Writer::write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                           const Hdf5Shape& shape) {
+                           const Hdf5Shape& shape, std::int64_t properties) {
   const Hdf5Silence silence;
   const auto capacity = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
   if (capacity != count) fail(fmt::format("fill a shape of {} with {} values:", capacity, count), name);
@@ -110,7 +142,7 @@ void Hdf5Writer::write_raw(const std::string& name, const void* values, std::siz
   const auto links = property_handle(H5Pcreate(H5P_LINK_CREATE));
   H5Pset_create_intermediate_group(links.id(), 1);
   const auto dataset =
-      dataset_handle(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT));
+      dataset_handle(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), properties, H5P_DEFAULT));
   if (dataset.id() < 0) fail("create dataset", name);
   if (H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail("write dataset", name);
 }

@@ -91,6 +91,29 @@ Field ElasticBox::zero_field() const {
   return {0.0, std::move(rest)};
 }
 
+Field ElasticBox::uniform_strain(Load load) const {
+  auto field = zero_field();
+  if (boundary_ != Boundary::traction) {
+    field.set_affine(1.0);
+    return field;
+  }
+  // Turned so that the lower side stays on its line, as the nodes do that are held.
+  const auto strain = unit_strain(load);
+  constexpr const char* what = "writing nodal values";
+  double*** nodes = nullptr;
+  int x = 0, y = 0, width = 0, height = 0;
+  check(DMDAGetCorners(grid_.get(), &x, &y, nullptr, &width, &height, nullptr), what);
+  check(DMDAVecGetArrayDOF(grid_.get(), field.rest(), static_cast<void*>(&nodes)), what);
+  for (int row = y; row < y + height; ++row) {
+    for (int column = x; column < x + width; ++column) {
+      nodes[row][column][0] = strain.xx * column + 2.0 * strain.xy * row;
+      nodes[row][column][1] = strain.yy * row;
+    }
+  }
+  check(DMDAVecRestoreArrayDOF(grid_.get(), field.rest(), static_cast<void*>(&nodes)), what);
+  return field;
+}
+
 bool ElasticBox::is_held(int column, int row, int component) const noexcept {
   switch (boundary_) {
     case Boundary::displacement:
@@ -192,6 +215,25 @@ Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field&
     const CellVector forces = of_cell(by_kind, column, row) * (u + displacement.affine() * affine);
     return std::pair(forces, affine.dot(forces));
   });
+}
+
+std::vector<double> ElasticBox::gathered(const Field& displacement) const {
+  constexpr const char* what = "gathering nodal values";
+  NodalVector in_rows, on_first;
+  check(DMDACreateNaturalVector(grid_.get(), in_rows.put()), what);
+  check(DMDAGlobalToNaturalBegin(grid_.get(), displacement.rest(), INSERT_VALUES, in_rows.get()), what);
+  check(DMDAGlobalToNaturalEnd(grid_.get(), displacement.rest(), INSERT_VALUES, in_rows.get()), what);
+  PetscHandle<VecScatter, VecScatterDestroy> scatter;
+  check(VecScatterCreateToZero(in_rows.get(), scatter.put(), on_first.put()), what);
+  check(VecScatterBegin(scatter.get(), in_rows.get(), on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  check(VecScatterEnd(scatter.get(), in_rows.get(), on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  PetscInt count = 0;
+  check(VecGetLocalSize(on_first.get(), &count), what);
+  const double* values = nullptr;
+  check(VecGetArrayRead(on_first.get(), &values), what);
+  std::vector<double> all(values, values + count);
+  check(VecRestoreArrayRead(on_first.get(), &values), what);
+  return all;
 }
 
 Matrix ElasticBox::make_matrix() const {

@@ -27,10 +27,16 @@ class ElasticBox {
   [[nodiscard]] std::int64_t unknowns() const noexcept;
 
   [[nodiscard]] Field zero_field() const;
+  /// The displacement with the uniform strain of a load.
+  [[nodiscard]] Field uniform_strain(Load load) const;
   /// What the load does: 1 on the affine motion where that is given; the traction of the stress 2 unit_strain.
   [[nodiscard]] Field load_forces(Load load) const;
   /// K u, with the moduli by material; zero on the components of w that are held.
   [[nodiscard]] Field forces(std::span<const Moduli> moduli, Load load, const Field& displacement) const;
+
+  /// w of all nodes of the box, x and y in turn, row by row from the lower left corner; of a periodic box without the
+  /// last row and column, which are the first. On the first process; on the others empty.
+  [[nodiscard]] std::vector<double> gathered(const Field& displacement) const;
 
   /// A matrix for K on w, without values.
   [[nodiscard]] Matrix make_matrix() const;

@@ -9,10 +9,12 @@
 #include "breccia/error.hpp"
 
 #include "elastic_solver.hpp"
+#include "recovery.hpp"
 
 namespace breccia {
 namespace {
 
+using quasistatic::AppliedModuli;
 using quasistatic::ElasticBox;
 using quasistatic::ElasticSolver;
 using quasistatic::Field;
@@ -99,6 +101,28 @@ class SteppedLoad {
     return (box_->boundary() == Boundary::traction ? work(load_forces_, displacement_) : affine_force) / box_->area();
   }
 
+  [[nodiscard]] const Field& displacement() const noexcept { return displacement_; }
+
+  /// Its modulus at rest times the displacement, and what the memories of its terms hold, by material.
+  [[nodiscard]] std::vector<AppliedModuli> applied_moduli() const {
+    std::vector<AppliedModuli> applied;
+    for (const auto& [bulk, shear] : equilibrium()) {
+      applied.push_back({displacement_.copy(), displacement_.copy()});
+      applied.back().bulk.scale(bulk);
+      applied.back().shear.scale(shear);
+    }
+    for (std::size_t r = 0; r < relaxing_->size(); ++r) {
+      for (std::size_t m = 0; m < applied.size(); ++m) {
+        const auto& [bulk, shear] = (*relaxing_)[r].unit[m];
+        for (const auto& memory : memory_[r]) {
+          if (bulk > 0.0) applied[m].bulk.add(bulk, memory);
+          if (shear > 0.0) applied[m].shear.add(shear, memory);
+        }
+      }
+    }
+    return applied;
+  }
+
  private:
   /// Lets the memory of a modulus decay, and returns its forces.
   Field decayed_forces(std::size_t modulus, double time_step) {
@@ -152,10 +176,13 @@ class SteppedLoad {
   std::vector<std::vector<Field>> memory_;  ///< by relaxing modulus and term
 };
 
+/// Told the time that has been reached, and the answer to the first load.
+using StepObserver = std::function<void(double time, const SteppedLoad& first)>;
+
 /// Values by load: first those right after the jump, then at the times.
 std::vector<std::vector<double>> run(const QuasistaticProblem& problem, const ElasticBox& box,
                                      std::span<const Load> loads, std::span<const double> times, ElasticSolver& solver,
-                                     const ShareObserver& observer) {
+                                     const ShareObserver& observer, const StepObserver& after_step) {
   const auto relaxing = relaxing_moduli(problem.materials);
   std::vector<SteppedLoad> stepped;
   for (const auto load : loads) stepped.emplace_back(box, problem.materials, relaxing, load);
@@ -176,6 +203,7 @@ std::vector<std::vector<double>> run(const QuasistaticProblem& problem, const El
   for (std::size_t i = 0; i < times.size(); ++i) {
     step_all(times[i] - time);
     time = times[i];
+    after_step(time, stepped.front());
     if (observer) observer(static_cast<double>(i + 1) / static_cast<double>(times.size()));
   }
   return values;
@@ -219,23 +247,35 @@ void require_complete(const QuasistaticProblem& problem, std::span<const double>
 }  // namespace
 
 SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
-                                     std::span<const double> times, const ShareObserver& observer) {
+                                     std::span<const double> times, const ShareObserver& observer,
+                                     std::span<const double> field_times) {
   require_complete(problem, times);
   const ElasticBox box(problem.discretisation, problem.volumetric, problem.boundary);
   ElasticSolver solver(box, problem.linear);
+  SteppingResult result;
+  const auto keep_fields = [&](double time, const SteppedLoad& first) {
+    if (std::find(field_times.begin(), field_times.end(), time) == field_times.end()) return;
+    result.fields.push_back({time, recover_fields(box, problem.discretisation, problem.volumetric, loads.front(),
+                                                  first.displacement(), first.applied_moduli())});
+  };
   constexpr double share_of_fine = 2.0 / 3.0;
-  const auto fine = run(problem, box, loads, times, solver, [&](double share) {
-    if (observer) observer(share_of_fine * share);
-  });
+  const auto fine = run(
+      problem, box, loads, times, solver,
+      [&](double share) {
+        if (observer) observer(share_of_fine * share);
+      },
+      keep_fields);
   const auto places = every_other(times.size());
   std::vector<double> coarse_times;
   coarse_times.reserve(places.size());
   for (const auto place : places) coarse_times.push_back(times[place]);
-  const auto coarse = run(problem, box, loads, coarse_times, solver, [&](double share) {
-    if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);
-  });
+  const auto coarse = run(
+      problem, box, loads, coarse_times, solver,
+      [&](double share) {
+        if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);
+      },
+      [](double, const SteppedLoad&) {});
 
-  SteppingResult result;
   result.effort = solver.effort();
   for (std::size_t l = 0; l < loads.size(); ++l) {
     const std::vector<double> values(fine[l].begin() + 1, fine[l].end());

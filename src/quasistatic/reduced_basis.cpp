@@ -38,6 +38,7 @@ ReducedBasis::ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, L
   // With the square root of the area, e' K^-1 e is a compliance [1/Pa].
   load_forces_.scale(1.0 / std::sqrt(box.area()));
   if (box.boundary() != Boundary::traction) load_forces_.set_affine(std::sqrt(box.area()));
+  extend(box.uniform_strain(load));
 }
 
 double ReducedBasis::reference_energy(const PartForces& forces, const Field& displacement) const {
@@ -64,8 +65,13 @@ bool ReducedBasis::normalise(Field& vector) const {
 
 void ReducedBasis::add(Field solution, const Moduli& matrix) {
   response_.snapshots.push_back({matrix});
-  if (!normalise(solution)) return;
-  vectors_.push_back(std::move(solution));
+  extend(std::move(solution));
+}
+
+/// Takes a vector that the others do not hold already.
+void ReducedBasis::extend(Field candidate) {
+  if (!normalise(candidate)) return;
+  vectors_.push_back(std::move(candidate));
   const auto& vector = vectors_.back();
   forces_.push_back({box_->forces(parts_->filler, load_, vector), box_->forces(parts_->matrix_shear, load_, vector),
                      box_->forces(parts_->matrix_bulk, load_, vector)});
@@ -102,16 +108,21 @@ void ReducedBasis::extend_projection() {
 }
 
 Field ReducedBasis::approximation(const Moduli& matrix) const {
-  auto sum = box_->zero_field();
-  if (vectors_.empty()) return sum;
+  if (vectors_.empty()) return box_->zero_field();
   const Eigen::VectorXd weights =
       (response_.filler + matrix.shear * response_.matrix_shear + matrix.bulk * response_.matrix_bulk)
           .ldlt()
           .solve(response_.load_forces);
-  for (std::size_t i = 0; i < vectors_.size(); ++i) sum.add(weights[static_cast<Eigen::Index>(i)], vectors_[i]);
+  auto sum = combination(weights);
   // As the solutions are: all of the affine motion where that is given, the unit traction else.
   const bool is_strained = box_->boundary() != Boundary::traction;
   sum.scale(is_strained ? 1.0 / sum.affine() : 1.0);
+  return sum;
+}
+
+Field ReducedBasis::combination(const Eigen::VectorXd& weights) const {
+  auto sum = box_->zero_field();
+  for (std::size_t i = 0; i < vectors_.size(); ++i) sum.add(weights[static_cast<Eigen::Index>(i)], vectors_[i]);
   return sum;
 }
 

@@ -18,8 +18,9 @@ struct StiffnessParts {
   [[nodiscard]] std::vector<Moduli> with(const Moduli& matrix) const;
 };
 
-/// Solutions under one load, orthonormal in the energy of a reference matrix, and the projection of the stiffness on
-/// them.
+/// The uniform strain of a load and solutions under it, orthonormal in the energy of a reference matrix, and the
+/// projection of the stiffness on them. With the uniform strain among them the mean stress of a combination that is in
+/// balance with all of them is exactly the one that its modulus tells.
 class ReducedBasis {
  public:
   ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, Load load, const Moduli& reference);
@@ -30,6 +31,8 @@ class ReducedBasis {
 
   /// Displacement that the basis holds for best; zero when it is empty.
   [[nodiscard]] Field approximation(const Moduli& matrix) const;
+  /// The sum of the vectors with these weights.
+  [[nodiscard]] Field combination(const Eigen::VectorXd& weights) const;
   /// Adds a solution for these moduli. One that the basis holds already, as in a box of one material, leaves it as it
   /// is.
   void add(Field solution, const Moduli& matrix);
@@ -40,6 +43,7 @@ class ReducedBasis {
   };
   [[nodiscard]] double reference_energy(const PartForces& forces, const Field& displacement) const;
   [[nodiscard]] bool normalise(Field& vector) const;
+  void extend(Field candidate);
   void extend_projection();
 
   const ElasticBox* box_;

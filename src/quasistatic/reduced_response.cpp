@@ -8,7 +8,7 @@
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "network_spectrum.hpp"
+#include "network.hpp"
 
 namespace breccia {
 namespace {

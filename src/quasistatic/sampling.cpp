@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
 #include "elastic_solver.hpp"
+#include "network.hpp"
+#include "recovery.hpp"
 #include "reduced_basis.hpp"
 
 namespace breccia {
@@ -85,17 +88,50 @@ Worst worst_on(std::span<const Moduli> path, const std::vector<ReducedBasis>& ba
   return worst;
 }
 
+/// What the recovery of fields needs. The bases point to the box and the parts.
+struct Sampling {
+  Sampling(const QuasistaticProblem& problem, MaterialIndex matrix)
+      : parts(parts_of(problem, matrix)), box(problem.discretisation, problem.volumetric, problem.boundary) {}
+
+  StiffnessParts parts;
+  ElasticBox box;
+  std::vector<ReducedBasis> bases;  ///< by load
+};
+
+PointFields recover(const Sampling& sampling, const QuasistaticProblem& problem, MaterialIndex matrix_index,
+                    std::size_t load, const Material& matrix, double time) {
+  const auto& basis = sampling.bases.at(load);
+  const auto state = quasistatic::network_state(basis.response(), matrix, time);
+  // A unit of e is that of the load over the root of the area.
+  const double unit = std::sqrt(sampling.box.area());
+  const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
+  const auto displacement = combined(state.displacement);
+  std::vector<quasistatic::AppliedModuli> applied;
+  for (std::size_t m = 0; m < sampling.parts.filler.size(); ++m) {
+    if (m == matrix_index) {
+      applied.push_back({combined(state.bulk), combined(state.shear)});
+    } else {
+      applied.push_back({displacement.copy(), displacement.copy()});
+      applied.back().bulk.scale(sampling.parts.filler[m].bulk);
+      applied.back().shear.scale(sampling.parts.filler[m].shear);
+    }
+  }
+  return quasistatic::recover_fields(sampling.box, problem.discretisation, problem.volumetric, basis.load(),
+                                     displacement, applied);
+}
+
 }  // namespace
 
 SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> path, const SamplingOptions& options,
                                   const std::function<void(const SamplingProgress&)>& observer) {
   if (path.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
-  const auto parts = parts_of(problem, matrix);
-  const ElasticBox box(problem.discretisation, problem.volumetric, problem.boundary);
+  const auto sampling = std::make_shared<Sampling>(problem, matrix);
+  const auto& parts = sampling->parts;
+  const auto& box = sampling->box;
+  auto& bases = sampling->bases;
   ElasticSolver solver(box, problem.linear);
   const auto& middle = path[path.size() / 2];
-  std::vector<ReducedBasis> bases;
   for (const auto load : loads) bases.emplace_back(box, parts, load, middle);
 
   std::vector<double> scales(loads.size(), 0.0);
@@ -156,6 +192,9 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
     for (std::size_t i = 0; i < measured[l].size(); ++i) response.snapshots[i].error_before = measured[l][i];
     sampled.responses.push_back(std::move(response));
   }
+  sampled.fields = [sampling, problem, matrix](std::size_t load, const Material& material, double time) {
+    return recover(*sampling, problem, matrix, load, material, time);
+  };
   return sampled;
 }
 

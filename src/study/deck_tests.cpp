@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -35,6 +37,23 @@ std::vector<double> read_density_factors(const Section& section) {
   if (!std::ranges::is_sorted(factors, std::ranges::less_equal()))
     section.report("density_factors", "expected rising numbers");
   return factors;
+}
+
+/// Times within those of the tests, as far as these are known: the last one, none, or an array.
+std::vector<double> read_field_times(const Section& section, const std::optional<TimeWindow>& window) {
+  const auto times = window.value_or(TimeWindow{0.0, std::numeric_limits<double>::infinity()});
+  if (!section.has("fields")) return {times.end};
+  if (section.kind("fields") == Kind::text) {
+    const auto has_last = section.choice<bool>("fields", {{"last", true}, {"none", false}});
+    return has_last.value_or(false) ? std::vector{times.end} : std::vector<double>();
+  }
+  auto fields = section.quantities("fields", Dimension::time, Range::positive());
+  // A time that is none has been reported already, and is no number.
+  if (std::ranges::any_of(fields, [](double time) { return std::isnan(time); })) return {};
+  if (!std::ranges::is_sorted(fields, std::ranges::less_equal())) section.report("fields", "expected rising times");
+  const auto is_outside = [&](double time) { return time < times.begin || time > times.end; };
+  if (std::ranges::any_of(fields, is_outside)) section.report("fields", "expected times within those of the tests");
+  return fields;
 }
 
 /// One method, or an array of methods.
@@ -112,10 +131,12 @@ Tests read_tests(const Section& deck) {
     refuse_repeats(section, "bounds", tests.bounds);
   }
   if (section.has("method")) tests.methods = read_methods(section);
-  if (const auto times = required_time_window(section, "times")) {
+  const auto times = required_time_window(section, "times");
+  if (times) {
     tests.first_time = times->begin;
     tests.last_time = times->end;
   }
+  tests.field_times = read_field_times(section, times);
   const Range points{.lower = 1.0, .upper = 1000.0};
   tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
   tests.fit_tolerance =

@@ -126,6 +126,10 @@ Json json_of(const TestResult& test, const Study& study) {
                {"method", name_of(test.method)},
                {"cells", test.cells == 0 ? Json("extrapolated") : Json(test.cells)}};
   json.update(std::visit(DescribeRecord{study.tests, points}, test.record));
+  for (const auto& [time, file, stress, strain] : test.fields) {
+    json["fields"].push_back(
+        {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}});
+  }
   return json;
 }
 

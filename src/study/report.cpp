@@ -80,9 +80,25 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
   return histories;
 }
 
+/// The pictures of fields that the tests of a stage have left, by their names.
+Json field_pictures_of(const fs::path& directory, const Json& stage) {
+  Json pictures = Json::object();
+  for (const auto& test : stage.at("tests")) {
+    if (!test.contains("fields")) continue;
+    for (const auto& field : test.at("fields")) {
+      for (const auto* picture : {"stress_picture", "strain_picture"}) {
+        const auto name = field.at(picture).get<std::string>();
+        if (fs::exists(directory / name)) pictures[name] = read_text(directory / name);
+      }
+    }
+  }
+  return pictures;
+}
+
 /// Everything that the page shows, as it is on the disk.
 Json data_of(const fs::path& directory, Json study) {
-  Json tables = Json::object(), pictures = Json::object(), responses = Json::object(), histories = Json::object();
+  Json tables = Json::object(), pictures = Json::object(), fields = Json::object(), responses = Json::object(),
+       histories = Json::object();
   auto names = curve_files();
   names.emplace_back("comparison.csv");
   for (const auto& name : names) {
@@ -93,12 +109,14 @@ Json data_of(const fs::path& directory, Json study) {
     const auto name = stage.at("name").get<std::string>();
     const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
     if (fs::exists(picture)) pictures[name] = read_text(picture);
+    fields[name] = field_pictures_of(directory / name, stage);
     if (fs::exists(response)) responses[name] = responses_of(response, hash);
     histories[name] = histories_of(directory / name, stage, hash);
   }
   return {{"study", std::move(study)},
           {"tables", std::move(tables)},
           {"pictures", std::move(pictures)},
+          {"fields", std::move(fields)},
           {"responses", std::move(responses)},
           {"histories", std::move(histories)}};
 }

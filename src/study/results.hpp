@@ -12,9 +12,6 @@ namespace breccia {
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure);
 
-/// Writes `fields.vtkhdf` of a stage: the points at the end of a test.
-void write_fields(const std::filesystem::path& directory, const Grid& grid, const PointFields& fields);
-
 /// Names of the files that hold curves: those that write_curves may write.
 std::vector<std::string> curve_files();
 

@@ -15,6 +15,7 @@
 #include "breccia/study/stage_warnings.hpp"
 
 #include "comparison.hpp"
+#include "field_files.hpp"
 #include "response_file.hpp"
 #include "results.hpp"
 #include "stage_extrapolation.hpp"
@@ -34,14 +35,15 @@ std::vector<std::string> old_results(const Study& study, const fs::path& directo
   names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
   std::ranges::copy(sweep_files(), std::back_inserter(names));
   for (const auto& stage : study.stages) {
-    for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
-                             "fields.vtkhdf", "response.h5"}) {
+    for (const auto* name :
+         {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5"}) {
       names.push_back(stage.name + "/" + name);
     }
     if (!fs::is_directory(directory / stage.name)) continue;
     for (const auto& entry : fs::directory_iterator(directory / stage.name)) {
       const auto name = entry.path().filename().string();
-      if (name.find("-dynamic-") != std::string::npos) names.push_back(fmt::format("{}/{}", stage.name, name));
+      if (name.find("-dynamic-") != std::string::npos || is_of_fields(name))
+        names.push_back(fmt::format("{}/{}", stage.name, name));
     }
   }
   return names;
@@ -122,14 +124,7 @@ class StageRun {
       write_once([&] { write_responses(grid.directory, study_, stage_, done_); });
       return;
     }
-    for (const auto load : loads_of(study_, stage_)) {
-      PointFields fields;
-      auto test = run_dynamic(grid, matrix, boundary, load, observer_, fields);
-      // Fields are large: the first test's are written, and none is kept.
-      if (!has_fields_) write_once([&] { write_fields(grid.directory, grid.discretisation.grid(), fields); });
-      has_fields_ = true;
-      keep(std::move(test));
-    }
+    for (const auto load : loads_of(study_, stage_)) keep(run_dynamic(grid, matrix, boundary, load, observer_));
   }
 
   /// The matrix, or of every boundary its own, and what was measured.
@@ -178,7 +173,6 @@ class StageRun {
   const StudyObserver& observer_;
   StudyResult& result_;
   StageResult& done_;
-  bool has_fields_ = false;
 };
 
 }  // namespace

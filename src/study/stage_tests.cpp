@@ -10,6 +10,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
+#include "field_files.hpp"
 #include "history_file.hpp"
 #include "named_errors.hpp"
 #include "results.hpp"
@@ -21,6 +22,13 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   std::vector<Material> materials = {matrix};
   if (stage.filler) materials.push_back(stage.filler->material);
   return materials;
+}
+
+/// Fields are written by the first of several processes.
+std::vector<FieldRecord> write_once(const StageGrid& grid, Boundary boundary, Method method,
+                                    const std::vector<TimedFields>& fields) {
+  if (parallel::rank() != 0) return {};
+  return write_fields(grid, boundary, method, fields);
 }
 
 }  // namespace
@@ -42,6 +50,7 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
+          .field_times = field_times_of(study, stage, discretisation, load),
           .options = study.tests.dynamic,
           .threads = threads};
 }
@@ -54,6 +63,7 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
           .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
+          .field_times = field_times_of(study, stage, discretisation, study.tests.loads.front()),
           .options = study.tests.quasistatic};
 }
 
@@ -77,11 +87,12 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
     result.record = QuasistaticRecord{std::move(response), done.effort, done.seconds};
     results.push_back(std::move(result));
   }
+  results.front().fields = write_once(grid, boundary, Method::quasistatic, done.fields);
   return results;
 }
 
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
-                       const StudyObserver& observer, PointFields& fields) {
+                       const StudyObserver& observer) {
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(boundary), cells);
@@ -101,8 +112,9 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
   };
   const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] { return run_dynamic_test(test, follow); });
-  fields = std::exchange(done.fields, {});
   TestResult result{.load = load, .boundary = boundary, .method = Method::dynamic, .cells = cells};
+  // Fields are large: they are written, and not kept.
+  result.fields = write_once(grid, boundary, Method::dynamic, std::exchange(done.fields, {}));
   result.modulus = std::exchange(done.curve, {});
   result.compliance = std::exchange(done.compliance, {});
   result.series = fitted(result.modulus);

@@ -20,9 +20,9 @@ struct StageGrid {
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
                                         const StudyObserver& observer);
 
-/// One load under one boundary by the dynamic method, with its histories written. `fields` receives those at the end.
+/// One load under one boundary by the dynamic method. Both write fields, this one also histories.
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
-                       const StudyObserver& observer, PointFields& fields);
+                       const StudyObserver& observer);
 
 /// The series of a curve that a method gives as numbers.
 PronySeries fitted(const Curve& curve);

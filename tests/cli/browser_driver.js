@@ -112,6 +112,14 @@ async function look() {
   await paste("relaxation_time_s,modulus_Pa\n0.01,0.5e6\n1,0.1e6\n");
   see("A with the same spectrum pasted", liveModulus("A"));
 
+  const maps = [...document.querySelectorAll("#field-pictures img")];
+  await Promise.all(maps.map((map) => map.decode()));
+  see("maps of fields", maps.length);
+  const choice = document.querySelector(".field-choice");
+  choice.selectedIndex = 2;
+  choice.dispatchEvent(new Event("change"));
+  see("maps of another test", document.querySelector("#field-pictures figcaption").textContent);
+
   document.querySelector('button[aria-label="larger"]').click();
   see("zoomed picture", document.querySelector(".picture img").style.transform.includes("scale(1.5)"));
 }

@@ -13,7 +13,8 @@ namespace {
 
 using testing::ElementsAre;
 
-using Numbers = std::vector<double>;
+using Numbers = std::vector<float>;
+using Bytes = std::vector<std::uint8_t>;
 using Integers = std::vector<std::int64_t>;
 
 class VtkHdf : public testing::Test {
@@ -23,24 +24,33 @@ class VtkHdf : public testing::Test {
   Lattice lattice{.nx = 3, .ny = 2, .origin = {0.25, 0.75}, .spacing = 0.5};
 };
 
-// The layout that the VTK file format documentation prescribes for version 1.0 of ImageData.
-TEST_F(VtkHdf, WritesImageData) {
+// The layout that the VTK file format documentation prescribes for version 1.0 of UnstructuredGrid.
+TEST_F(VtkHdf, WritesASquareForEachValue) {
   write_vtkhdf(path, lattice,
-               {{"material", 1, Integers{0, 1, 2, 3, 4, 5}},
-                {"displacement", 3, Numbers(18, 0.5)},
-                {"stress", 6, Numbers(36, 2.0)}});
+               {{"material", 1, Bytes{0, 1, 2, 3, 4, 5}},
+                {"displacement", 3, Numbers(18, 0.5F)},
+                {"stress", 6, Numbers(36, 2.0F)}},
+               {{"time_s", 1e-3}});
   const Hdf5Reader file(path);
   EXPECT_THAT(file.attribute<Integers>("/VTKHDF", "Version"), ElementsAre(1, 0));
-  EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "ImageData");
-  EXPECT_THAT(file.attribute<Integers>("/VTKHDF", "WholeExtent"), ElementsAre(0, 2, 0, 1, 0, 0));
-  EXPECT_THAT(file.attribute<Numbers>("/VTKHDF", "Origin"), ElementsAre(0.25, 0.75, 0.0));
-  EXPECT_THAT(file.attribute<Numbers>("/VTKHDF", "Spacing"), ElementsAre(0.5, 0.5, 0.5));
-  EXPECT_THAT(file.attribute<Numbers>("/VTKHDF", "Direction"), ElementsAre(1, 0, 0, 0, 1, 0, 0, 0, 1));
-  EXPECT_THAT(file.names("/VTKHDF/PointData"), ElementsAre("displacement", "material", "stress"));
-  EXPECT_THAT(file.shape("/VTKHDF/PointData/material"), ElementsAre(1U, 2U, 3U));
-  EXPECT_THAT(file.shape("/VTKHDF/PointData/displacement"), ElementsAre(1U, 2U, 3U, 3U));
-  EXPECT_THAT(file.shape("/VTKHDF/PointData/stress"), ElementsAre(1U, 2U, 3U, 6U));
-  EXPECT_THAT(file.read_integers("/VTKHDF/PointData/material"), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_EQ(file.attribute<double>("/VTKHDF", "time_s"), 1e-3);
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfPoints"), ElementsAre(12));
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfCells"), ElementsAre(6));
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfConnectivityIds"), ElementsAre(24));
+  EXPECT_THAT(file.shape("/VTKHDF/Points"), ElementsAre(12U, 3U));
+  const auto points = file.read_numbers("/VTKHDF/Points");
+  EXPECT_THAT(std::vector(points.begin(), points.begin() + 6), ElementsAre(0.25, 0.75, 0.0, 0.75, 0.75, 0.0));
+  const auto corners = file.read_integers("/VTKHDF/Connectivity");
+  EXPECT_THAT(std::vector(corners.begin(), corners.begin() + 4), ElementsAre(0, 1, 5, 4));
+  EXPECT_THAT(std::vector(corners.end() - 4, corners.end()), ElementsAre(6, 7, 11, 10));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Offsets"), ElementsAre(0, 4, 8, 12, 16, 20, 24));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Types"), ElementsAre(9, 9, 9, 9, 9, 9));
+  EXPECT_THAT(file.names("/VTKHDF/CellData"), ElementsAre("displacement", "material", "stress"));
+  EXPECT_THAT(file.shape("/VTKHDF/CellData/material"), ElementsAre(6U));
+  EXPECT_THAT(file.shape("/VTKHDF/CellData/displacement"), ElementsAre(6U, 3U));
+  EXPECT_THAT(file.shape("/VTKHDF/CellData/stress"), ElementsAre(6U, 6U));
+  EXPECT_THAT(file.read_integers("/VTKHDF/CellData/material"), ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
 TEST_F(VtkHdf, RefusesFieldsThatDoNotFit) {

@@ -37,6 +37,13 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_EQ(defaults.dynamic.volumetric, Volumetric::averaged);
   EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
   EXPECT_THAT(defaults.dynamic.density_factors, IsEmpty());
+  EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
+}
+
+TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
+  EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
+  EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());
+  EXPECT_THAT(tests(test::join(times, "fields = [\"1 us\", \"10 ms\"]")).field_times, ElementsAre(1e-6, 1e-2));
 }
 
 TEST_F(DeckTests, EverythingOfTheQuasistaticMethod) {
@@ -106,6 +113,13 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
   EXPECT_THAT(with_times("bounds = [\"lowest\"]"), HasSubstr("got \"lowest\", did you mean \"lower\"?"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
+  EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected \"last\" or \"none\""));
+  EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
+  EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
+  EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),
+              HasSubstr("tests.fields: expected times within those of the"));
+  EXPECT_THAT(with_times("fields = [\"1 m\"]"), HasSubstr("tests.fields: expected a time, got \"1 m\""));
+  EXPECT_THAT(mistakes("fields = [\"1 ms\"]"), ::testing::Not(HasSubstr("fields")));
   EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));
   EXPECT_THAT(with_times("solver = \"stepped\""), HasSubstr("got \"stepped\""));
   EXPECT_THAT(with_times("quasistatic = { tolerance = 1 }"), HasSubstr("tests.quasistatic.tolerance: expected"));

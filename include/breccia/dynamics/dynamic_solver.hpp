@@ -1,12 +1,12 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
+#include "breccia/mpm/point_fields.hpp"
 
 namespace breccia {
 
@@ -16,15 +16,6 @@ struct Averages {
   PlaneStrain strain;  ///< that of the boundary's displacement, sym(u n) integrated over it and divided by the area [-]
 
   friend bool operator==(const Averages&, const Averages&) = default;
-};
-
-/// Fields at the material points, per unit of the load. Points come in rows of the lattice with spacing h/2, from the
-/// lower left corner: a cell's points lie in two neighbouring rows.
-struct PointFields {
-  std::vector<MaterialIndex> material;
-  std::vector<std::array<double, 2>> displacement;  ///< [m]
-  std::vector<std::array<double, 3>> strain;        ///< xx, yy, xy (tensor shear) [-]
-  std::vector<std::array<double, 4>> stress;        ///< xx, yy, zz, xy [Pa]
 };
 
 /// Energy per unit thickness [J/m] and per squared unit of the load.

@@ -19,8 +19,9 @@ struct DynamicTest {
   std::vector<Material> materials;  ///< by MaterialIndex
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
-  TimeWindow times;            ///< wanted [s]
-  int points_per_decade = 20;  ///< of the stitched curve
+  TimeWindow times;                      ///< wanted [s]
+  int points_per_decade = 20;            ///< of the stitched curve
+  std::vector<double> field_times = {};  ///< at which fields are wanted, rising [s]
   DynamicOptions options = {};
   int threads = 0;  ///< 0: all
 };
@@ -55,9 +56,9 @@ struct DynamicTestResult {
   std::vector<Overlap> overlaps;
   /// Of a traction boundary: largest relative deviation of the fit through which the compliance became a modulus [-].
   std::optional<double> fit_error = {};
-  Curve curve;         ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
-  Creep compliance;    ///< creep compliance at the same times, stitched, of a traction boundary alone
-  PointFields fields;  ///< at the end of the last domain
+  Curve curve;       ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
+  Creep compliance;  ///< creep compliance at the same times, stitched, of a traction boundary alone
+  std::vector<TimedFields> fields;  ///< at the first sample at or after each of the times wanted
 };
 
 /// Where a running test stands.

@@ -33,8 +33,9 @@ struct QuasistaticTest {
   std::vector<Material> materials;  ///< by MaterialIndex
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
-  TimeWindow times;            ///< wanted [s]
-  int points_per_decade = 20;  ///< of the curves
+  TimeWindow times;                      ///< wanted [s]
+  int points_per_decade = 20;            ///< of the curves
+  std::vector<double> field_times = {};  ///< at which the fields of the first load are wanted, rising [s]
   QuasistaticOptions options = {};
 };
 
@@ -51,6 +52,7 @@ struct QuasistaticResponse {
 
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
+  std::vector<TimedFields> fields;             ///< of the first load; on the first process, on the others zero
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time
 };
@@ -58,7 +60,8 @@ struct QuasistaticTestResult {
 /// Told what is going on, and the share of the test that is done, 0 to 1. What it throws ends the test.
 using QuasistaticObserver = std::function<void(const std::string& details, double share)>;
 
-/// Throws InputError for an incomplete test, NumericalError when a linear system or the tolerance defeats it.
+/// Throws InputError for an incomplete test or fields outside its times, NumericalError when a linear system or the
+/// tolerance defeats it.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {});
 
 }  // namespace breccia

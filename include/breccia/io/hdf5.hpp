@@ -48,6 +48,11 @@ class Hdf5Writer {
   /// Writes a dataset. The values fill the shape in the order of its last index.
   void write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
   void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
+  /// The same, compressed.
+  void write_compressed(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
+  void write_compressed(const std::string& name, std::span<const float> values, const Hdf5Shape& shape);
+  void write_compressed(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
+  void write_compressed(const std::string& name, std::span<const std::uint8_t> values, const Hdf5Shape& shape);
   /// Writes a one-dimensional dataset.
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::int64_t> values);
@@ -57,8 +62,11 @@ class Hdf5Writer {
   void commit();
 
  private:
+  /// With the properties of a dataset that is made, an identifier of HDF5.
   void write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                 const Hdf5Shape& shape);
+                 const Hdf5Shape& shape, std::int64_t properties);
+  void write_in_chunks(const std::string& name, const void* values, std::size_t count, std::int64_t type,
+                       const Hdf5Shape& shape);
   [[noreturn]] void fail(std::string_view action, std::string_view object) const;
 
   AtomicFile target_;

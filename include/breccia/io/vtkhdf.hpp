@@ -9,24 +9,32 @@
 
 namespace breccia {
 
-/// A regular lattice of points in the plane: origin + (i * spacing, j * spacing), 0 <= i < nx, 0 <= j < ny.
+/// Equal squares side by side in the plane, nx in a row and ny rows.
 struct Lattice {
   std::size_t nx = 0;
   std::size_t ny = 0;
-  std::array<double, 2> origin{};  ///< of the first point [m]
-  double spacing = 0.0;            ///< [m]
+  std::array<double, 2> origin{};  ///< the lower left corner of the first [m]
+  double spacing = 0.0;            ///< side of a square [m]
 };
 
-/// A field on the points of a lattice: a scalar (1), a vector (3) or a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
-struct PointField {
+/// A field on the squares of a lattice: a scalar (1), a vector (3) or a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
+struct LatticeField {
   std::string name;
   std::size_t components = 1;
-  /// One value after the other: components innermost, then i, then j.
-  std::variant<std::vector<double>, std::vector<std::int64_t>> values;
+  /// One value after the other: components innermost, then the squares of a row from the left, then rows from below.
+  std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
 
-/// Writes fields as a VTKHDF file (version 1.0, ImageData), which ParaView 5.11 and later open. Throws FileError, and
-/// InputError when a field does not fit the lattice.
-void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<PointField>& fields);
+/// A number that belongs to all of the fields: an attribute of the file.
+struct FieldNumber {
+  std::string name;
+  double value;
+};
+
+/// Writes fields as a compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral for each square),
+/// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. Throws
+/// FileError, and InputError when a field does not fit the lattice.
+void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<LatticeField>& fields,
+                  const std::vector<FieldNumber>& numbers = {});
 
 }  // namespace breccia

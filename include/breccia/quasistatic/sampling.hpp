@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/mpm/point_fields.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 
@@ -22,8 +23,13 @@ struct SamplingProgress {
 };
 
 struct SampledResponses {
+  /// Fields of the points at a time [s] after one of the loads, by its place, was applied to the composite with a
+  /// viscoelastic matrix; per unit of the load (theory, Eqs. 34 and 35). On the first process; on the others zero.
+  using Recovery = std::function<PointFields(std::size_t load, const Material& matrix, double time)>;
+
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;
+  Recovery fields;  ///< it keeps the solutions
 };
 
 /// Solves for matrix moduli [Pa] chosen from `path` until the reduced responses meet the tolerance: first both ends and

@@ -28,6 +28,13 @@ struct ExtrapolationRecord {
   std::vector<double> half_bands;  ///< of the modulus at each time [Pa]
 };
 
+/// Fields of a test, as they are in the directory of its stage.
+struct FieldRecord {
+  double time = 0.0;  ///< [s]
+  std::string file;   ///< VTKHDF
+  std::string stress_picture, strain_picture;
+};
+
 /// One virtual test of one stage under one load, done.
 struct TestResult {
   Load load = Load::shear;
@@ -37,6 +44,7 @@ struct TestResult {
   Curve modulus = {};       ///< relaxation modulus; of a creep test after interconversion
   Creep compliance = {};    ///< of a creep test
   PronySeries series = {};  ///< of the modulus
+  std::vector<FieldRecord> fields = {};
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 

@@ -119,6 +119,7 @@ struct Tests {
   double first_time = 0.0;  ///< [s]
   double last_time = 0.0;   ///< [s]
   int points_per_decade = 20;
+  std::vector<double> field_times = {};  ///< at which the fields of the first load are left, rising [s]
   /// Largest relative deviation that the fit of a stage's result may have where a later stage builds on it [-].
   double fit_tolerance = 0.03;
   QuasistaticOptions quasistatic;

@@ -4,6 +4,7 @@ showSummary();
 showWarnings();
 showComparison();
 showPictures();
+showFields();
 showQuality();
 showDeck();
 showProvenance();

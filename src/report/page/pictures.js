@@ -1,25 +1,56 @@
 "use strict";
 
-/// The microstructures, which can be zoomed and moved.
+/// The microstructures.
 function showPictures() {
   const place = document.getElementById("pictures");
   for (const stage of study.stages) {
     const svg = data.pictures[stage.name];
     if (svg === undefined) continue;
-    const image = element("img", {alt: `Microstructure of ${stage.name}`, draggable: false,
-      src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
-    const frame = element("div", {className: "picture"}, image);
-    const zoom = makeZoomable(frame, image);
-    place.append(element("figure", {}, frame,
-      element("figcaption", {}, `${stage.name}: ${wordsOnStage(stage)}`),
-      element("div", {className: "buttons"},
-        element("button", {ariaLabel: "larger", onclick: () => zoom.by(1.5)}, "+"),
-        element("button", {ariaLabel: "smaller", onclick: () => zoom.by(1 / 1.5)}, "−"),
-        element("button", {onclick: () => zoom.reset()}, "All of it"),
-        element("button", {onclick: () => save(fileName(`${stage.name} microstructure`, "svg"), svg, "image/svg+xml")},
-          "SVG"))));
+    place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${wordsOnStage(stage)}`));
   }
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
+}
+
+/// The maps of stress and strain of each stage, of one test and time at once.
+function showFields() {
+  const place = document.getElementById("field-pictures");
+  for (const stage of study.stages) {
+    const fields = stage.tests.flatMap((test) => (test.fields ?? []).map((field) => ({test, ...field})));
+    const shown = fields.filter((field) => data.fields[stage.name][field.stress_picture] !== undefined);
+    if (shown.length === 0) continue;
+    const pair = element("div", {className: "pictures"});
+    const show = (field) => {
+      const words = wordsOnField(field);
+      pair.replaceChildren(...["stress", "strain"].map((quantity) => zoomableFigure(
+        data.fields[stage.name][field[`${quantity}_picture`]], `${stage.name} ${quantity}`,
+        `${stage.name}, ${quantity}: ${words}`)));
+    };
+    const choice = element("select", {ariaLabel: `Test and time of ${stage.name}`, className: "field-choice",
+      onchange: () => show(shown[choice.selectedIndex])}, ...shown.map((field) => element("option", {}, wordsOnField(field))));
+    place.append(element("h3", {}, stage.name), choice, pair);
+    choice.selectedIndex = Math.max(0, shown.findIndex((field) => field.file === "fields.vtkhdf"));
+    show(shown[choice.selectedIndex]);
+  }
+  document.getElementById("fields").hidden = place.childElementCount === 0;
+}
+
+function wordsOnField({test, time_s}) {
+  return `${boundNames[test.boundary]}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
+}
+
+/// A picture that can be zoomed and moved.
+function zoomableFigure(svg, name, caption) {
+  const image = element("img", {alt: caption, draggable: false,
+    src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
+  const frame = element("div", {className: "picture"}, image);
+  const zoom = makeZoomable(frame, image);
+  return element("figure", {}, frame,
+    element("figcaption", {}, caption),
+    element("div", {className: "buttons"},
+      element("button", {ariaLabel: "larger", onclick: () => zoom.by(1.5)}, "+"),
+      element("button", {ariaLabel: "smaller", onclick: () => zoom.by(1 / 1.5)}, "−"),
+      element("button", {onclick: () => zoom.reset()}, "All of it"),
+      element("button", {onclick: () => save(fileName(name, "svg"), svg, "image/svg+xml")}, "SVG")));
 }
 
 function makeZoomable(frame, image) {

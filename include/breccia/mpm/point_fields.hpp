@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "breccia/mpm/discretisation.hpp"
+
+namespace breccia {
+
+/// Fields at the material points, per unit of the load. Points come in rows of the lattice with spacing h/2, from the
+/// lower left corner: a cell's points lie in two neighbouring rows.
+struct PointFields {
+  std::vector<MaterialIndex> material;
+  std::vector<std::array<double, 2>> displacement;  ///< [m]
+  std::vector<std::array<double, 3>> strain;        ///< xx, yy, xy (tensor shear), as the stress sees it [-]
+  std::vector<std::array<double, 4>> stress;        ///< xx, yy, zz, xy [Pa]
+};
+
+/// Fields at a time after the load was applied.
+struct TimedFields {
+  double time = 0.0;  ///< [s]
+  PointFields fields;
+};
+
+/// Fields of the points of a discretisation: their materials, and all else zero.
+PointFields zero_fields(const Discretisation& discretisation);
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <array>
+
+#include "breccia/io/png.hpp"
+
+namespace breccia {
+
+/// Colours from dark violet over blue and green to light yellow in equal steps to the eye: lightness and hue change
+/// evenly, at constant chroma, in the space Oklab (B. Ottosson, A perceptual color space for image processing, 2020).
+std::array<Rgb, 256> perceptual_colours();
+
+}  // namespace breccia

@@ -1,0 +1,72 @@
+#include "breccia/report/field_picture.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "report/xml.hpp"
+
+namespace breccia {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::xml_mistake;
+
+/// Values 1, 2, ... in a square.
+FieldPicture rising(std::size_t columns) {
+  FieldPicture picture{.title = "A < B & C", .quantity = "Stress in kPa", .unit_size = 1e3, .columns = columns};
+  picture.values.resize(columns * columns);
+  std::iota(picture.values.begin(), picture.values.end(), 1.0);
+  for (auto& value : picture.values) value *= 1e3;
+  return picture;
+}
+
+TEST(FieldPicture, TellsWhatItShows) {
+  const auto svg = field_picture(rising(100));
+  EXPECT_EQ(xml_mistake(svg), "");
+  EXPECT_THAT(svg, HasSubstr("A &lt; B &amp; C"));
+  EXPECT_THAT(svg, HasSubstr("Stress in kPa; it goes from 1 to 10000"));
+  // The 1st and 99th of a hundred parts, and the middle between them.
+  EXPECT_THAT(svg, HasSubstr(">100<"));
+  EXPECT_THAT(svg, HasSubstr(">5000<"));
+  EXPECT_THAT(svg, HasSubstr(">9900<"));
+}
+
+TEST(FieldPicture, OnALogarithmicScaleTheMiddleIsTheGeometricMean) {
+  auto picture = rising(100);
+  for (std::size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = i % 2 == 0 ? 1.0 : 1e4;
+  picture.values.front() = -1.0;
+  picture.unit_size = 1.0;
+  picture.scale = ColourScale::logarithmic;
+  EXPECT_THAT(field_picture(picture), HasSubstr(">100<"));
+}
+
+TEST(FieldPicture, OfAUniformFieldHasOneColour) {
+  for (const double value : {-2.0, 0.0, 3.0}) {
+    for (const auto scale : {ColourScale::linear, ColourScale::logarithmic}) {
+      const FieldPicture picture{.columns = 2, .values = std::vector(4, value), .scale = scale};
+      EXPECT_EQ(xml_mistake(field_picture(picture)), "") << value;
+    }
+  }
+}
+
+TEST(FieldPicture, IsNoLargerThanAPageCanHold) {
+  EXPECT_LT(field_picture(rising(1500)).size(), 600U * 600U * 4U / 3U);
+}
+
+TEST(FieldPicture, RefusesWhatIsNoField) {
+  auto picture = rising(3);
+  picture.columns = 2;
+  EXPECT_THROW(static_cast<void>(field_picture(picture)), InputError);
+  picture = rising(3);
+  picture.values.front() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(static_cast<void>(field_picture(picture)), InputError);
+}
+
+}  // namespace
+}  // namespace breccia
