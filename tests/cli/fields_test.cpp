@@ -97,12 +97,13 @@ TEST(Fields, OfTheLastTimeAloneByDefaultAndNoneWhenUnwanted) {
   for (const auto& name : study.results()) EXPECT_THAT(name, ::testing::Not(HasSubstr("fields")));
 }
 
-// Both methods see the same fields, up to the inertia of the dynamic one.
+// Both methods see the same fields where waves are fast and raised slowly; their mean is quasi-static much earlier.
 TEST(Fields, OfBothMethodsAgree) {
   const StudyDirectory study(test::model_deck);
   const auto run = study.breccia(
       "run", {"--set", "stages.A.cells=16", "--set", R"(tests.times=["2 ms", "20 ms"])", "--set",
-              R"(tests.fields=["5 ms", "20 ms"])", "--set", R"(tests.method=["quasistatic", "dynamic"])"});
+              R"(tests.fields=["5 ms", "20 ms"])", "--set", R"(tests.method=["quasistatic", "dynamic"])", "--set",
+              "tests.dynamic.density_factors=[0.003]", "--set", "tests.dynamic.ramp_transits=6"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   for (const auto* number : {"-1", ""}) {
     const Hdf5Reader one(study.result(std::string("A/fields") + number + ".vtkhdf"));
@@ -115,7 +116,7 @@ TEST(Fields, OfBothMethodsAgree) {
         difference += (a[i] - b[i]) * (a[i] - b[i]);
         size += a[i] * a[i];
       }
-      EXPECT_LT(std::sqrt(difference / size), 0.03) << name << number;
+      EXPECT_LT(std::sqrt(difference / size), 0.01) << name << number;
     }
   }
 }

@@ -113,7 +113,7 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
   EXPECT_THAT(with_times("bounds = [\"lowest\"]"), HasSubstr("got \"lowest\", did you mean \"lower\"?"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
-  EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected \"last\" or \"none\""));
+  EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected one of \"last\", \"none\""));
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),
