@@ -1,0 +1,9 @@
+#pragma once
+
+namespace breccia::parallel {
+
+/// Over all processes; each must call it. A process alone gets its own value back, and MPI is not started for it.
+[[nodiscard]] double sum(double value);
+[[nodiscard]] double largest(double value);
+
+}  // namespace breccia::parallel

@@ -1,0 +1,25 @@
+#include "breccia/parallel/reduction.hpp"
+
+#include <mpi.h>
+
+#include "breccia/parallel/session.hpp"
+
+namespace breccia::parallel {
+namespace {
+
+double reduced(double value, MPI_Op operation) {
+  if (ranks() > 1) MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, operation, MPI_COMM_WORLD);
+  return value;
+}
+
+}  // namespace
+
+double sum(double value) {
+  return reduced(value, MPI_SUM);
+}
+
+double largest(double value) {
+  return reduced(value, MPI_MAX);
+}
+
+}  // namespace breccia::parallel
