@@ -31,6 +31,7 @@ struct BenchArguments {
   std::vector<std::string> formulations = known_formulations();
   double seconds = 10.0;
   int rounds = 7;
+  bool processor_time = false;
   bool json = false;
 };
 
@@ -78,8 +79,9 @@ std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
 
 void run_bench(const BenchArguments& arguments) {
   watch_for_interruption();
-  Progress progress(parallel::rank() != 0);
-  const BenchmarkPlan plan = {cases_of(arguments), arguments.seconds, arguments.rounds};
+  Progress progress(!parallel::is_first());
+  const BenchmarkPlan plan = {cases_of(arguments), arguments.seconds, arguments.rounds,
+                              arguments.processor_time ? Clock::processor : Clock::wall};
   const auto result = run_benchmark(plan, [&](double share) {
     stop_if_interrupted();
     progress.update("bench", share, fmt::format("{} cases", plan.cases.size()));
@@ -121,6 +123,8 @@ void add_bench(CLI::App& application) {
       ->add_option("--rounds", arguments->rounds, "measurements of each case, of which the median counts (default: 7)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  command->add_flag("--processor-time", arguments->processor_time,
+                    "count the time that the threads got, for a machine that others use, too");
   command->add_flag("--json", arguments->json, "print JSON with every measurement instead of a table");
   command->callback([arguments] { run_bench(*arguments); });
 }

@@ -1,5 +1,7 @@
 #include "bench_results.hpp"
 
+#include <string_view>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +9,10 @@ namespace breccia::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+std::string_view name_of(Clock clock) {
+  return clock == Clock::wall ? "wall time" : "processor time";
+}
 
 std::string line_of(const BenchmarkResult& result, const KernelTiming& timing) {
   const auto& kernel = timing.kernel;
@@ -49,8 +55,8 @@ Json json_of(const BenchmarkResult& result, const KernelTiming& timing) {
 
 std::string table_of(const BenchmarkResult& result) {
   const auto& [processor, cores, cache] = result.machine;
-  auto text = fmt::format("{}, {} cores, last level of cache {:.0f} MB; {} process{}\n\n", processor, cores,
-                          cache / 1e6, result.processes, result.processes == 1 ? "" : "es");
+  auto text = fmt::format("{}, {} cores, last level of cache {:.0f} MB; {} process{}, {}\n\n", processor, cores,
+                          cache / 1e6, result.processes, result.processes == 1 ? "" : "es", name_of(result.clock));
   text += "memory bandwidth [GB/s]\nthreads   triad  update\n";
   for (const auto& timing : result.bandwidths) {
     const auto [triad, update] = timing.median();
@@ -66,11 +72,9 @@ std::string table_of(const BenchmarkResult& result) {
 }
 
 std::string json_of(const BenchmarkResult& result) {
-  Json json = {{"breccia", BRECCIA_VERSION},
-               {"processor", result.machine.processor},
-               {"cores", result.machine.cores},
-               {"cache_bytes", result.machine.cache},
-               {"processes", result.processes}};
+  Json json = {{"breccia", BRECCIA_VERSION},    {"processor", result.machine.processor},
+               {"cores", result.machine.cores}, {"cache_bytes", result.machine.cache},
+               {"processes", result.processes}, {"clock", name_of(result.clock)}};
   for (const auto& timing : result.bandwidths) json["memory"].push_back(json_of(timing));
   for (const auto& timing : result.kernels) json["kernels"].push_back(json_of(result, timing));
   return json.dump(2);

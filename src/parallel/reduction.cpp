@@ -2,13 +2,14 @@
 
 #include <mpi.h>
 
+#include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/session.hpp"
 
 namespace breccia::parallel {
 namespace {
 
 double reduced(double value, MPI_Op operation) {
-  if (ranks() > 1) MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, operation, MPI_COMM_WORLD);
+  if (ranks() > 1) MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, operation, communicator());
   return value;
 }
 

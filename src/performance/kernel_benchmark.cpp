@@ -25,7 +25,7 @@ double median_of(std::vector<double> values) {
 /// A run that goes on from round to round.
 class KernelRun {
  public:
-  explicit KernelRun(const KernelCase& kernel) {
+  KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock) {
     auto problem = performance::model_problem(kernel.cells, kernel.terms);
     timing_.kernel = kernel;
     timing_.points = static_cast<double>(problem.discretisation.points());
@@ -55,14 +55,15 @@ class KernelRun {
   [[nodiscard]] const KernelTiming& timing() const noexcept { return timing_; }
 
  private:
-  /// Wall time of the slowest process [s].
+  /// Time of the slowest process [s].
   double advance() {
     averages_.clear();
-    const performance::StopWatch watch;
+    const performance::StopWatch watch(clock_, timing_.kernel.threads);
     solver_->advance(steps_, averages_);
     return parallel::largest(watch.seconds());
   }
 
+  Clock clock_;
   KernelTiming timing_;
   std::unique_ptr<DynamicSolver> solver_;
   std::vector<Averages> averages_;
@@ -74,7 +75,7 @@ class BandwidthRun {
  public:
   explicit BandwidthRun(int threads) : streams_(threads) { timing_.threads = threads; }
 
-  void take_round(double seconds) { timing_.rounds.push_back(streams_.measure(seconds)); }
+  void take_round(double seconds, Clock clock) { timing_.rounds.push_back(streams_.measure(seconds, clock)); }
   [[nodiscard]] const BandwidthTiming& timing() const noexcept { return timing_; }
 
  private:
@@ -121,7 +122,9 @@ BenchmarkResult run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& w
   require_complete(plan);
   std::set<int> threads;
   for (const auto& kernel : plan.cases) threads.insert(kernel.threads);
-  std::vector<KernelRun> kernels(plan.cases.begin(), plan.cases.end());
+  std::vector<KernelRun> kernels;
+  kernels.reserve(plan.cases.size());
+  for (const auto& kernel : plan.cases) kernels.emplace_back(kernel, plan.clock);
   std::vector<BandwidthRun> bandwidths(threads.begin(), threads.end());
 
   const double turns = static_cast<double>(kernels.size() + bandwidths.size()) * (plan.rounds + 1);
@@ -137,7 +140,7 @@ BenchmarkResult run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& w
   done = turns / (plan.rounds + 1);
   for (int round = 0; round < plan.rounds; ++round) {
     for (auto& memory : bandwidths) {
-      memory.take_round(seconds);
+      memory.take_round(seconds, plan.clock);
       report();
     }
     for (auto& kernel : kernels) {
@@ -148,6 +151,7 @@ BenchmarkResult run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& w
 
   BenchmarkResult result;
   result.processes = parallel::ranks();
+  result.clock = plan.clock;
   result.machine = this_machine();
   for (const auto& kernel : kernels) result.kernels.push_back(kernel.timing());
   for (const auto& memory : bandwidths) result.bandwidths.push_back(memory.timing());

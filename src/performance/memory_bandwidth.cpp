@@ -9,9 +9,9 @@ namespace {
 
 /// Bytes per second of a statement that touches three values at each place, repeated for about so long [s].
 template <class Statement>
-double bandwidth_of(double seconds, std::size_t length, int threads, Statement&& statement) {
+double bandwidth_of(double seconds, Clock clock, std::size_t length, int threads, Statement&& statement) {
   double sweeps = 0.0;
-  const performance::StopWatch watch;
+  const performance::StopWatch watch(clock, threads);
   do {
 #pragma omp parallel for num_threads(threads) schedule(static)
     for (std::size_t i = 0; i < length; ++i) statement(i);
@@ -33,13 +33,16 @@ MemoryStreams::MemoryStreams(int threads)
   }
 }
 
-MemoryBandwidth MemoryStreams::measure(double seconds) {
+MemoryBandwidth MemoryStreams::measure(double seconds, Clock clock) {
   constexpr double s = 0.5;
   double* a = a_.get();
   const double* b = b_.get();
   const double* c = c_.get();
-  return {.triad = bandwidth_of(0.5 * seconds, length, threads_, [=](std::size_t i) { a[i] = b[i] + s * c[i]; }),
-          .update = bandwidth_of(0.5 * seconds, length, threads_, [=](std::size_t i) { a[i] = a[i] + s * b[i]; })};
+  const auto bandwidth = [&](auto statement) {
+    return bandwidth_of(0.5 * seconds, clock, length, threads_, statement);
+  };
+  return {.triad = bandwidth([=](std::size_t i) { a[i] = b[i] + s * c[i]; }),
+          .update = bandwidth([=](std::size_t i) { a[i] = a[i] + s * b[i]; })};
 }
 
 }  // namespace breccia

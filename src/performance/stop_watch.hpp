@@ -1,18 +1,31 @@
 #pragma once
 
-#include <chrono>
+#include <ctime>
+
+#include "breccia/performance/clock.hpp"
 
 namespace breccia::performance {
 
-/// Wall time since it was made.
+/// Time since it was made, of work on so many threads.
 class StopWatch {
  public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  StopWatch(Clock clock, int threads)
+      : source_(clock == Clock::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID),
+        share_(clock == Clock::wall ? 1.0 : 1.0 / threads),
+        start_(now()) {}
+
+  [[nodiscard]] double seconds() const { return share_ * (now() - start_); }
 
  private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  [[nodiscard]] double now() const {
+    timespec time{};
+    clock_gettime(source_, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+
+  clockid_t source_;
+  double share_;
+  double start_;
 };
 
 }  // namespace breccia::performance

@@ -29,6 +29,7 @@ TEST(Bench, TellsEveryCaseInJson) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(json.at("processes"), 1);
+  EXPECT_EQ(json.at("clock"), "wall time");
   ASSERT_THAT(json.at("memory"), SizeIs(2));
   EXPECT_EQ(json.at("memory")[1].at("threads"), 2);
   EXPECT_THAT(json.at("memory")[1].at("rounds"), SizeIs(2));
@@ -54,8 +55,10 @@ TEST(Bench, TenTermsTakeLessThan300BytesAPoint) {
 }
 
 TEST(Bench, PrintsATable) {
-  const auto outcome = bench(quick({"--formulation", "total-lagrangian", "--terms", "3", "--threads", "1"}));
+  const auto outcome =
+      bench(quick({"--formulation", "total-lagrangian", "--terms", "3", "--threads", "1", "--processor-time"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("1 process, processor time"));
   EXPECT_THAT(outcome.output, HasSubstr("memory bandwidth [GB/s]"));
   EXPECT_THAT(outcome.output, testing::ContainsRegex("total-lagrangian +[a-z0-9]+ +1024 +3 +1 +[0-9.]+"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("classical")));

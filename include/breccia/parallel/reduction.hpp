@@ -2,7 +2,8 @@
 
 namespace breccia::parallel {
 
-/// Over all processes; each must call it. A process alone gets its own value back, and MPI is not started for it.
+/// Over the processes of the group, each of which must call it. A process alone gets its own value back, and MPI is not
+/// started for it.
 [[nodiscard]] double sum(double value);
 [[nodiscard]] double largest(double value);
 

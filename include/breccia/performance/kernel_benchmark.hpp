@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/performance/clock.hpp"
 #include "breccia/performance/machine.hpp"
 #include "breccia/performance/memory_bandwidth.hpp"
 
@@ -23,6 +24,7 @@ struct BenchmarkPlan {
   std::vector<KernelCase> cases;
   double seconds = 10.0;  ///< for all measurements together, about
   int rounds = 7;         ///< in each of them every case and every bandwidth has its turn
+  Clock clock = Clock::wall;
 };
 
 /// Speeds of one case, of all processes together.
@@ -50,6 +52,7 @@ struct BandwidthTiming {
 
 struct BenchmarkResult {
   int processes = 1;
+  Clock clock = Clock::wall;
   Machine machine = {};
   std::vector<KernelTiming> kernels;        ///< by case
   std::vector<BandwidthTiming> bandwidths;  ///< one for each number of threads among the cases, rising

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <memory>
 
+#include "breccia/performance/clock.hpp"
+
 namespace breccia {
 
 /// What the memory moves where next to nothing is computed, counted as STREAM does (McCalpin 1995): every array once
@@ -18,7 +20,7 @@ class MemoryStreams {
   explicit MemoryStreams(int threads);
 
   /// Goes over the arrays for about so long [s]. Of several processes, which all measure at a time, the sum.
-  [[nodiscard]] MemoryBandwidth measure(double seconds);
+  [[nodiscard]] MemoryBandwidth measure(double seconds, Clock clock);
 
  private:
   static constexpr std::size_t length = 8'000'000;
