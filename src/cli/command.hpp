@@ -40,6 +40,7 @@ struct RunArguments {
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
 /// The subcommands: each adds itself to the application, and does its work in a callback.
+void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
 void add_fit(CLI::App& application);
 void add_pack(CLI::App& application);

@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   breccia::cli::add_respond(application);
   breccia::cli::add_report(application);
   breccia::cli::add_fit(application);
+  breccia::cli::add_bench(application);
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");

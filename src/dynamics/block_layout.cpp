@@ -8,8 +8,9 @@
 
 namespace breccia::dynamics {
 
-BlockLayout::BlockLayout(const DynamicProblem& problem)
-    : blocks_per_row_((problem.discretisation.grid().columns + lanes - 1) / lanes),
+BlockLayout::BlockLayout(const DynamicProblem& problem, int first_row, int end_row)
+    : first_row_(first_row),
+      blocks_per_row_((problem.discretisation.grid().columns + lanes - 1) / lanes),
       bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard) {
   terms_.reserve(2 * problem.materials.size());
   for (const auto& material : problem.materials) {
@@ -19,8 +20,7 @@ BlockLayout::BlockLayout(const DynamicProblem& problem)
                           static_cast<int>(shear.size()), static_cast<int>(bulk.size())});
   }
   // While blocks are added, pointers are offsets; both arrays move as they grow.
-  const auto& grid = problem.discretisation.grid();
-  for (int row = 0; row < grid.rows; ++row) {
+  for (int row = first_row; row < end_row; ++row) {
     for (int block = 0; block < blocks_per_row_; ++block) add_block(problem, row, block * lanes);
   }
   std::size_t history_size = 0;

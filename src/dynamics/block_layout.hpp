@@ -8,15 +8,15 @@
 
 namespace breccia::dynamics {
 
-/// The cells of a discretisation as blocks of eight, with the history that their Maxwell terms need and nothing for
-/// elastic points. Rows are filled up with cells without points.
+/// Some rows of cells of a discretisation, [first_row, end_row), as blocks of eight, with the history that their
+/// Maxwell terms need and nothing for elastic points. Rows are filled up with cells without points.
 class BlockLayout {
  public:
-  explicit BlockLayout(const DynamicProblem& problem);
+  BlockLayout(const DynamicProblem& problem, int first_row, int end_row);
 
   [[nodiscard]] int blocks_per_row() const noexcept { return blocks_per_row_; }
   [[nodiscard]] const Block* row(int cell_row) const noexcept {
-    return blocks_.data() + static_cast<std::ptrdiff_t>(cell_row) * blocks_per_row_;
+    return blocks_.data() + static_cast<std::ptrdiff_t>(cell_row - first_row_) * blocks_per_row_;
   }
 
   /// Modulus times strain modes of one material in one cell, summed over its Maxwell terms [Pa times the cell side].
@@ -26,9 +26,16 @@ class BlockLayout {
   };
   [[nodiscard]] Histories histories(int column, int row, MaterialIndex material) const;
 
+  /// What the kernel reads of the materials, and what it reads and writes of their histories [B].
+  [[nodiscard]] std::size_t material_bytes() const noexcept {
+    return blocks_.size() * sizeof(Block) + shares_.size() * sizeof(Share);
+  }
+  [[nodiscard]] std::size_t history_bytes() const noexcept { return history_.size() * sizeof(double); }
+
  private:
   void add_block(const DynamicProblem& problem, int row, int first_column);
 
+  int first_row_;
   int blocks_per_row_;
   int bulk_modes_;
   std::vector<std::vector<TermStep>> terms_;

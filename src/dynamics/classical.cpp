@@ -386,6 +386,16 @@ Energy Classical::energy() const {
   return {energy.kinetic / squared, energy.strain / squared};
 }
 
+Footprint Classical::footprint() const {
+  // A step reads the points nine times and writes them four times, the nodes seven and four times, the history twice.
+  const auto points = points_.size() * sizeof(Point);
+  const auto nodes = nodes_.size() * sizeof(Node);
+  const auto history = history_.size() * sizeof(double);
+  const auto cells = cell_begin_.size() * sizeof(std::size_t) + mean_stress_.size() * sizeof(double);
+  return {.held = problem().discretisation.cells().size() * sizeof(CellMaterials) + points + nodes + history + cells,
+          .moved_per_step = 13 * points + 11 * nodes + 4 * history};
+}
+
 PointFields Classical::fields() const {
   const double scale = 1.0 / problem().amplitude;
   auto fields = zero_fields(problem().discretisation);

@@ -27,6 +27,7 @@ class Classical final : public DynamicSolver {
   [[nodiscard]] Vector<2> momentum() const override;
   [[nodiscard]] Energy energy() const override;
   [[nodiscard]] PointFields fields() const override;
+  [[nodiscard]] Footprint footprint() const override;
 
  private:
   struct Point {

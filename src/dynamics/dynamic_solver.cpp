@@ -52,11 +52,12 @@ void DynamicSolver::require_elastic() const {
   }
 }
 
-std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads) {
+std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads,
+                                                   InstructionSet instructions) {
   const int used = threads > 0 ? threads : omp_get_max_threads();
   switch (formulation) {
     case Formulation::total_lagrangian:
-      return std::make_unique<dynamics::TotalLagrangian>(std::move(problem), used);
+      return std::make_unique<dynamics::TotalLagrangian>(std::move(problem), used, instructions);
     case Formulation::classical:
       return std::make_unique<dynamics::Classical>(std::move(problem), used);
   }

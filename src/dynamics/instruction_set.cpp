@@ -1,17 +1,18 @@
-#include "instruction_set.hpp"
+#include "breccia/dynamics/instruction_set.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <string_view>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-namespace breccia::dynamics {
+namespace breccia {
+namespace {
 
-extern const KernelTable kernels_baseline;
-extern const KernelTable kernels_avx2;
-extern const KernelTable kernels_avx512;
+constexpr std::array known_sets = {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
 bool is_supported(InstructionSet set) {
   switch (set) {
@@ -26,31 +27,34 @@ bool is_supported(InstructionSet set) {
   return false;
 }
 
-InstructionSet chosen_instruction_set() {
-  if (const char* name = std::getenv("BRECCIA_INSTRUCTION_SET"); name != nullptr) {
-    const std::string_view wanted = name;
-    for (const auto& [set, known] :
-         {std::pair{InstructionSet::baseline, "baseline"}, std::pair{InstructionSet::avx2, "avx2"},
-          std::pair{InstructionSet::avx512, "avx512"}}) {
-      if (wanted == known && is_supported(set)) return set;
-    }
-    throw InputError(fmt::format(
-        "BRECCIA_INSTRUCTION_SET: expected baseline, avx2 or avx512, and one that this processor has, got '{}'", name));
-  }
-  if (is_supported(InstructionSet::avx512)) return InstructionSet::avx512;
-  return is_supported(InstructionSet::avx2) ? InstructionSet::avx2 : InstructionSet::baseline;
-}
+}  // namespace
 
-const KernelTable& kernels(InstructionSet set) {
+std::string_view name_of(InstructionSet set) {
   switch (set) {
-    case InstructionSet::avx2:
-      return kernels_avx2;
-    case InstructionSet::avx512:
-      return kernels_avx512;
     case InstructionSet::baseline:
-      break;
+      return "baseline";
+    case InstructionSet::avx2:
+      return "avx2";
+    case InstructionSet::avx512:
+      return "avx512";
   }
-  return kernels_baseline;
+  return {};
 }
 
-}  // namespace breccia::dynamics
+std::vector<InstructionSet> supported_instruction_sets() {
+  std::vector<InstructionSet> sets;
+  std::ranges::copy_if(known_sets, std::back_inserter(sets), is_supported);
+  return sets;
+}
+
+InstructionSet chosen_instruction_set() {
+  const auto supported = supported_instruction_sets();
+  const char* wanted = std::getenv("BRECCIA_INSTRUCTION_SET");
+  if (wanted == nullptr) return supported.back();
+  const auto found = std::ranges::find(supported, std::string_view(wanted), name_of);
+  if (found != supported.end()) return *found;
+  throw InputError(fmt::format(
+      "BRECCIA_INSTRUCTION_SET: expected baseline, avx2 or avx512, and one that this processor has, got '{}'", wanted));
+}
+
+}  // namespace breccia

@@ -9,7 +9,7 @@
 
 #include "barrier.hpp"
 #include "boundary_nodes.hpp"
-#include "instruction_set.hpp"
+#include "kernels.hpp"
 #include "nodal_masses.hpp"
 
 namespace breccia::dynamics {
@@ -40,13 +40,13 @@ RowForces TotalLagrangian::ForceRow::view() noexcept {
   return {values[0].data(), values[1].data(), values[2].data(), values[3].data()};
 }
 
-TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads)
+TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions)
     : DynamicSolver(std::move(problem)),
-      kernels_(&kernels(chosen_instruction_set())),
-      layout_(this->problem()),
+      kernels_(&kernels(instructions)),
+      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic),
+      layout_(this->problem(), exchange_.first(), exchange_.end()),
       stride_(padded_length(layout_.blocks_per_row())),
       masses_(nodal_masses(this->problem())),
-      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic),
       from_below_(stride_),
       from_above_(stride_) {
   const auto& grid = this->problem().discretisation.grid();
@@ -310,6 +310,18 @@ Averages TotalLagrangian::averages(std::int64_t step, int steps, int place) cons
     averages.strain = {now * load.xx, now * load.yy, now * load.xy};
   }
   return averages;
+}
+
+/// A row of nodes stays in the cache between the two rows of cells around it; forces never leave it.
+Footprint TotalLagrangian::footprint() const {
+  constexpr std::size_t fields_moved = 9;  // five read, of which four are written
+  const auto rows = static_cast<std::size_t>(exchange_.end() - exchange_.first());
+  const auto forces = (4 * bands_.size() + 2) * 4 * stride_;
+  const auto doubles = nodes_.size() + masses_.size() + forces;
+  return {.held = problem().discretisation.cells().size() * sizeof(CellMaterials) + layout_.material_bytes() +
+                  layout_.history_bytes() + doubles * sizeof(double) + row_sums_.size() * sizeof(RowSums),
+          .moved_per_step =
+              rows * stride_ * fields_moved * sizeof(double) + layout_.material_bytes() + 2 * layout_.history_bytes()};
 }
 
 void TotalLagrangian::fetch_nodes() const {

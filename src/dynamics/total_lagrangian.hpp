@@ -25,12 +25,13 @@ namespace breccia::dynamics {
 /// nodes takes the forces of the highest row of cells, too, and images are copies but for the affine motion.
 class TotalLagrangian final : public DynamicSolver {
  public:
-  TotalLagrangian(DynamicProblem problem, int threads);
+  TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions);
 
   void set_velocities(const VelocityField& velocity) override;
   [[nodiscard]] Vector<2> momentum() const override;
   [[nodiscard]] Energy energy() const override;
   [[nodiscard]] PointFields fields() const override;
+  [[nodiscard]] Footprint footprint() const override;
 
  private:
   /// A pair of components along a row of nodes.
@@ -85,12 +86,12 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
 
   const KernelTable* kernels_;
-  BlockLayout layout_;
+  RowExchange exchange_;
+  BlockLayout layout_;  ///< of the rows of this process
   std::size_t stride_;  ///< nodes a row holds, with the filling
   /// Rows of displacement x, y, increment x, y, dt^2 / m. Those of other processes are fetched when they are asked for.
   mutable std::vector<double> nodes_;
   std::vector<double> masses_;
-  RowExchange exchange_;
   ForceRow from_below_;  ///< of the row of cells below the rows of this process; zero below the box
   ForceRow from_above_;
   std::vector<Band> bands_;

@@ -105,13 +105,12 @@ struct DescribeRecord {
     for (const auto& [window, mismatch] : record.overlaps) {
       overlaps.push_back({{"window_s", json_of(window)}, {"mismatch", mismatch}});
     }
-    Json json = {
-        {"formulation", options.dynamic.formulation == Formulation::classical ? "classical" : "total-lagrangian"},
-        {"start", options.dynamic.start == Start::affine ? "affine" : "boundary"},
-        {"volumetric", word_of(options.dynamic.volumetric)},
-        {"courant", options.dynamic.courant},
-        {"time_domains", std::move(domains)},
-        {"overlaps", std::move(overlaps)}};
+    Json json = {{"formulation", name_of(options.dynamic.formulation)},
+                 {"start", options.dynamic.start == Start::affine ? "affine" : "boundary"},
+                 {"volumetric", word_of(options.dynamic.volumetric)},
+                 {"courant", options.dynamic.courant},
+                 {"time_domains", std::move(domains)},
+                 {"overlaps", std::move(overlaps)}};
     if (record.fit_error) json["fit_error"] = *record.fit_error;
     return json;
   }

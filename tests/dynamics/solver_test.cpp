@@ -151,6 +151,18 @@ INSTANTIATE_TEST_SUITE_P(All, BothFormulations,
                                                                                               : "Standard");
                          });
 
+TEST(TotalLagrangian, HoldsFiveNumbersPerCellAndShearTerm) {
+  const auto footprint = [](const std::vector<MaxwellTerm>& terms) {
+    const Material material{"material", 1e3, PronySeries(1e9), PronySeries(1e6, terms)};
+    return make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({16, 12, 0.1}), {material}}))
+        ->footprint();
+  };
+  const auto without = footprint({}), with = footprint({{1.0, 1e6}, {2.0, 1e6}});
+  const std::size_t history = 2 * 5 * sizeof(double) * 16 * 12;
+  EXPECT_EQ(with.held - without.held, history);
+  EXPECT_EQ(with.moved_per_step - without.moved_per_step, 2 * history);
+}
+
 TEST(TotalLagrangian, RefusesAnUnknownInstructionSet) {
   setenv("BRECCIA_INSTRUCTION_SET", "mmx", 1);
   EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({2, 2, 0.5}), {soft}})),

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
 
 namespace breccia::parallel {
 namespace {
@@ -18,6 +19,11 @@ TEST(Session, ErrorsOfPetscBecomeExceptions) {
   start();
   EXPECT_NO_THROW(check(0, "nothing"));
   EXPECT_THROW(check(73, "assembling"), NumericalError);
+}
+
+TEST(Reduction, AProcessByItselfKeepsItsValue) {
+  EXPECT_EQ(sum(3.0), 3.0);
+  EXPECT_EQ(largest(-3.0), -3.0);
 }
 
 TEST(Session, OptionsAreWrittenAsOnACommandLine) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "breccia/mpm/discretisation.hpp"
@@ -15,6 +16,9 @@ enum class Formulation {
   total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
   classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
 };
+
+/// As a deck writes it: total-lagrangian, classical.
+std::string_view name_of(Formulation formulation);
 
 /// What moves while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary that
 /// could move first. Under a traction boundary nothing is made to move.

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
+#include "breccia/dynamics/instruction_set.hpp"
 #include "breccia/mpm/point_fields.hpp"
 
 namespace breccia {
@@ -24,6 +26,13 @@ struct Energy {
   /// total-lagrangian: half of u(n) K u(n+1), whose sum with the kinetic energy is what central differences conserve;
   /// classical: that of the points.
   double strain = 0.0;
+};
+
+/// The arrays of a run in this process [B].
+struct Footprint {
+  std::size_t held = 0;
+  /// What a step reads and writes of them where the caches hold some rows of the grid and no more.
+  std::size_t moved_per_step = 0;
 };
 
 /// An explicit run of the material point method: displacements at whole steps, velocities at half steps.
@@ -51,6 +60,7 @@ class DynamicSolver {
   /// Only for elastic materials. Throws InputError otherwise.
   [[nodiscard]] virtual Energy energy() const = 0;
   [[nodiscard]] virtual PointFields fields() const = 0;
+  [[nodiscard]] virtual Footprint footprint() const = 0;
 
  protected:
   /// Throws InputError when the problem is incomplete or its time step not stable, or when the traction of a load would
@@ -72,8 +82,10 @@ class DynamicSolver {
   std::int64_t step_ = 0;
 };
 
-/// A solver for the problem. `threads` = 0 takes all that OpenMP offers; the results do not depend on it.
+/// A solver for the problem. `threads` = 0 takes all that OpenMP offers; the results depend neither on it nor on the
+/// instructions of the total-lagrangian formulation, which this processor must have.
 /// Throws InputError when the problem is incomplete or its time step not stable.
-std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads = 0);
+std::unique_ptr<DynamicSolver> make_dynamic_solver(Formulation formulation, DynamicProblem problem, int threads = 0,
+                                                   InstructionSet instructions = chosen_instruction_set());
 
 }  // namespace breccia

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace breccia {
+
+/// The instructions that the inner loop of the total-lagrangian formulation is compiled for. All give the same bits.
+enum class InstructionSet {
+  baseline,  ///< what every processor of the platform has: SSE2
+  avx2,
+  avx512
+};
+
+/// As users write it: baseline, avx2, avx512.
+std::string_view name_of(InstructionSet set);
+
+/// Those of this processor, the widest last.
+std::vector<InstructionSet> supported_instruction_sets();
+
+/// The widest instruction set of this processor, or the one named by the environment variable BRECCIA_INSTRUCTION_SET.
+/// Throws InputError when that one is unknown or not supported.
+InstructionSet chosen_instruction_set();
+
+}  // namespace breccia

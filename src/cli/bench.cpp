@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <ranges>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/parallel/session.hpp"
+#include "breccia/performance/kernel_benchmark.hpp"
+
+#include "bench_results.hpp"
+#include "command.hpp"
+#include "interruption.hpp"
+#include "progress.hpp"
+
+namespace breccia::cli {
+namespace {
+
+std::vector<std::string> known_formulations() {
+  return {std::string(name_of(Formulation::total_lagrangian)), std::string(name_of(Formulation::classical))};
+}
+
+struct BenchArguments {
+  std::vector<double> points = {1e5, 1e6};
+  std::vector<int> terms = {0, 1, 5, 10};
+  std::vector<int> threads;               ///< empty: 1 and all cores; of several processes, 1
+  std::vector<std::string> instructions;  ///< empty: what a run takes
+  std::vector<std::string> formulations = known_formulations();
+  double seconds = 10.0;
+  int rounds = 7;
+  bool processor_time = false;
+  bool json = false;
+};
+
+std::vector<int> threads_of(const BenchArguments& arguments) {
+  if (!arguments.threads.empty()) return arguments.threads;
+  const int cores = this_machine().cores;
+  if (parallel::ranks() > 1 || cores == 1) return {1};
+  return {1, cores};
+}
+
+std::vector<InstructionSet> instructions_of(const BenchArguments& arguments) {
+  if (arguments.instructions.empty()) return {chosen_instruction_set()};
+  std::vector<InstructionSet> sets;
+  std::ranges::copy_if(supported_instruction_sets(), std::back_inserter(sets), [&](InstructionSet set) {
+    return std::ranges::find(arguments.instructions, name_of(set)) != arguments.instructions.end();
+  });
+  return sets;
+}
+
+bool wants(const BenchArguments& arguments, Formulation formulation) {
+  return std::ranges::find(arguments.formulations, name_of(formulation)) != arguments.formulations.end();
+}
+
+/// All combinations; the classical formulation, by far the slowest and the same for all instructions, at the fewest
+/// points alone.
+std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
+  std::vector<KernelCase> cases;
+  const auto add = [&](Formulation formulation, InstructionSet instructions, double points) {
+    const auto cells = static_cast<int>(std::lround(std::sqrt(points / points_per_cell)));
+    for (const int terms : arguments.terms) {
+      for (const int threads : threads_of(arguments))
+        cases.push_back({formulation, instructions, cells, terms, threads});
+    }
+  };
+  if (wants(arguments, Formulation::total_lagrangian)) {
+    for (const auto set : instructions_of(arguments)) {
+      for (const double points : arguments.points) add(Formulation::total_lagrangian, set, points);
+    }
+  }
+  if (wants(arguments, Formulation::classical)) {
+    add(Formulation::classical, InstructionSet::baseline, std::ranges::min(arguments.points));
+  }
+  return cases;
+}
+
+void run_bench(const BenchArguments& arguments) {
+  watch_for_interruption();
+  Progress progress(!parallel::is_first());
+  const BenchmarkPlan plan = {cases_of(arguments), arguments.seconds, arguments.rounds,
+                              arguments.processor_time ? Clock::processor : Clock::wall};
+  const auto result = run_benchmark(plan, [&](double share) {
+    stop_if_interrupted();
+    progress.update("bench", share, fmt::format("{} cases", plan.cases.size()));
+  });
+  progress.print(arguments.json ? json_of(result) : table_of(result));
+}
+
+std::vector<std::string> names_of(const std::vector<InstructionSet>& sets) {
+  const auto names = sets | std::views::transform([](InstructionSet set) { return std::string(name_of(set)); });
+  return {names.begin(), names.end()};
+}
+
+}  // namespace
+
+void add_bench(CLI::App& application) {
+  auto* command = application.add_subcommand("bench", "measure the speed of the explicit method on this machine");
+  auto arguments = std::make_shared<BenchArguments>();
+  command->add_option("--points", arguments->points, "material points, about (default: 1e5 1e6)")
+      ->type_name("N ...")
+      ->check(CLI::Range(64.0, 1e9));
+  command->add_option("--terms", arguments->terms, "Prony terms of the matrix (default: 0 1 5 10)")
+      ->type_name("N ...")
+      ->check(CLI::Range(0, 100));
+  command->add_option("--threads", arguments->threads, "threads (default: 1 and one for each core; under mpirun 1)")
+      ->type_name("N ...")
+      ->check(CLI::Range(1, 1024));
+  command
+      ->add_option("--instructions", arguments->instructions,
+                   "instruction sets of the total-lagrangian formulation (default: what a run takes)")
+      ->type_name("NAME ...")
+      ->check(CLI::IsMember(names_of(supported_instruction_sets())));
+  command->add_option("--formulation", arguments->formulations, "formulations (default: both)")
+      ->type_name("NAME ...")
+      ->check(CLI::IsMember(known_formulations()));
+  command->add_option("--seconds", arguments->seconds, "time for all measurements together, about (default: 10)")
+      ->type_name("S")
+      ->check(CLI::Range(0.01, 1e5));
+  command
+      ->add_option("--rounds", arguments->rounds, "measurements of each case, of which the median counts (default: 7)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  command->add_flag("--processor-time", arguments->processor_time,
+                    "count the time that the threads got, for a machine that others use, too");
+  command->add_flag("--json", arguments->json, "print JSON with every measurement instead of a table");
+  command->callback([arguments] { run_bench(*arguments); });
+}
+
+}  // namespace breccia::cli

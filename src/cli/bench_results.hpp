@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/performance/kernel_benchmark.hpp"
+
+namespace breccia::cli {
+
+/// Medians, for people.
+std::string table_of(const BenchmarkResult& result);
+
+/// Medians and every measurement, for programs. Units end the names.
+std::string json_of(const BenchmarkResult& result);
+
+}  // namespace breccia::cli
