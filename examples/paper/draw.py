@@ -131,15 +131,16 @@ def fig09(directory, path):
         lines.append(Line(scaled([p for p in history if p[0] >= begin], 1, MPA),
                           f"density × {domain['density_factor']:g}", colour, 2.4))
     lines.append(Line(scaled(Curves(directory).one(method="quasistatic"), 1, MPA), "quasi-static", width=1.4, dash=3))
-    plot(path, "time / s", "G(t) / MPa", lines, 'set format x "10^{%L}"\nset xrange [1e-9:1e-2]\nset yrange [10:1e4]')
+    plot(path, "time / s", "G(t) / MPa", lines, 'set format x "10^{%L}"\nset xrange [1e-9:1e-2]\nset yrange [100:4e3]')
 
 
 def fig10(directory, path):
     curves, lines = Curves(directory), []
-    for volumetric, dash in (("standard", 1), ("averaged", 2)):
-        for boundary, bound, colour in (("displacement", "upper", COLOURS[0]), ("traction", "lower", COLOURS[3])):
-            curve = curves.one(stage="PBX-9501", load="shear", boundary=boundary, volumetric=volumetric, method="dynamic")
-            lines.append(Line(scaled(curve, 1, MPA), f"{bound}, {volumetric}", colour, 2, dash))
+    limit = Curves(directory.with_name(directory.name + "-limit"))
+    for boundary, bound, colour in (("displacement", "upper", COLOURS[0]), ("traction", "lower", COLOURS[3])):
+        wanted = dict(stage="PBX-9501", load="shear", boundary=boundary)
+        lines.append(Line(scaled(curves.one(method="dynamic", **wanted), 1, MPA), f"{bound}, dynamic, standard", colour, 2))
+        lines.append(Line(scaled(limit.one(cells="extrapolated", **wanted), 1, MPA), f"{bound}, averaged, h → 0", colour, 2, 2))
     times = [10 ** (-8 + 0.05 * i) for i in range(121)]
     lines.append(Line([(t, measured_modulus(t) / MPA) for t in times], "measured", width=2.4))
     plot(path, "time / s", "G(t) / MPa", lines, 'set format x "10^{%L}"')
