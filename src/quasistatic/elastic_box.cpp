@@ -152,11 +152,6 @@ std::vector<CellMatrix> ElasticBox::stiffnesses(std::span<const Moduli> moduli) 
   return by_kind;
 }
 
-const CellMatrix& ElasticBox::of_cell(const std::vector<CellMatrix>& by_kind, int column, int row) const noexcept {
-  return by_kind[kind_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(column)]];
-}
-
 /// Adds what each cell returns for its column and row: forces on its nodes, and their work on the affine motion.
 template <class CellForces>
 Field ElasticBox::sum_over_cells(const CellForces& cell_forces) const {
@@ -212,7 +207,7 @@ Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field&
       u[static_cast<Eigen::Index>(2 * node)] = values[2 * nodes[node]];
       u[static_cast<Eigen::Index>(2 * node + 1)] = values[2 * nodes[node] + 1];
     }
-    const CellVector forces = of_cell(by_kind, column, row) * (u + displacement.affine() * affine);
+    const CellVector forces = by_kind[kind_of_cell(column, row)] * (u + displacement.affine() * affine);
     return std::pair(forces, affine.dot(forces));
   });
 }
@@ -253,7 +248,7 @@ void ElasticBox::assemble(std::span<const Moduli> moduli, Mat matrix) const {
   for (int row = cells_.first_row; row < cells_.last_row; ++row) {
     for (int column = cells_.first_column; column < cells_.last_column; ++column) {
       const CellVector free = held_mask(column, row);
-      CellMatrix stiffness = free.asDiagonal() * of_cell(by_kind, column, row) * free.asDiagonal();
+      CellMatrix stiffness = free.asDiagonal() * by_kind[kind_of_cell(column, row)] * free.asDiagonal();
       stiffness.diagonal() += stiffest * (CellVector::Ones() - free);
       const auto nodes = nodes_of_cell(column, row);
       // Row by row or column by column: it is symmetric.
