@@ -96,8 +96,15 @@ Balancing::Answers Balancing::answers_of(const Substructures::Surrounded& surrou
   coarse << -local * condensed.topRightCorner(on_edges, vertex_unknowns), by_constraints,
       Eigen::MatrixXd::Identity(vertex_unknowns, vertex_unknowns), Eigen::MatrixXd::Zero(vertex_unknowns, constraints);
   coarse_stiffness = coarse.transpose() * condensed * coarse;
-  return {PackedSymmetric<float>(weight * local * weight.transpose()),
-          (weight * coarse.topRows(on_edges)).cast<float>()};
+  Eigen::MatrixXd weighted = local, weighted_coarse = coarse.topRows(on_edges);
+  for (const auto side : {bottom, top, left, right}) {
+    const auto [begin, size] = side_range(shape, side);
+    const Eigen::MatrixXd of_edge = weight.block(begin, begin, size, size);
+    weighted.middleRows(begin, size) = (of_edge * weighted.middleRows(begin, size)).eval();
+    weighted.middleCols(begin, size) = (weighted.middleCols(begin, size) * of_edge.transpose()).eval();
+    weighted_coarse.middleRows(begin, size) = (of_edge * weighted_coarse.middleRows(begin, size)).eval();
+  }
+  return {PackedSymmetric<float>(weighted), weighted_coarse.cast<float>()};
 }
 
 void Balancing::number_constraints() {

@@ -69,6 +69,7 @@ class ElasticBox {
   [[nodiscard]] std::array<int, 4> nodes_of_cell(int column, int row) const noexcept;
   template <class CellForces>
   [[nodiscard]] Field sum_over_cells(const CellForces& cell_forces) const;
+  void clear_held(Vec nodal) const;
   [[nodiscard]] CellVector held_mask(int column, int row) const noexcept;
 
   int columns_, rows_;

@@ -8,6 +8,12 @@
 namespace breccia::quasistatic {
 namespace {
 
+/// Threads that have enough blocks to pay.
+int useful_threads(int threads, int blocks) {
+  constexpr int blocks_per_thread = 500;
+  return std::clamp(blocks / blocks_per_thread, 1, threads);
+}
+
 double product(const std::vector<double>& a, const std::vector<double>& b) {
   const auto size = static_cast<Eigen::Index>(a.size());
   return Eigen::Map<const Eigen::VectorXd>(a.data(), size).dot(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
@@ -31,8 +37,8 @@ void combine(double factor, std::vector<double>& a, double other, const std::vec
 
 SubstructuringSolver::SubstructuringSolver(const ElasticBox& box, const LinearOptions& options)
     : ElasticSolver(box, options, false),
-      threads_(options.threads > 0 ? options.threads : omp_get_max_threads()),
       blocks_(box),
+      threads_(useful_threads(options.threads > 0 ? options.threads : omp_get_max_threads(), blocks_.grid().blocks())),
       place_of_unknown_(static_cast<std::size_t>(blocks_.grid().unknowns())) {
   const auto& grid = blocks_.grid();
   for (int b = 0; b < grid.blocks(); ++b) {

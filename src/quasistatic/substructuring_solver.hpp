@@ -37,8 +37,8 @@ class SubstructuringSolver final : public ElasticSolver {
   [[nodiscard]] std::size_t place_of(int column, int row) const noexcept;
   [[nodiscard]] Eigen::VectorXd inside_of(const Block& block, const double* nodal) const;
 
-  int threads_;
   Substructures blocks_;
+  int threads_;
   std::vector<std::size_t> place_of_unknown_;  ///< among the nodal values
   std::vector<Moduli> moduli_;
   double stiffest_ = 0.0;
