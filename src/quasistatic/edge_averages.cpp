@@ -35,6 +35,7 @@ Eigen::MatrixXd free_around(const BlockAtEdge& block) {
 EdgeAverage average_at_edge(const BlockAtEdge& lower, const BlockAtEdge& upper, double tolerance) {
   const Eigen::MatrixXd s1 = held_around(lower), s2 = held_around(upper);
   const Eigen::Index size = s1.rows();
+  if (size == 0) return {};  // one cell wide: there are only vertices
   const Eigen::LLT<Eigen::MatrixXd> sum(s1 + s2);
   const Eigen::MatrixXd weight = sum.solve(s1);
   // Energy of a jump that is averaged, s1 : s2 = s1 (s1 + s2)^-1 s2.

@@ -10,7 +10,7 @@ namespace {
 
 /// Threads that have enough blocks to pay.
 int useful_threads(int threads, int blocks) {
-  constexpr int blocks_per_thread = 500;
+  constexpr int blocks_per_thread = 200;
   return std::clamp(blocks / blocks_per_thread, 1, threads);
 }
 

@@ -20,7 +20,7 @@ enum class LinearMethod {
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  std::int64_t most_unknowns_direct = 3'000'000;
+  std::int64_t most_unknowns_direct = 250'000;
   double tolerance = 1e-10;  ///< residual over load, in the Euclidean norm [-]
   int threads = 0;           ///< of each process, for substructures; 0: all
 };
