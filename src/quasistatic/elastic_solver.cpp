@@ -54,11 +54,11 @@ void ElasticSolver::solve(const Field& forces, Field& displacement) {
 }
 
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticBox& box, const LinearOptions& options) {
-  const bool is_direct = options.method == LinearMethod::direct ||
-                         (options.method == LinearMethod::automatic && box.unknowns() <= options.most_unknowns_direct);
   // Opposite sides of a single periodic cell are the same nodes: it cannot be cut.
   const bool is_one_cell = box.boundary() == Boundary::periodic && std::min(box.columns(), box.rows()) == 1;
-  if (is_direct || is_one_cell) return std::make_unique<AssembledSolver>(box, options, Preconditioner::factors);
+  if (options.is_direct(box.unknowns(), parallel::ranks()) || is_one_cell) {
+    return std::make_unique<AssembledSolver>(box, options, Preconditioner::factors);
+  }
   if (parallel::ranks() > 1) return std::make_unique<AssembledSolver>(box, options, Preconditioner::multigrid);
   return std::make_unique<SubstructuringSolver>(box, options);
 }

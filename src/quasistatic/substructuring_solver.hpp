@@ -11,7 +11,7 @@
 namespace breccia::quasistatic {
 
 /// Works on one process without assembling K: the nodes inside blocks of cells are eliminated, and conjugate gradients
-/// find the displacements of the others, preconditioned by balancing (theory, section 12).
+/// find the displacements of the others, preconditioned by balancing (theory, section 9).
 class SubstructuringSolver final : public ElasticSolver {
  public:
   SubstructuringSolver(const ElasticBox& box, const LinearOptions& options);

@@ -113,12 +113,8 @@ Json data_of(const fs::path& directory, Json study) {
     if (fs::exists(response)) responses[name] = responses_of(response, hash);
     histories[name] = histories_of(directory / name, stage, hash);
   }
-  return {{"study", std::move(study)},
-          {"tables", std::move(tables)},
-          {"pictures", std::move(pictures)},
-          {"fields", std::move(fields)},
-          {"responses", std::move(responses)},
-          {"histories", std::move(histories)}};
+  return {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
+          {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
 }
 
 }  // namespace
