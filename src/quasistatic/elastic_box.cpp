@@ -20,7 +20,11 @@ class Values {
   Values(Values&&) = delete;
   Values& operator=(Values&&) = delete;
   ~Values() { VecRestoreArrayRead(vector_, &data_); }
-  double operator[](int index) const noexcept { return data_[index]; }
+  /// Some of them from a place on.
+  template <int count>
+  [[nodiscard]] Eigen::Map<const Eigen::Matrix<double, count, 1>> at(int place) const noexcept {
+    return Eigen::Map<const Eigen::Matrix<double, count, 1>>(data_ + place);
+  }
 
  private:
   Vec vector_;
@@ -152,9 +156,24 @@ std::vector<CellMatrix> ElasticBox::stiffnesses(std::span<const Moduli> moduli) 
   return by_kind;
 }
 
-const CellMatrix& ElasticBox::of_cell(const std::vector<CellMatrix>& by_kind, int column, int row) const noexcept {
-  return by_kind[kind_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                          static_cast<std::size_t>(column)]];
+/// Sets the components that are held to zero.
+void ElasticBox::clear_held(Vec nodal) const {
+  constexpr const char* what = "writing nodal values";
+  double*** values = nullptr;
+  check(DMDAVecGetArrayDOF(grid_.get(), nodal, static_cast<void*>(&values)), what);
+  const auto clear = [&](int column, int row) {
+    for (int component = 0; component < 2; ++component) {
+      if (is_held(column, row, component)) values[row][column][component] = 0.0;
+    }
+  };
+  // All of them are on the boundary of the box.
+  int x = 0, y = 0, width = 0, height = 0;
+  check(DMDAGetCorners(grid_.get(), &x, &y, nullptr, &width, &height, nullptr), what);
+  for (int row = y; row < y + height; ++row) {
+    const int step = row == 0 || row == rows_ ? 1 : columns_;
+    for (int column = (x + step - 1) / step * step; column < x + width; column += step) clear(column, row);
+  }
+  check(DMDAVecRestoreArrayDOF(grid_.get(), nodal, static_cast<void*>(&values)), what);
 }
 
 /// Adds what each cell returns for its column and row: forces on its nodes, and their work on the affine motion.
@@ -170,17 +189,16 @@ Field ElasticBox::sum_over_cells(const CellForces& cell_forces) const {
     for (int column = cells_.first_column; column < cells_.last_column; ++column) {
       const auto [on_nodes, on_affine] = cell_forces(column, row);
       affine += on_affine;
-      const CellVector free = held_mask(column, row).cwiseProduct(on_nodes);
-      const auto nodes = nodes_of_cell(column, row);
-      for (std::size_t node = 0; node < 4; ++node) {
-        values[2 * nodes[node]] += free[static_cast<Eigen::Index>(2 * node)];
-        values[2 * nodes[node] + 1] += free[static_cast<Eigen::Index>(2 * node + 1)];
-      }
+      // The nodes of a row stand side by side.
+      const int first = nodes_of_cell(column, row).front();
+      Eigen::Map<Eigen::Vector4d>(values + 2 * first) += on_nodes.template head<4>();
+      Eigen::Map<Eigen::Vector4d>(values + 2 * (first + patch_.columns)) += on_nodes.template tail<4>();
     }
   }
   check(VecRestoreArray(local.get(), &values), "writing nodal values");
   auto sum = zero_field();
   check(DMLocalToGlobal(grid_.get(), local.get(), ADD_VALUES, sum.rest()), "adding nodal forces");
+  clear_held(sum.rest());
   MPI_Allreduce(MPI_IN_PLACE, &affine, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   sum.set_affine(affine);
   return sum;
@@ -202,18 +220,19 @@ Field ElasticBox::load_forces(Load load) const {
 
 Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field& displacement) const {
   const auto by_kind = stiffnesses(moduli);
-  const CellVector affine = affine_motion(unit_strain(load));
+  const CellVector affine = displacement.affine() * affine_motion(unit_strain(load));
+  // Forces conjugate to the affine motion, from the stiffness that is symmetric.
+  std::vector<CellVector> conjugate;
+  for (const auto& stiffness : by_kind) conjugate.emplace_back(stiffness * affine_motion(unit_strain(load)));
   const auto local = local_copy(grid_.get(), displacement.rest());
   const Values values(local.get());
   return sum_over_cells([&](int column, int row) {
     const auto nodes = nodes_of_cell(column, row);
-    CellVector u;
-    for (std::size_t node = 0; node < 4; ++node) {
-      u[static_cast<Eigen::Index>(2 * node)] = values[2 * nodes[node]];
-      u[static_cast<Eigen::Index>(2 * node + 1)] = values[2 * nodes[node] + 1];
-    }
-    const CellVector forces = of_cell(by_kind, column, row) * (u + displacement.affine() * affine);
-    return std::pair(forces, affine.dot(forces));
+    CellVector u = affine;
+    u.head<4>() += values.at<4>(2 * nodes[0]);
+    u.tail<4>() += values.at<4>(2 * nodes[2]);
+    const auto kind = kind_of_cell(column, row);
+    return std::pair<CellVector, double>(by_kind[kind] * u, conjugate[kind].dot(u));
   });
 }
 
@@ -253,7 +272,7 @@ void ElasticBox::assemble(std::span<const Moduli> moduli, Mat matrix) const {
   for (int row = cells_.first_row; row < cells_.last_row; ++row) {
     for (int column = cells_.first_column; column < cells_.last_column; ++column) {
       const CellVector free = held_mask(column, row);
-      CellMatrix stiffness = free.asDiagonal() * of_cell(by_kind, column, row) * free.asDiagonal();
+      CellMatrix stiffness = free.asDiagonal() * by_kind[kind_of_cell(column, row)] * free.asDiagonal();
       stiffness.diagonal() += stiffest * (CellVector::Ones() - free);
       const auto nodes = nodes_of_cell(column, row);
       // Row by row or column by column: it is symmetric.

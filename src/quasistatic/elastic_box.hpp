@@ -24,6 +24,8 @@ class ElasticBox {
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   /// Of the box, in squares of the cell side.
   [[nodiscard]] double area() const noexcept { return static_cast<double>(columns_) * static_cast<double>(rows_); }
+  [[nodiscard]] int columns() const noexcept { return columns_; }
+  [[nodiscard]] int rows() const noexcept { return rows_; }
   [[nodiscard]] std::int64_t unknowns() const noexcept;
 
   [[nodiscard]] Field zero_field() const;
@@ -37,6 +39,16 @@ class ElasticBox {
   /// w of all nodes of the box, x and y in turn, row by row from the lower left corner; of a periodic box without the
   /// last row and column, which are the first. On the first process; on the others empty.
   [[nodiscard]] std::vector<double> gathered(const Field& displacement) const;
+
+  /// Whether the component of w at a node is zero.
+  [[nodiscard]] bool is_held(int column, int row, int component) const noexcept;
+  /// Cells of one kind have the same materials in the same places.
+  [[nodiscard]] std::uint16_t kind_of_cell(int column, int row) const noexcept {
+    return kind_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                    static_cast<std::size_t>(column)];
+  }
+  /// By kind of cell.
+  [[nodiscard]] std::vector<CellMatrix> stiffnesses(std::span<const Moduli> moduli) const;
 
   /// A matrix for K on w, without values.
   [[nodiscard]] Matrix make_matrix() const;
@@ -55,11 +67,9 @@ class ElasticBox {
   };
 
   [[nodiscard]] std::array<int, 4> nodes_of_cell(int column, int row) const noexcept;
-  [[nodiscard]] std::vector<CellMatrix> stiffnesses(std::span<const Moduli> moduli) const;
-  [[nodiscard]] bool is_held(int column, int row, int component) const noexcept;
-  [[nodiscard]] const CellMatrix& of_cell(const std::vector<CellMatrix>& by_kind, int column, int row) const noexcept;
   template <class CellForces>
   [[nodiscard]] Field sum_over_cells(const CellForces& cell_forces) const;
+  void clear_held(Vec nodal) const;
   [[nodiscard]] CellVector held_mask(int column, int row) const noexcept;
 
   int columns_, rows_;

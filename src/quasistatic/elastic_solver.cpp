@@ -8,136 +8,59 @@
 
 #include "breccia/error.hpp"
 
+#include "assembled_solver.hpp"
+#include "substructuring_solver.hpp"
+
 namespace breccia::quasistatic {
-namespace {
 
-/// Options of PETSc that users can replace on the command line, under this prefix.
-constexpr const char* prefix = "quasistatic_";
-
-void set_default(const char* option, const char* value) {
-  PetscBool is_set = PETSC_FALSE;
-  check(PetscOptionsHasName(nullptr, prefix, option, &is_set), "reading PETSc's options");
-  if (is_set == PETSC_TRUE) return;
-  const auto name = fmt::format("-{}{}", prefix, option + 1);
-  check(PetscOptionsSetValue(nullptr, name.c_str(), value), "setting PETSc's options");
-}
-
-}  // namespace
-
-ElasticSolver::ElasticSolver(const ElasticBox& box, const LinearOptions& options)
-    : box_(&box), options_(options), matrix_(box.make_matrix()) {
+ElasticSolver::ElasticSolver(const ElasticBox& box, const LinearOptions& options, bool is_direct)
+    : box_(&box), tolerance_(options.tolerance), given_(box.boundary() == Boundary::traction ? 0.0 : 1.0) {
+  effort_.is_direct = is_direct;
   effort_.unknowns = box.unknowns();
-  given_ = box.boundary() == Boundary::traction ? 0.0 : 1.0;
-  effort_.is_direct = options.method == LinearMethod::direct ||
-                      (options.method == LinearMethod::automatic && effort_.unknowns <= options.most_unknowns_direct);
-}
-
-void ElasticSolver::set_up() {
-  constexpr const char* what = "setting up the linear solver";
-  check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
-  check(KSPSetOptionsPrefix(solver_.get(), prefix), what);
-  check(KSPSetType(solver_.get(), KSPCG), what);
-  check(KSPSetNormType(solver_.get(), KSP_NORM_UNPRECONDITIONED), what);
-  check(KSPSetInitialGuessNonzero(solver_.get(), PETSC_TRUE), what);
-  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), what);
-  check(KSPSetConvergenceTest(solver_.get(), is_converged, this, nullptr), what);
-  PC preconditioner = nullptr;
-  check(KSPGetPC(solver_.get(), &preconditioner), what);
-  if (effort_.is_direct) {
-    check(PCSetType(preconditioner, PCCHOLESKY), what);
-    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), what);
-  } else {
-    check(PCSetType(preconditioner, PCGAMG), what);
-    box_->attach_rigid_motions(matrix_.get());
-    set_default("-pc_gamg_threshold", "0.02");
-    set_default("-mg_levels_ksp_max_it", "4");
-  }
-  check(KSPSetFromOptions(solver_.get()), what);
 }
 
 void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
-  box_->assemble(moduli, matrix_.get());
   double stiffest = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
   constexpr double rounding = 2e-15;
   rounding_ = rounding * stiffest * std::sqrt(static_cast<double>(effort_.unknowns));
-  is_fresh_ = false;
+  take(moduli);
 }
 
-void ElasticSolver::refresh() {
-  if (is_fresh_) return;
-  if (solver_.get() == nullptr) set_up();
-  check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
-  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
-  check(KSPSetUp(solver_.get()), effort_.is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
-  check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
-  ++effort_.factorisations;
-  is_fresh_ = true;
+bool ElasticSolver::is_small(double residual, double largest) const noexcept {
+  return residual <= tolerance_ * load_ || residual <= rounding_ * std::max(given_, largest);
 }
 
-PetscErrorCode ElasticSolver::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,
-                                           KSPConvergedReason* reason, void* self) {
-  const auto& that = *static_cast<const ElasticSolver*>(self);
-  *reason = KSP_CONVERGED_ITERATING;
-  if (!std::isfinite(residual)) {
-    *reason = KSP_DIVERGED_NANORINF;
-  } else if (residual <= that.options_.tolerance * that.load_) {
-    *reason = KSP_CONVERGED_RTOL;
-  } else {
-    Vec displacement = nullptr;
-    PetscReal largest = 0.0;
-    PetscCall(KSPBuildSolution(solver, nullptr, &displacement));
-    PetscCall(VecNorm(displacement, NORM_INFINITY, &largest));
-    if (residual <= that.rounding_ * std::max(that.given_, largest)) *reason = KSP_CONVERGED_ATOL;
-  }
-  return 0;
-}
-
-bool ElasticSolver::try_to_solve(const Field& forces, Field& displacement, int most_iterations) {
-  constexpr const char* what = "solving for the displacements";
-  check(KSPSetTolerances(solver_.get(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
-  check(KSPSolve(solver_.get(), forces.rest(), displacement.rest()), what);
-  int iterations = 0;
-  check(KSPGetIterationNumber(solver_.get(), &iterations), what);
+void ElasticSolver::count_iterations(int iterations) {
   effort_.iterations += iterations;
   effort_.most_iterations = std::max(effort_.most_iterations, iterations);
-  if (is_fresh_) fresh_iterations_ = std::max(1, iterations);
-  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-  check(KSPGetConvergedReason(solver_.get(), &reason), what);
-  if (reason == KSP_DIVERGED_PC_FAILED || reason == KSP_DIVERGED_NANORINF) {
-    throw NumericalError(effort_.is_direct
-                             ? "quasi-static solver: the stiffness matrix cannot be factorised: memory may have run "
-                               "out (fewer cells take less, and so does tests.quasistatic.linear = \"iterative\"), or "
-                               "a modulus is zero"
-                             : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero");
-  }
-  return reason > 0;
 }
 
 void ElasticSolver::solve(const Field& forces, Field& displacement) {
-  // A factorisation costs about as much as this many steps with an old one.
-  constexpr int worth_a_factorisation = 8, many = 5000;
   ++effort_.solves;
   check(VecNorm(forces.rest(), NORM_2, &load_), "reading the load");
-  if (fresh_iterations_ == 0) refresh();
-  bool is_solved = !is_fresh_ && try_to_solve(forces, displacement, fresh_iterations_ + worth_a_factorisation);
-  if (!is_solved) {
-    refresh();
-    is_solved = try_to_solve(forces, displacement, many);
-  }
-  double residual = 0.0;
-  check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");
+  const auto [is_converged, residual] = iterate(forces, displacement);
   // Where the given displacements need no others, as in a homogeneous box, the load itself is rounding.
-  const double least = std::max(given_ * rounding_ / options_.tolerance, std::numeric_limits<double>::min());
+  const double least = std::max(given_ * rounding_ / tolerance_, std::numeric_limits<double>::min());
   const double relative = residual / std::max(load_, least);
-  if (!is_solved) {
+  if (!is_converged) {
     throw NumericalError(fmt::format(
         "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "
         "wanted {:.1e}; the contrast of the moduli may be too high{}",
-        relative, effort_.most_iterations, options_.tolerance,
-        effort_.is_direct ? "" : " for multigrid, a direct solver may serve"));
+        relative, effort_.most_iterations, tolerance_,
+        effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
   }
   effort_.largest_residual = std::max(effort_.largest_residual, relative);
+}
+
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticBox& box, const LinearOptions& options) {
+  // Opposite sides of a single periodic cell are the same nodes: it cannot be cut.
+  const bool is_one_cell = box.boundary() == Boundary::periodic && std::min(box.columns(), box.rows()) == 1;
+  if (options.is_direct(box.unknowns(), parallel::ranks()) || is_one_cell) {
+    return std::make_unique<AssembledSolver>(box, options, Preconditioner::factors);
+  }
+  if (parallel::ranks() > 1) return std::make_unique<AssembledSolver>(box, options, Preconditioner::multigrid);
+  return std::make_unique<SubstructuringSolver>(box, options);
 }
 
 }  // namespace breccia::quasistatic

@@ -251,7 +251,7 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
                                      std::span<const double> field_times) {
   require_complete(problem, times);
   const ElasticBox box(problem.discretisation, problem.volumetric, problem.boundary);
-  ElasticSolver solver(box, problem.linear);
+  const auto solver = quasistatic::make_elastic_solver(box, problem.linear);
   SteppingResult result;
   const auto keep_fields = [&](double time, const SteppedLoad& first) {
     if (std::find(field_times.begin(), field_times.end(), time) == field_times.end()) return;
@@ -260,7 +260,7 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   };
   constexpr double share_of_fine = 2.0 / 3.0;
   const auto fine = run(
-      problem, box, loads, times, solver,
+      problem, box, loads, times, *solver,
       [&](double share) {
         if (observer) observer(share_of_fine * share);
       },
@@ -270,13 +270,13 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   coarse_times.reserve(places.size());
   for (const auto place : places) coarse_times.push_back(times[place]);
   const auto coarse = run(
-      problem, box, loads, coarse_times, solver,
+      problem, box, loads, coarse_times, *solver,
       [&](double share) {
         if (observer) observer(share_of_fine + (1.0 - share_of_fine) * share);
       },
       [](double, const SteppedLoad&) {});
 
-  result.effort = solver.effort();
+  result.effort = solver->effort();
   for (std::size_t l = 0; l < loads.size(); ++l) {
     const std::vector<double> values(fine[l].begin() + 1, fine[l].end());
     const std::vector<double> coarse_values(coarse[l].begin() + 1, coarse[l].end());

@@ -1,5 +1,6 @@
 #include "reduced_basis.hpp"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -41,21 +42,19 @@ ReducedBasis::ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, L
   extend(box.uniform_strain(load));
 }
 
-double ReducedBasis::reference_energy(const PartForces& forces, const Field& displacement) const {
-  return work(forces.filler, displacement) + reference_.shear * work(forces.matrix_shear, displacement) +
-         reference_.bulk * work(forces.matrix_bulk, displacement);
+Field ReducedBasis::reference_forces(const Field& displacement) const {
+  return box_->forces(parts_->with(reference_), load_, displacement);
 }
 
 /// Makes a vector orthonormal to the others. False when nothing is left of it.
 bool ReducedBasis::normalise(Field& vector) const {
   constexpr double nothing = 1e-13;
-  double before = work(box_->forces(parts_->with(reference_), load_, vector), vector);
+  double before = work(reference_forces(vector), vector);
   // Twice is enough (Giraud, Langou and Rozloznik 2005).
   for (int pass = 0; pass < 2; ++pass) {
-    for (std::size_t i = 0; i < vectors_.size(); ++i) {
-      vector.add(-reference_energy(forces_[i], vector), vectors_[i]);
-    }
-    const double energy = work(box_->forces(parts_->with(reference_), load_, vector), vector);
+    const auto forces = reference_forces(vector);
+    for (const auto& other : vectors_) vector.add(-work(forces, other), other);
+    const double energy = work(reference_forces(vector), vector);
     if (!(energy > nothing * before)) return false;
     vector.scale(1.0 / std::sqrt(energy));
     before = 1.0;
@@ -72,39 +71,61 @@ void ReducedBasis::add(Field solution, const Moduli& matrix) {
 void ReducedBasis::extend(Field candidate) {
   if (!normalise(candidate)) return;
   vectors_.push_back(std::move(candidate));
-  const auto& vector = vectors_.back();
-  forces_.push_back({box_->forces(parts_->filler, load_, vector), box_->forces(parts_->matrix_shear, load_, vector),
-                     box_->forces(parts_->matrix_bulk, load_, vector)});
   extend_projection();
+  extend_residual_products();
 }
 
 void ReducedBasis::extend_projection() {
-  const auto size = static_cast<Eigen::Index>(vectors_.size());
-  auto& [load, boundary, a, b, c, e, products, scale, snapshots] = response_;
-  for (auto* matrix : {&a, &b, &c}) enlarge(*matrix);
-  e.conservativeResize(size);
-  const auto last = size - 1;
-  e[last] = work(load_forces_, vectors_.back());
-  for (Eigen::Index i = 0; i < size; ++i) {
-    const auto& forces = forces_[static_cast<std::size_t>(i)];
-    a(i, last) = a(last, i) = work(forces.filler, vectors_.back());
-    b(i, last) = b(last, i) = work(forces.matrix_shear, vectors_.back());
-    c(i, last) = c(last, i) = work(forces.matrix_bulk, vectors_.back());
-  }
-  // The parts of the residual: of A, then of B, then of C, then the load.
-  std::vector<const Field*> parts;
-  for (const auto& forces : forces_) parts.push_back(&forces.filler);
-  for (const auto& forces : forces_) parts.push_back(&forces.matrix_shear);
-  for (const auto& forces : forces_) parts.push_back(&forces.matrix_bulk);
-  parts.push_back(&load_forces_);
+  auto& response = response_;
+  const auto last = static_cast<Eigen::Index>(vectors_.size()) - 1;
+  const auto extend = [&](Eigen::MatrixXd& projection, const std::vector<Moduli>& part) {
+    enlarge(projection);
+    const auto forces = box_->forces(part, load_, vectors_.back());
+    for (Eigen::Index i = 0; i <= last; ++i) {
+      projection(i, last) = projection(last, i) = work(forces, vectors_[static_cast<std::size_t>(i)]);
+    }
+  };
+  extend(response.filler, parts_->filler);
+  extend(response.matrix_shear, parts_->matrix_shear);
+  extend(response.matrix_bulk, parts_->matrix_bulk);
+  response.load_forces.conservativeResize(last + 1);
+  response.load_forces[last] = work(load_forces_, vectors_.back());
+}
+
+/// Of the parts of the residual: of A, then of B, then of C, then the load.
+void ReducedBasis::extend_residual_products() {
+  const std::array parts = {&parts_->filler, &parts_->matrix_shear, &parts_->matrix_bulk};
   const auto count = static_cast<Eigen::Index>(parts.size());
-  products.resize(count, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      products(i, j) = products(j, i) =
-          product(*parts[static_cast<std::size_t>(i)], *parts[static_cast<std::size_t>(j)]);
+  const auto size = static_cast<Eigen::Index>(vectors_.size()), last = size - 1;
+  Eigen::MatrixXd products(count * size + 1, count * size + 1);
+  // What is there already moves up.
+  const auto earlier = [&](Eigen::Index index) {
+    return index == count * size ? count * last : index / size * last + index % size;
+  };
+  const auto is_new = [&](Eigen::Index index) { return index < count * size && index % size == last; };
+  for (Eigen::Index i = 0; i < products.rows(); ++i) {
+    for (Eigen::Index j = 0; j < products.cols(); ++j) {
+      if (!is_new(i) && !is_new(j) && last > 0) products(i, j) = response_.residual_products(earlier(i), earlier(j));
     }
   }
+  std::vector<Field> newest;
+  for (const auto* part : parts) newest.push_back(box_->forces(*part, load_, vectors_.back()));
+  const auto multiply = [&](Eigen::Index i, const Field& forces) {
+    for (Eigen::Index part = 0; part < count; ++part) {
+      const Eigen::Index j = part * size + last;
+      products(i, j) = products(j, i) = product(forces, newest[static_cast<std::size_t>(part)]);
+    }
+  };
+  for (Eigen::Index part = 0; part < count; ++part) {
+    for (Eigen::Index i = 0; i < last; ++i) {
+      multiply(part * size + i,
+               box_->forces(*parts[static_cast<std::size_t>(part)], load_, vectors_[static_cast<std::size_t>(i)]));
+    }
+    multiply(part * size + last, newest[static_cast<std::size_t>(part)]);
+  }
+  multiply(count * size, load_forces_);
+  if (last == 0) products(count, count) = product(load_forces_, load_forces_);
+  response_.residual_products = std::move(products);
 }
 
 Field ReducedBasis::approximation(const Moduli& matrix) const {

@@ -21,6 +21,8 @@ struct StiffnessParts {
 /// The uniform strain of a load and solutions under it, orthonormal in the energy of a reference matrix, and the
 /// projection of the stiffness on them. With the uniform strain among them the mean stress of a combination that is in
 /// balance with all of them is exactly the one that its modulus tells.
+///
+/// Keeps the vectors alone: their forces are cheaper to work out again than to store.
 class ReducedBasis {
  public:
   ReducedBasis(const ElasticBox& box, const StiffnessParts& parts, Load load, const Moduli& reference);
@@ -38,13 +40,11 @@ class ReducedBasis {
   void add(Field solution, const Moduli& matrix);
 
  private:
-  struct PartForces {
-    Field filler, matrix_shear, matrix_bulk;
-  };
-  [[nodiscard]] double reference_energy(const PartForces& forces, const Field& displacement) const;
+  [[nodiscard]] Field reference_forces(const Field& displacement) const;
   [[nodiscard]] bool normalise(Field& vector) const;
   void extend(Field candidate);
   void extend_projection();
+  void extend_residual_products();
 
   const ElasticBox* box_;
   const StiffnessParts* parts_;
@@ -52,7 +52,6 @@ class ReducedBasis {
   Moduli reference_;
   Field load_forces_;
   std::vector<Field> vectors_;
-  std::vector<PartForces> forces_;  ///< of the vectors
   ReducedResponse response_;
 };
 

@@ -130,7 +130,7 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   const auto& parts = sampling->parts;
   const auto& box = sampling->box;
   auto& bases = sampling->bases;
-  ElasticSolver solver(box, problem.linear);
+  const auto solver = quasistatic::make_elastic_solver(box, problem.linear);
   const auto& middle = path[path.size() / 2];
   for (const auto load : loads) bases.emplace_back(box, parts, load, middle);
 
@@ -140,11 +140,11 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   int snapshots = 0;
   const auto add_snapshot = [&](const Moduli& at, bool is_measured) {
     const auto moduli = parts.with(at);
-    solver.set_moduli(moduli);
-    solver.refresh();
+    solver->set_moduli(moduli);
+    solver->refresh();
     error = is_measured ? 0.0 : 1.0;
     for (std::size_t l = 0; l < bases.size(); ++l) {
-      auto solution = solve(box, solver, bases[l], moduli, at);
+      auto solution = solve(box, *solver, bases[l], moduli, at);
       double relative = 0.0;
       if (is_measured) {
         auto response = bases[l].response();
@@ -185,7 +185,7 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   }
 
   SampledResponses sampled;
-  sampled.effort = solver.effort();
+  sampled.effort = solver->effort();
   for (std::size_t l = 0; l < bases.size(); ++l) {
     auto response = bases[l].response();
     response.residual_scale = scales[l];

@@ -56,7 +56,9 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
 }
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation& discretisation, Boundary boundary) {
+                                      const Discretisation& discretisation, Boundary boundary, int threads) {
+  auto options = study.tests.quasistatic;
+  options.linear.threads = threads;
   return {.discretisation = discretisation,
           .materials = materials_of(stage, matrix),
           .boundary = boundary,
@@ -64,7 +66,7 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
           .field_times = field_times_of(study, stage, discretisation, study.tests.loads.front()),
-          .options = study.tests.quasistatic};
+          .options = options};
 }
 
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
@@ -72,7 +74,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), cells);
-  const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary);
+  const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] {
     return run_quasistatic_test(test, [&](const std::string& details, double share) {
       if (observer.progress) observer.progress(stage, name, share, details);

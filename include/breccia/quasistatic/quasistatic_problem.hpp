@@ -15,13 +15,21 @@ namespace breccia {
 enum class LinearMethod {
   automatic,  ///< direct up to LinearOptions::most_unknowns_direct, iterative above
   direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
-  iterative   ///< conjugate gradients preconditioned by algebraic multigrid with rigid motions (GAMG)
+  iterative   ///< conjugate gradients on substructures, or with algebraic multigrid (GAMG) on several processes
 };
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
-  std::int64_t most_unknowns_direct = 3'000'000;
+  std::int64_t most_unknowns_direct = 250'000;
+  /// The same on several processes, where the iterative method is a slower one.
+  std::int64_t most_unknowns_direct_on_several = 3'000'000;
   double tolerance = 1e-10;  ///< residual over load, in the Euclidean norm [-]
+  int threads = 0;           ///< of each process, for substructures; 0: all
+
+  [[nodiscard]] bool is_direct(std::int64_t unknowns, int processes) const noexcept {
+    const auto most = processes > 1 ? most_unknowns_direct_on_several : most_unknowns_direct;
+    return method == LinearMethod::direct || (method == LinearMethod::automatic && unknowns <= most);
+  }
 };
 
 /// What solving the linear systems took.

@@ -117,7 +117,7 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
                               const Discretisation& discretisation, Boundary boundary, Load load, int threads);
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation& discretisation, Boundary boundary);
+                                      const Discretisation& discretisation, Boundary boundary, int threads);
 
 /// Does a later stage take the result of this one as its matrix?
 bool serves_as_matrix(const Study& study, const Stage& stage);

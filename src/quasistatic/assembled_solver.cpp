@@ -1,0 +1,122 @@
+#include "assembled_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Options of PETSc that users can replace on the command line, under this prefix.
+constexpr const char* prefix = "quasistatic_";
+
+void set_default(const char* option, const char* value) {
+  PetscBool is_set = PETSC_FALSE;
+  check(PetscOptionsHasName(nullptr, prefix, option, &is_set), "reading PETSc's options");
+  if (is_set == PETSC_TRUE) return;
+  const auto name = fmt::format("-{}{}", prefix, option + 1);
+  check(PetscOptionsSetValue(nullptr, name.c_str(), value), "setting PETSc's options");
+}
+
+}  // namespace
+
+AssembledSolver::AssembledSolver(const ElasticBox& box, const LinearOptions& options, Preconditioner preconditioner)
+    : ElasticSolver(box, options, preconditioner == Preconditioner::factors),
+      preconditioner_(preconditioner),
+      matrix_(box.make_matrix()) {}
+
+void AssembledSolver::set_up() {
+  constexpr const char* what = "setting up the linear solver";
+  check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
+  check(KSPSetOptionsPrefix(solver_.get(), prefix), what);
+  check(KSPSetType(solver_.get(), KSPCG), what);
+  check(KSPSetNormType(solver_.get(), KSP_NORM_UNPRECONDITIONED), what);
+  check(KSPSetInitialGuessNonzero(solver_.get(), PETSC_TRUE), what);
+  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), what);
+  check(KSPSetConvergenceTest(solver_.get(), is_converged, this, nullptr), what);
+  PC preconditioner = nullptr;
+  check(KSPGetPC(solver_.get(), &preconditioner), what);
+  if (preconditioner_ == Preconditioner::factors) {
+    check(PCSetType(preconditioner, PCCHOLESKY), what);
+    check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), what);
+  } else {
+    check(PCSetType(preconditioner, PCGAMG), what);
+    box().attach_rigid_motions(matrix_.get());
+    set_default("-pc_gamg_threshold", "0.02");
+    set_default("-mg_levels_ksp_max_it", "4");
+  }
+  check(KSPSetFromOptions(solver_.get()), what);
+}
+
+void AssembledSolver::take(std::span<const Moduli> moduli) {
+  box().assemble(moduli, matrix_.get());
+  is_fresh_ = false;
+}
+
+void AssembledSolver::refresh() {
+  if (is_fresh_) return;
+  if (solver_.get() == nullptr) set_up();
+  check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
+  check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
+  check(KSPSetUp(solver_.get()), effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
+  check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
+  count_preparation();
+  is_fresh_ = true;
+}
+
+PetscErrorCode AssembledSolver::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,
+                                             KSPConvergedReason* reason, void* self) {
+  const auto& that = *static_cast<const AssembledSolver*>(self);
+  *reason = KSP_CONVERGED_ITERATING;
+  if (!std::isfinite(residual)) {
+    *reason = KSP_DIVERGED_NANORINF;
+  } else if (that.is_small(residual, 0.0)) {
+    *reason = KSP_CONVERGED_RTOL;
+  } else {
+    Vec displacement = nullptr;
+    PetscReal largest = 0.0;
+    PetscCall(KSPBuildSolution(solver, nullptr, &displacement));
+    PetscCall(VecNorm(displacement, NORM_INFINITY, &largest));
+    if (that.is_small(residual, largest)) *reason = KSP_CONVERGED_ATOL;
+  }
+  return 0;
+}
+
+bool AssembledSolver::try_to_solve(const Field& forces, Field& displacement, int most_iterations) {
+  constexpr const char* what = "solving for the displacements";
+  check(KSPSetTolerances(solver_.get(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
+  check(KSPSolve(solver_.get(), forces.rest(), displacement.rest()), what);
+  int iterations = 0;
+  check(KSPGetIterationNumber(solver_.get(), &iterations), what);
+  count_iterations(iterations);
+  if (is_fresh_) fresh_iterations_ = std::max(1, iterations);
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(solver_.get(), &reason), what);
+  if (reason == KSP_DIVERGED_PC_FAILED || reason == KSP_DIVERGED_NANORINF) {
+    throw NumericalError(effort().is_direct
+                             ? "quasi-static solver: the stiffness matrix cannot be factorised: memory may have run "
+                               "out (fewer cells take less, and so does tests.quasistatic.linear = \"iterative\"), or "
+                               "a modulus is zero"
+                             : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero");
+  }
+  return reason > 0;
+}
+
+ElasticSolver::End AssembledSolver::iterate(const Field& forces, Field& displacement) {
+  // A factorisation costs about as much as this many steps with an old one.
+  constexpr int worth_a_factorisation = 8, many = 5000;
+  if (fresh_iterations_ == 0) refresh();
+  bool is_solved = !is_fresh_ && try_to_solve(forces, displacement, fresh_iterations_ + worth_a_factorisation);
+  if (!is_solved) {
+    refresh();
+    is_solved = try_to_solve(forces, displacement, many);
+  }
+  double residual = 0.0;
+  check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");
+  return {is_solved, residual};
+}
+
+}  // namespace breccia::quasistatic
