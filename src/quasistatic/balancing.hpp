@@ -11,7 +11,7 @@
 namespace breccia::quasistatic {
 
 /// Balancing domain decomposition by constraints with an adaptive coarse space: an approximate inverse of the stiffness
-/// between the blocks, for any contrast of their cells (theory, Eqs. 35 to 37).
+/// between the blocks, for any contrast of their cells (theory, Eqs. 37 to 39).
 class Balancing {
  public:
   /// For the condensed stiffnesses of the kinds of blocks.

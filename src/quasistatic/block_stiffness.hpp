@@ -18,7 +18,7 @@ struct BlockKind {
   std::vector<bool> held;                ///< by unknown of the boundary
 };
 
-/// The stiffness of a block, with the nodes inside it eliminated (theory, Eq. 34). Held displacements are zero and have
+/// The stiffness of a block, with the nodes inside it eliminated (theory, Eq. 36). Held displacements are zero and have
 /// a stiffness of their own.
 class BlockStiffness {
  public:

@@ -13,7 +13,7 @@ struct BlockAtEdge {
   Side side;
 };
 
-/// How the displacements that two blocks want for their common edge become one (theory, Eqs. 36 and 37).
+/// How the displacements that two blocks want for their common edge become one (theory, Eqs. 38 and 39).
 struct EdgeAverage {
   /// Weight of the lower block, D = (S1 + S2)^-1 S1; the upper one has the rest.
   Eigen::MatrixXd lower_weight;
