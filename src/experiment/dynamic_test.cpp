@@ -137,7 +137,7 @@ std::vector<TimedFields> run_domain(const DynamicTest& test, const ShearModulusB
     // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
     const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
     go_on = sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
-    if (fields.size() < field_times.size() && sample.time >= field_times[fields.size()]) {
+    while (fields.size() < field_times.size() && sample.time >= field_times[fields.size()]) {
       fields.push_back({solver.time(), solver.fields()});
     }
     report(domain, sample.time);

@@ -53,6 +53,13 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
   return file_handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
+/// Of datasets without the time of their making: the same numbers give the same bytes.
+Hdf5Handle dataset_properties() {
+  auto properties = property_handle(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(properties.id(), false);
+  return properties;
+}
+
 }  // namespace
 
 Hdf5Handle::Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
@@ -85,11 +92,11 @@ void Hdf5Writer::create_group(const std::string& name) {
 }
 
 void Hdf5Writer::write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape, H5P_DEFAULT);
+  write_raw(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape, dataset_properties().id());
 }
 
 void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_INT64, shape, H5P_DEFAULT);
+  write_raw(name, values.data(), values.size(), H5T_NATIVE_INT64, shape, dataset_properties().id());
 }
 
 void Hdf5Writer::write_compressed(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
@@ -116,7 +123,7 @@ void Hdf5Writer::write_in_chunks(const std::string& name, const void* values, st
   constexpr hsize_t longest = 16384;
   std::vector<hsize_t> chunk;
   for (const auto extent : shape) chunk.push_back(std::clamp<hsize_t>(extent, 1, longest));
-  const auto properties = property_handle(H5Pcreate(H5P_DATASET_CREATE));
+  const auto properties = dataset_properties();
   H5Pset_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data());
   H5Pset_shuffle(properties.id());
   constexpr unsigned effort = 4;

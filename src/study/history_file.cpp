@@ -24,8 +24,8 @@ constexpr int parts_per_decade = 60;
 
 }  // namespace
 
-std::string HistoryName::file() const {
-  return fmt::format("{}-{}-dynamic-{}-{}.h5", name_of(load), name_of(boundary), cells, number);
+std::string history_file(std::string_view load, std::string_view boundary, int cells, std::size_t number) {
+  return fmt::format("{}-{}-dynamic-{}-{}.h5", load, boundary, cells, number);
 }
 
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
@@ -35,7 +35,7 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
     times.push_back(time);
     moduli.push_back(modulus);
   }
-  Hdf5Writer file(directory / name.file());
+  Hdf5Writer file(directory / history_file(name_of(name.load), name_of(name.boundary), name.cells, name.number));
   file.write(times_dataset, times);
   if (name.boundary == Boundary::traction) {
     for (auto& value : moduli) value = 1.0 / value;

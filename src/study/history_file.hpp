@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "breccia/study/run.hpp"
@@ -15,10 +16,10 @@ struct HistoryName {
   Load load;
   int cells;           ///< per side
   std::size_t number;  ///< from 1
-
-  /// `<load>-<boundary>-dynamic-<cells>-<number>.h5`
-  [[nodiscard]] std::string file() const;
 };
+
+/// `<load>-<boundary>-dynamic-<cells>-<number>.h5`, the name of the file of a history.
+std::string history_file(std::string_view load, std::string_view boundary, int cells, std::size_t number);
 
 /// Writes the history of one time domain to the directory of its stage (docs/results.md).
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,

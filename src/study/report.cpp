@@ -63,9 +63,9 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
   for (const auto& test : stage.at("tests")) {
     const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
     for (std::size_t number = 1; number <= domains; ++number) {
-      const auto name = fmt::format("{}-{}-dynamic-{}-{}.h5", test.at("load").get<std::string>(),
-                                    test.at("boundary").get<std::string>(), test.at("cells").get<int>(), number);
-      const auto file = directory / name;
+      const auto file =
+          directory / history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
+                                   test.at("cells").get<int>(), number);
       if (!fs::exists(file)) continue;
       const auto history = outline_of(read_history(file));
       refuse_foreign(file, history.deck_hash, hash);

@@ -21,7 +21,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   constexpr double affordable = 20000.0;
   return fmt::format(
       "the smallest gap between particles or to a wall, {}, is {:.2g} cells wide; below {:g} the "
-      "modulus at long times comes out too high, by several times below 1{}",
+      "modulus at long times comes out several times too high, and tens of times at 1{}",
       readable(gap, Dimension::length), cells, cells_per_gap,
       needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
 }

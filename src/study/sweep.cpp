@@ -51,11 +51,13 @@ class SweepRun {
 
   /// Of all tasks before any runs, so that several processes find the same.
   void take_over() {
-    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      const auto seconds = time_of_complete_run(sweep_.tasks[task].study, directory_of(task));
-      if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
-    }
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
     write();
+  }
+
+  void take_over(std::size_t task) {
+    const auto seconds = time_of_complete_run(sweep_.tasks[task].study, directory_of(task));
+    if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
   }
 
   /// The groups of processes take the tasks in turn.
@@ -76,7 +78,16 @@ class SweepRun {
       result_[task].state = theirs[0].get<TaskState>();
       result_[task].seconds = theirs[1].get<double>();
       result_[task].error = theirs[2].get<std::string>();
-      if (result_[task].state == TaskState::done) result_[task].curves = read_curves(directory_of(task));
+      const bool is_done = result_[task].state == TaskState::done;
+      if (is_done && parallel::is_first()) result_[task].curves = read_curves(directory_of(task));
+    }
+  }
+
+  /// Takes note of what the other groups have completed by now.
+  void look_at_others() {
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
+      take_over(task);
     }
   }
 
@@ -96,8 +107,9 @@ class SweepRun {
     if (observer_.failed) observer_.failed(task, error.what());
   }
 
-  void write() const {
+  void write() {
     if (!parallel::is_first()) return;
+    if (parallel::groups() > 1) look_at_others();
     write_sweep_tables(directory_, sweep_, result_);
     write_sweep_plot(directory_, sweep_, result_);
     write_sweep_report(directory_);

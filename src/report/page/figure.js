@@ -20,8 +20,7 @@ function currentInks() {
 
 function logAxis(title, values) {
   const {faint, line} = currentInks();
-  const seen = values.filter((value) => value > 0 && Number.isFinite(value)).map(Math.log10);
-  const [least, most] = seen.length > 0 ? [Math.min(...seen), Math.max(...seen)] : [0, 1];
+  const [least, most] = extent(values.filter((value) => value > 0).map(Math.log10));
   const room = 0.04 * (most - least) + 0.02;
   // Powers of ten where there are several of them, and else numbers that can be read alone.
   const span = most - least;
@@ -34,8 +33,7 @@ function logAxis(title, values) {
 /// From the smallest to the largest value, zero among them.
 function linearAxis(title, values) {
   const {faint, line} = currentInks();
-  const seen = [0, ...values.filter(Number.isFinite)];
-  const [least, most] = [Math.min(...seen), Math.max(...seen)];
+  const [least, most] = extent([0, ...values]);
   const room = 0.05 * (most - least) || 1;
   return {range: [least - room, most + room], title: {text: title, standoff: 8}, gridcolor: line, linecolor: faint,
     zerolinecolor: faint, ticks: "outside", tickcolor: line, automargin: true, showline: true};

@@ -4,11 +4,11 @@
 
 function keyFigure(curves, choice) {
   // Seeds are numbers without a meaning.
-  const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1 && key.label !== "seed");
+  const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1 && !key.isSeed);
   document.getElementById("key").hidden = keys.length === 0;
   if (keys.length === 0) return () => {};
   const plot = document.getElementById("key-plot");
-  const [begin, end] = [Math.min, Math.max].map((of) => of(...curves.flatMap((curve) => [curve.x[0], curve.x.at(-1)])));
+  const [begin, end] = extent(curves.flatMap((curve) => [curve.x[0], curve.x.at(-1)]));
   const shown = {key: keys.at(-1), time: end};
 
   const draw = () => {

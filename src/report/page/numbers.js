@@ -26,6 +26,17 @@ function shortNumber(value) {
   return isPlain ? String(Number(value.toPrecision(3))) : value.toExponential(2).replace("e+", "e");
 }
 
+/// The smallest and the largest of any number of finite values; [0, 1] of none.
+function extent(values) {
+  let [least, most] = [Infinity, -Infinity];
+  for (const value of values) {
+    if (!Number.isFinite(value)) continue;
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return least <= most ? [least, most] : [0, 1];
+}
+
 /// Rising numbers from one to another, evenly spaced in their logarithms.
 function logarithmic(first, last, perDecade) {
   const count = Math.max(1, Math.ceil(perDecade * Math.log10(last / first)));

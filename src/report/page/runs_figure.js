@@ -17,7 +17,7 @@ function runsFigure(curves) {
     const quantity = quantityOf(shown.of);
     const lines = shown.of.runs.flatMap((run, i) => linesOf(run, colourOfRun(i, shown.of.runs.length)));
     const beside = curves.find((curve) => curve.quantity === quantity.name && curve.stage === shown.of.stage.name &&
-      curve.boundary === shown.of.test.boundary && curve.method === "quasistatic" &&
+      curve.load === shown.of.test.load && curve.boundary === shown.of.test.boundary && curve.method === "quasistatic" &&
       curve.cells === String(shown.of.test.cells));
     if (beside !== undefined) {
       lines.push({x: beside.x, y: beside.y, label: "quasi-static", line: {color: currentInks().ink, dash: "dot"}});
@@ -80,7 +80,7 @@ function linearLayout(quantity, curves) {
   const {yaxis, xaxis} = layout;
   const times = curves.flatMap((curve) => curve.x);
   return {...layout, uirevision: `${quantity.name} linear`,
-    xaxis: {...xaxis, type: "linear", range: [Math.min(...times), Math.max(...times)], dtick: undefined, tickformat: "~s"},
+    xaxis: {...xaxis, type: "linear", range: extent(times), dtick: undefined, tickformat: "~s"},
     yaxis: {...yaxis, ...linearAxis(yaxis.title.text, curves.flatMap((curve) => curve.y)), type: "linear",
       dtick: undefined, tickformat: "~s", domain: [0, 0.7]},
     yaxis2: {...linearAxis("load applied", [1]), domain: [0.78, 1]},

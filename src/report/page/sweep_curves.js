@@ -8,7 +8,7 @@ const sweep = data.sweep;
 /// The swept keys: {path, label, values, numbers}, `numbers` only where all values are numbers in one unit.
 const sweptKeys = sweep.keys.map((path) => {
   const values = [...new Set(sweep.tasks.map((task) => task.values[path]))];
-  return {path, label: labelOfKey(path), values, ...numbersOf(values)};
+  return {path, label: labelOfKey(path), values, isSeed: path.split(".").at(-1) === "seed", ...numbersOf(values)};
 });
 
 /// The last step of a path, or all of it where another key ends like it.
@@ -37,10 +37,13 @@ function sweepCurves() {
     grids.reduce((best, one) => (isBetterGrid(one.cells, best.cells) ? one : best)));
 }
 
-/// What curves can differ in: the fields of a test and the swept keys, each {name, label, values}.
+/// What curves can differ in: the fields of a test and the swept keys, each {name, label, values}. A field that is the
+/// same throughout each task says only what a key says.
 function dimensionsOf(curves) {
   const names = {boundary: boundNames, method: methodNames};
-  const fields = testFields.filter((name) => name !== "quantity").map((name) => ({name, label: name === "boundary" ?
+  const tasks = groupsOf(curves, ["task"]);
+  const isFree = (name) => name !== "quantity" && tasks.some((task) => distinct(task, name).length > 1);
+  const fields = testFields.filter(isFree).map((name) => ({name, label: name === "boundary" ?
     "bound" : name, values: distinct(curves, name), textOf: (value) => names[name]?.[value] ?? value,
     of: (curve) => curve[name]}));
   const keys = sweptKeys.map(({path, label, values}) => ({name: path, label, values, textOf: String,

@@ -95,8 +95,11 @@ function sweepChoices(curves, choice, drawAll) {
       drawAll();
     }));
   }
-  const references = dimensions.flatMap((dimension) => dimension.values.map((value) =>
-    [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
+  const hasPartners = (dimension, value) => curves.some((curve) => dimension.of(curve) !== value &&
+    partnerOf(curve, dimension, value, curves, dimensions) !== undefined);
+  const references = dimensions.flatMap((dimension) => dimension.values
+    .filter((value) => hasPartners(dimension, value))
+    .map((value) => [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
   rows.push(chooser("reference", "compared with", [[undefined, "as it is"], ...references], (reference) => {
     choice.reference = reference;
     drawAll();
