@@ -143,7 +143,7 @@ def fig10(directory, path):
         lines.append(Line(scaled(limit.one(cells="extrapolated", **wanted), 1, MPA), f"{bound}, averaged, h → 0", colour, 2, 2))
     times = [10 ** (-8 + 0.05 * i) for i in range(121)]
     lines.append(Line([(t, measured_modulus(t) / MPA) for t in times], "measured", width=2.4))
-    plot(path, "time / s", "G(t) / MPa", lines, 'set format x "10^{%L}"')
+    plot(path, "time / s", "G(t) / MPa", lines, 'set format x "10^{%L}"\nset xrange [1e-8:1e-2]')
 
 
 def main():
