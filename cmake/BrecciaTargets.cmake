@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 # What every target of the project is compiled with.
 add_library(breccia_options INTERFACE)
 target_compile_features(breccia_options INTERFACE cxx_std_20)
-target_compile_definitions(breccia_options INTERFACE BRECCIA_VERSION="${PROJECT_VERSION}")
+# Products of small matrices gain nothing from threads of their own, which spin while ours work.
+target_compile_definitions(breccia_options INTERFACE BRECCIA_VERSION="${PROJECT_VERSION}" EIGEN_DONT_PARALLELIZE)
 # No contraction of a*b+c: the same bits from every instruction set and compiler.
 target_compile_options(breccia_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
