@@ -94,7 +94,8 @@ std::vector<FieldRecord> write_fields(const StageGrid& grid, Boundary boundary, 
   const auto name = is_first ? "fields" : fmt::format("fields-{}-{}", name_of(boundary), name_of(method));
   std::vector<FieldRecord> records;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto& [time, points] = fields[i];
+    const double time = fields[i].time;
+    const auto& points = fields[i].fields;
     const auto numbered = i + 1 == fields.size() ? name : fmt::format("{}-{}", name, i + 1);
     const FieldRecord record = {time, numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"};
     write_vtkhdf(grid.directory / record.file, grid.discretisation.grid(), fields[i]);
