@@ -2,7 +2,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <ranges>
 #include <string>
 #include <vector>
 
@@ -90,8 +89,9 @@ void run_bench(const BenchArguments& arguments) {
 }
 
 std::vector<std::string> names_of(const std::vector<InstructionSet>& sets) {
-  const auto names = sets | std::views::transform([](InstructionSet set) { return std::string(name_of(set)); });
-  return {names.begin(), names.end()};
+  std::vector<std::string> names;
+  for (const auto set : sets) names.emplace_back(name_of(set));
+  return names;
 }
 
 }  // namespace
