@@ -1,8 +1,9 @@
 # Puts a page of the report together, and makes a C++ source of it with a function that returns it:
 #
-#   cmake -D PAGE=page.html -D STYLE=style.css -D LIBRARY=plot.js -D "SCRIPTS=a.js;b.js" -D FUNCTION=page_template
-#     -D OUTPUT=page_template.cpp -P EmbedPage.cmake
-file(READ "${PAGE}" page)
+#   cmake -D FRAME=frame.html -D SECTIONS=page.html -D STYLE=style.css -D LIBRARY=plot.js -D "SCRIPTS=a.js;b.js"
+#     -D FUNCTION=page_template -D OUTPUT=page_template.cpp -P EmbedPage.cmake
+file(READ "${FRAME}" page)
+file(READ "${SECTIONS}" sections)
 file(READ "${STYLE}" style)
 file(READ "${LIBRARY}" library)
 set(scripts "")
@@ -10,6 +11,7 @@ foreach(script IN LISTS SCRIPTS)
   file(READ "${script}" text)
   string(APPEND scripts "${text}\n")
 endforeach()
+string(REPLACE "<!--SECTIONS-->\n" "${sections}" page "${page}")
 string(REPLACE "<!--STYLE-->" "${style}" page "${page}")
 string(REPLACE "<!--SCRIPTS-->" "${scripts}" page "${page}")
 string(REPLACE "<!--LIBRARY-->" "${library}" page "${page}")

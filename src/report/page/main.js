@@ -6,7 +6,7 @@ showComparison();
 showPictures();
 showFields();
 showQuality();
-showDeck();
+showDeck(study);
 showProvenance();
 
 const curvesOfStudy = allCurves();

@@ -3,7 +3,8 @@
 showSweepSummary();
 showTasks();
 showSpread();
-showSweepDeck();
+showDeck(sweep);
+showSweepProvenance();
 
 const curvesOfSweep = sweepCurves();
 if (curvesOfSweep.length > 0) {

@@ -50,12 +50,7 @@ function showSpread() {
   }
 }
 
-function showSweepDeck() {
-  const place = document.getElementById("deck-text");
-  if (sweep.overrides.length > 0) {
-    place.append(element("p", {}, "Overridden on the command line:"),
-      element("pre", {}, sweep.overrides.join("\n")));
-  }
-  place.append(element("pre", {}, sweep.deck_text));
-  place.append(element("p", {className: "note"}, `${sweep.program} ${sweep.version}, ${sweep.deck}`));
+function showSweepProvenance() {
+  document.getElementById("deck-text").append(element("p", {className: "note"},
+    `${sweep.program} ${sweep.version}, ${sweep.deck}`));
 }

@@ -113,15 +113,6 @@ function extrapolationRows() {
   });
 }
 
-function showDeck() {
-  const place = document.getElementById("deck-text");
-  if (study.overrides.length > 0) {
-    place.append(element("p", {}, "Overridden on the command line:"),
-      element("pre", {}, study.overrides.join("\n")));
-  }
-  place.append(element("pre", {}, study.deck_text));
-}
-
 function showProvenance() {
   const place = document.getElementById("provenance-tables");
   const seconds = study.wall_time_s;
