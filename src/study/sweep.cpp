@@ -8,7 +8,6 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
-#include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
 
 #include "results.hpp"
@@ -112,7 +111,7 @@ class SweepRun {
     if (parallel::groups() > 1) look_at_others();
     write_sweep_tables(directory_, sweep_, result_);
     write_sweep_plot(directory_, sweep_, result_);
-    write_sweep_report(directory_);
+    write_sweep_report(directory_, result_);
   }
 
   const Sweep& sweep_;

@@ -33,15 +33,20 @@ Json json_of(std::size_t task, const TaskCurve& curve) {
           {"modulus_Pa", rounded(std::move(moduli))}};
 }
 
-/// Everything that the page shows, as it is on the disk.
-Json data_of(const fs::path& directory, Json sweep) {
-  Json curves = Json::array(), tables = Json::object();
-  const auto& tasks = sweep.at("tasks");
+/// The curves of each task that is done, as they are on the disk.
+std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, const Json& tasks) {
+  std::vector<std::vector<TaskCurve>> curves(tasks.size());
   for (std::size_t task = 0; task < tasks.size(); ++task) {
     if (tasks[task].at("state") != "done") continue;
-    for (const auto& curve : read_curves(directory / tasks[task].at("name").get<std::string>())) {
-      curves.push_back(json_of(task, curve));
-    }
+    curves[task] = read_curves(directory / tasks[task].at("name").get<std::string>());
+  }
+  return curves;
+}
+
+Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vector<TaskCurve>>& curves_of_tasks) {
+  Json curves = Json::array(), tables = Json::object();
+  for (std::size_t task = 0; task < curves_of_tasks.size(); ++task) {
+    for (const auto& curve : curves_of_tasks[task]) curves.push_back(json_of(task, curve));
   }
   if (fs::exists(directory / "spread.csv")) tables["spread.csv"] = read_text(directory / "spread.csv");
   return {{"sweep", std::move(sweep)}, {"curves", std::move(curves)}, {"tables", std::move(tables)}};
@@ -50,7 +55,17 @@ Json data_of(const fs::path& directory, Json sweep) {
 }  // namespace
 
 void write_sweep_report(const fs::path& directory) {
-  write_page(directory, "sweep.json", sweep_page, [&](Json sweep) { return data_of(directory, std::move(sweep)); });
+  write_page(directory, "sweep.json", sweep_page, [&](Json sweep) {
+    const auto curves = stored_curves(directory, sweep.at("tasks"));
+    return data_of(directory, std::move(sweep), curves);
+  });
+}
+
+void write_sweep_report(const fs::path& directory, const SweepResult& result) {
+  std::vector<std::vector<TaskCurve>> curves;
+  for (const auto& task : result) curves.push_back(task.curves);
+  write_page(directory, "sweep.json", sweep_page,
+             [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
 }
 
 }  // namespace breccia

@@ -22,4 +22,7 @@ void write_sweep_tables(const std::filesystem::path& directory, const Sweep& swe
 /// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done.
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
+/// Writes `report.html` beside `sweep.json`, which write_sweep_tables writes.
+void write_sweep_report(const std::filesystem::path& directory, const SweepResult& result);
+
 }  // namespace breccia
