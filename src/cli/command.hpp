@@ -29,8 +29,10 @@ struct RunArguments {
   int threads = 0;                  ///< 0: all
   bool quiet = false;
   bool resume = false;
-  int processes_per_task = 0;  ///< of a sweep; 0: all
-  std::string petsc_options;   ///< as on a command line of PETSc
+  int processes_per_task = 0;                  ///< of a sweep; 0: all
+  std::string petsc_options;                   ///< as on a command line of PETSc
+  std::string time_limit;                      ///< with its unit; empty: none
+  std::string checkpoint_interval = "10 min";  ///< with its unit
 
   /// Where the results go.
   [[nodiscard]] std::filesystem::path results() const;

@@ -45,7 +45,6 @@ StudyObserver narrate(Progress& progress) {
   observer.progress = [&progress](const Stage& stage, const std::string& test, double share,
                                   const std::string& details) {
     progress.update(fmt::format("{} {}", stage.name, test), share, details);
-    stop_if_interrupted();
   };
   observer.finished = [&progress](const Stage& stage, const TestResult& test) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
@@ -58,6 +57,7 @@ StudyObserver narrate(Progress& progress) {
         stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin, domain.window.end,
         domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
+  observer.noted = [&progress](const std::string& note) { progress.print(note); };
   return observer;
 }
 

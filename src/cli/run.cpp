@@ -1,5 +1,6 @@
 #include "breccia/study/run.hpp"
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/resume.hpp"
 
@@ -23,13 +25,35 @@ std::string_view what_is(std::string_view file) {
   return file == "response.h5" ? "response" : "point fields";
 }
 
-void run_single(const Study& study, const RunArguments& arguments, Progress& progress) {
+/// A time [s] that an option gives. Throws InputError, naming the option.
+double seconds_of(const char* option, const std::string& text) {
+  try {
+    return parse_quantity(text, Dimension::time);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+RunOptions options_of(const RunArguments& arguments) {
+  RunOptions options = {.threads = arguments.threads, .resume = arguments.resume, .checkpoints = {}};
+  options.checkpoints.interval = seconds_of("--checkpoint-interval", arguments.checkpoint_interval);
+  options.checkpoints.stop = interruption_requested;
+  if (!arguments.time_limit.empty()) {
+    const std::chrono::duration<double> limit(seconds_of("--time-limit", arguments.time_limit));
+    options.checkpoints.stop = [end = std::chrono::steady_clock::now() + limit] {
+      return interruption_requested() || std::chrono::steady_clock::now() >= end;
+    };
+  }
+  return options;
+}
+
+void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
   if (arguments.resume && time_of_complete_run(study, directory)) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
     return;
   }
-  const auto result = run_study(study, directory, arguments.threads, narrate(progress));
+  const auto result = run_study(study, directory, options, narrate(progress));
   progress.print(closing_tables(study, result));
   progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", directory.string()));
   progress.print(fmt::format("  report          {}", (directory / "report.html").string()));
@@ -71,9 +95,9 @@ void refuse_failures(const Sweep& sweep, const SweepResult& result) {
   if (!failures.empty()) throw NumericalError(failures);
 }
 
-void run_all(const Sweep& sweep, const RunArguments& arguments, Progress& progress) {
+void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
-  const auto result = run_sweep(sweep, directory, {arguments.threads, arguments.resume}, narrate(sweep, progress));
+  const auto result = run_sweep(sweep, directory, options, narrate(sweep, progress));
   progress.print(closing_table(sweep, result));
   progress.print(fmt::format("Results are in {}", directory.string()));
   for (const auto* file : {"report.html", "sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
@@ -88,7 +112,16 @@ void add_run(CLI::App& application) {
   auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
-  command->add_flag("--resume", arguments->resume, "leave alone what is complete, of a sweep each task by itself");
+  command->add_flag("--resume", arguments->resume,
+                    "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");
+  command
+      ->add_option("--time-limit", arguments->time_limit,
+                   "leave a checkpoint and end with exit code 130 after this time, as in \"11 h\"")
+      ->type_name("TIME");
+  command
+      ->add_option("--checkpoint-interval", arguments->checkpoint_interval,
+                   "time from one checkpoint to the next (default: \"10 min\")")
+      ->type_name("TIME");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,
                    "of a sweep under mpirun: so many processes share a task, the others do other tasks beside")
@@ -99,6 +132,7 @@ void add_run(CLI::App& application) {
                    "options for PETSc, such as \"-quasistatic_ksp_monitor\" (docs/decks.md)")
       ->type_name("OPTIONS");
   command->callback([arguments] {
+    const auto options = options_of(*arguments);
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     if (arguments->processes_per_task > 0) {
@@ -108,9 +142,9 @@ void add_run(CLI::App& application) {
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
     Progress progress(arguments->quiet || !parallel::is_first());
     if (sweep.keys.empty()) {
-      run_single(sweep.tasks.front().study, *arguments, progress);
+      run_single(sweep.tasks.front().study, *arguments, options, progress);
     } else {
-      run_all(sweep, *arguments, progress);
+      run_all(sweep, *arguments, options, progress);
     }
   });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
@@ -25,6 +26,10 @@ class BlockLayout {
     std::array<double, bulk_modes_standard> bulk{};
   };
   [[nodiscard]] Histories histories(int column, int row, MaterialIndex material) const;
+
+  /// All histories, row by row.
+  [[nodiscard]] std::span<const double> history() const noexcept { return {history_.data(), history_.size() - lanes}; }
+  [[nodiscard]] std::span<double> history() noexcept { return {history_.data(), history_.size() - lanes}; }
 
   /// What the kernel reads of the materials, and what it reads and writes of their histories [B].
   [[nodiscard]] std::size_t material_bytes() const noexcept {

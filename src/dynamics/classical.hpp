@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_solver.hpp"
@@ -60,6 +61,8 @@ class Classical final : public DynamicSolver {
   };
 
   void take_steps(std::int64_t first, int steps, Averages* averages) override;
+  void save_arrays(StateWriter& state, const std::string& group) const override;
+  void restore_arrays(const StateReader& state, const std::string& group) override;
 
   // One step, in this order.
   void locate_points(std::int64_t step);

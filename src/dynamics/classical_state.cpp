@@ -1,7 +1,27 @@
-// What a run tells of its state: memory, momentum, energy and fields. The steps are in classical.cpp.
+// What a run tells of its state: memory, momentum, energy and fields, and what it goes on from. The steps are in
+// classical.cpp.
+#include <algorithm>
+#include <cstddef>
+
 #include "classical.hpp"
 
 namespace breccia::dynamics {
+namespace {
+
+/// Visits, in a fixed order, the numbers of a point that change during a run.
+template <class Point, class Visit>
+void visit_numbers(Point& point, const Visit& visit) {
+  for (auto* pair : {&point.position, &point.velocity, &point.displacement, &point.local}) {
+    for (auto& value : *pair) visit(value);
+  }
+  for (auto* triple : {&point.strain, &point.deviator}) {
+    for (auto& value : *triple) visit(value);
+  }
+  visit(point.pressure);
+}
+constexpr std::size_t numbers_per_point = 15;
+
+}  // namespace
 
 Vector<2> Classical::momentum() const {
   Vector<2> sum = {0.0, 0.0};
@@ -49,6 +69,39 @@ PointFields Classical::fields() const {
                         scale * (point.pressure - sxx - syy), scale * sxy};
   }
   return fields;
+}
+
+void Classical::save_arrays(StateWriter& state, const std::string& group) const {
+  std::vector<double> numbers, places, cells;
+  numbers.reserve(numbers_per_point * points_.size());
+  // The order within a cell tells in which points came, and sums are taken in it.
+  for (const auto& point : points_) {
+    visit_numbers(point, [&](double value) { numbers.push_back(value); });
+    places.push_back(static_cast<double>(point.lattice));
+    cells.push_back(static_cast<double>(point.cell));
+  }
+  state.write(group + "/points", numbers);
+  state.write(group + "/places", places);
+  state.write(group + "/cells", cells);
+  state.write(group + "/history", history_);
+}
+
+void Classical::restore_arrays(const StateReader& state, const std::string& group) {
+  const auto numbers = state.numbers(group + "/points", numbers_per_point * points_.size());
+  const auto places = state.numbers(group + "/places", points_.size());
+  const auto cells = state.numbers(group + "/cells", points_.size());
+  history_ = state.numbers(group + "/history", history_.size());
+  std::ranges::sort(points_, {}, &Point::lattice);
+  std::vector<Point> restored;
+  auto number = numbers.begin();
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    auto point = *std::ranges::lower_bound(points_, static_cast<std::size_t>(places[i]), {}, &Point::lattice);
+    visit_numbers(point, [&](double& value) { value = *number++; });
+    point.cell = static_cast<int>(cells[i]);
+    restored.push_back(point);
+  }
+  points_ = std::move(restored);
+  sort_points();
 }
 
 }  // namespace breccia::dynamics

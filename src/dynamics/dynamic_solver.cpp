@@ -44,6 +44,16 @@ void DynamicSolver::advance(int steps, std::vector<Averages>& averages) {
   step_ += steps;
 }
 
+void DynamicSolver::save(StateWriter& state, const std::string& group) const {
+  state.write(group + "/step", step_);
+  save_arrays(state, group);
+}
+
+void DynamicSolver::restore(const StateReader& state, const std::string& group) {
+  step_ = state.integer(group + "/step");
+  restore_arrays(state, group);
+}
+
 void DynamicSolver::require_elastic() const {
   for (const auto& material : problem_.materials) {
     if (!material.bulk.is_elastic() || !material.shear.is_elastic()) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,27 @@ void RowExchange::gather(std::span<double> values, int rows) const {
   }
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), MPI_DOUBLE,
                  parallel::communicator());
+}
+
+std::vector<double> RowExchange::collect(std::span<const double> own) const {
+  if (ranks_ == 1) return {own.begin(), own.end()};
+  const auto count = static_cast<int>(own.size());
+  std::vector<int> counts(static_cast<std::size_t>(ranks_)), begins(counts.size());
+  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, parallel::communicator());
+  std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
+  std::vector<double> all(rank_ == 0 ? static_cast<std::size_t>(begins.back() + counts.back()) : 0);
+  MPI_Gatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), begins.data(), MPI_DOUBLE, 0,
+              parallel::communicator());
+  return all;
+}
+
+RowExchange::Place RowExchange::place_of(std::size_t own) const {
+  if (ranks_ == 1) return {0, own};
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
+  const std::uint64_t count = own;
+  MPI_Allgather(&count, 1, MPI_UINT64_T, counts.data(), 1, MPI_UINT64_T, parallel::communicator());
+  return {std::accumulate(counts.begin(), counts.begin() + rank_, std::uint64_t{0}),
+          std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})};
 }
 
 }  // namespace breccia::dynamics

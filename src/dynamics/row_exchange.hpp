@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "breccia/mpm/discretisation.hpp"
 
@@ -30,6 +32,15 @@ class RowExchange {
   /// own.
   void gather_cell_rows(std::span<double> values) const;
   void gather_node_rows(std::span<double> values) const;
+
+  /// What all processes have of something that each knows for its own rows, in their order; on the first process.
+  [[nodiscard]] std::vector<double> collect(std::span<const double> own) const;
+  /// Where the share of this process begins in it, and how long the whole is.
+  struct Place {
+    std::size_t begin;
+    std::size_t size;
+  };
+  [[nodiscard]] Place place_of(std::size_t own) const;
 
  private:
   [[nodiscard]] int first_of(int rank) const noexcept;

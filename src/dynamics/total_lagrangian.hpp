@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "breccia/dynamics/dynamic_solver.hpp"
@@ -62,6 +63,8 @@ class TotalLagrangian final : public DynamicSolver {
   };
 
   void take_steps(std::int64_t first, int steps, Averages* averages) override;
+  void save_arrays(StateWriter& state, const std::string& group) const override;
+  void restore_arrays(const StateReader& state, const std::string& group) override;
   void sweep(Band& band, std::int64_t step, int steps, int place);
   void join_bands(std::size_t band, std::int64_t step);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);

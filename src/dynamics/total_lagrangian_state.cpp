@@ -1,4 +1,8 @@
-// What a run tells of its state: memory, momentum, energy and fields. The steps are in total_lagrangian.cpp.
+// What a run tells of its state: memory, momentum, energy and fields, and what it goes on from. The steps are in
+// total_lagrangian.cpp.
+#include <algorithm>
+#include <cstddef>
+
 #include "breccia/mpm/cell.hpp"
 
 #include "boundary_nodes.hpp"
@@ -117,6 +121,20 @@ PointFields TotalLagrangian::fields() const {
   exchange_.gather_cell_rows({fields.strain.front().data(), 3 * fields.strain.size()});
   exchange_.gather_cell_rows({fields.stress.front().data(), 4 * fields.stress.size()});
   return fields;
+}
+
+void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) const {
+  fetch_nodes();
+  state.write(group + "/nodes", nodes_);
+  state.write(group + "/history", exchange_.collect(layout_.history()));
+}
+
+void TotalLagrangian::restore_arrays(const StateReader& state, const std::string& group) {
+  nodes_ = state.numbers(group + "/nodes", nodes_.size());
+  const auto own = layout_.history();
+  const auto [begin, size] = exchange_.place_of(own.size());
+  const auto all = state.numbers(group + "/history", size);
+  std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(begin), own.size(), own.begin());
 }
 
 }  // namespace breccia::dynamics

@@ -11,6 +11,7 @@
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "quasistatic_state.hpp"
 #include "test_times.hpp"
 
 namespace breccia {
@@ -24,16 +25,19 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
           .linear = test.options.linear};
 }
 
-void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
+void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+                 Checkpoint* checkpoint) {
   const auto& matrix = test.materials.front();
   const auto path = carson_path(matrix, test.times);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
   auto sampled = sample_responses(
-      problem_of(test), 0, test.loads, path, test.options.sampling, [&](const SamplingProgress& progress) {
+      problem_of(test), 0, test.loads, path, test.options.sampling,
+      [&](const SamplingProgress& progress) {
         if (!observer) return;
         observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
                  std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
-      });
+      },
+      checkpoint);
   result.effort = sampled.effort;
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   for (auto& reduced : sampled.responses) {
@@ -86,7 +90,8 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
   return worst;
 }
 
-void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer) {
+void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+                  Checkpoint* checkpoint) {
   auto steps = step_times(test);
   // The first time wanted is an end of the curve, and need not be one of the steps; nor need those of fields.
   make_step_at(steps, test.times.begin);
@@ -97,7 +102,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
       [&](double share) {
         if (observer) observer(fmt::format("{} steps", steps.size()), share);
       },
-      field_steps);
+      field_steps, checkpoint);
   result.fields = std::move(stepped.fields);
   result.effort = stepped.effort;
   const auto times = logarithmic_times(test.times, test.points_per_decade);
@@ -134,15 +139,17 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
 
 }  // namespace
 
-QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer) {
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer,
+                                           Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
+  if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;
   if (test.options.solver == Solver::reduced) {
-    run_reduced(test, result, observer);
+    run_reduced(test, result, observer, checkpoint);
   } else {
-    run_stepping(test, result, observer);
+    run_stepping(test, result, observer, checkpoint);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

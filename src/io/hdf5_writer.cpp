@@ -166,8 +166,12 @@ void Hdf5Writer::write_attribute(const std::string& object, const std::string& a
   }
 }
 
-void Hdf5Writer::commit() {
+void Hdf5Writer::close() {
   if (!file_.reset()) fail("close", "the file");
+}
+
+void Hdf5Writer::commit() {
+  close();
   target_.commit();
 }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -17,6 +18,8 @@ namespace breccia {
 
 namespace {
 
+constexpr auto partial = ".partial";
+
 std::string last_system_error() {
   return std::generic_category().message(errno);
 }
@@ -24,7 +27,7 @@ std::string last_system_error() {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(fmt::format("{}.{}.partial", path_.string(), ::getpid())) {}
+    : path_(std::move(path)), temporary_(fmt::format("{}.{}{}", path_.string(), ::getpid(), partial)) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
@@ -89,6 +92,15 @@ void remove_files(const std::filesystem::path& directory, std::span<const std::s
       throw FileError(fmt::format("{}: cannot remove this file: {}", (directory / name).string(), error.message()));
     }
   }
+}
+
+void remove_partial_files(const std::filesystem::path& directory) {
+  std::error_code is_missing;
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, is_missing)) {
+    if (entry.path().extension() == partial) names.push_back(entry.path().filename().string());
+  }
+  remove_files(directory, names);
 }
 
 std::string content_hash(std::string_view bytes) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -53,6 +54,7 @@ void AssembledSolver::set_up() {
 
 void AssembledSolver::take(std::span<const Moduli> moduli) {
   box().assemble(moduli, matrix_.get());
+  moduli_.assign(moduli.begin(), moduli.end());
   is_fresh_ = false;
 }
 
@@ -64,7 +66,30 @@ void AssembledSolver::refresh() {
   check(KSPSetUp(solver_.get()), effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
   count_preparation();
+  prepared_moduli_ = moduli_;
   is_fresh_ = true;
+}
+
+void AssembledSolver::save_preparation(StateWriter& state, const std::string& group) const {
+  std::vector<double> bulk, shear;
+  for (const auto& moduli : prepared_moduli_) {
+    bulk.push_back(moduli.bulk);
+    shear.push_back(moduli.shear);
+  }
+  state.write(group + "/bulk_Pa", bulk);
+  state.write(group + "/shear_Pa", shear);
+  state.write(group + "/iterations", std::int64_t{fresh_iterations_});
+}
+
+void AssembledSolver::restore_preparation(const StateReader& state, const std::string& group) {
+  const auto bulk = state.numbers(group + "/bulk_Pa");
+  const auto shear = state.numbers(group + "/shear_Pa", bulk.size());
+  std::vector<Moduli> moduli;
+  for (std::size_t m = 0; m < bulk.size(); ++m) moduli.push_back({.bulk = bulk[m], .shear = shear[m]});
+  fresh_iterations_ = static_cast<int>(state.integer(group + "/iterations"));
+  if (moduli.empty()) return;
+  set_moduli(moduli);
+  refresh();
 }
 
 PetscErrorCode AssembledSolver::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "elastic_solver.hpp"
 
 namespace breccia::quasistatic {
@@ -16,6 +19,9 @@ class AssembledSolver final : public ElasticSolver {
 
   void refresh() override;
 
+  void save_preparation(StateWriter& state, const std::string& group) const override;
+  void restore_preparation(const StateReader& state, const std::string& group) override;
+
  private:
   void take(std::span<const Moduli> moduli) override;
   /// Refreshes the preconditioner when that of earlier moduli has become poor.
@@ -28,8 +34,10 @@ class AssembledSolver final : public ElasticSolver {
   Preconditioner preconditioner_;
   Matrix matrix_;
   LinearSolver solver_;
-  int fresh_iterations_ = 0;  ///< with a preconditioner for the same moduli; 0 before the first
-  bool is_fresh_ = false;     ///< whether the preconditioner is that of the present moduli
+  std::vector<Moduli> moduli_;           ///< the present ones, by material
+  std::vector<Moduli> prepared_moduli_;  ///< those of the preconditioner
+  int fresh_iterations_ = 0;             ///< with a preconditioner for the same moduli; 0 before the first
+  bool is_fresh_ = false;                ///< whether the preconditioner is that of the present moduli
 };
 
 }  // namespace breccia::quasistatic

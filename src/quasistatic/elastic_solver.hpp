@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
@@ -27,6 +28,13 @@ class ElasticSolver {
   void solve(const Field& forces, Field& displacement);
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
+  /// Counts on from an earlier run.
+  void count_from(const LinearEffort& earlier) { effort_ = earlier; }
+
+  /// What is left of earlier moduli in how the next are solved for, nothing where they are prepared for at once.
+  virtual void save_preparation(StateWriter& /*state*/, const std::string& /*group*/) const {}
+  /// Prepares in the same way again.
+  virtual void restore_preparation(const StateReader& /*state*/, const std::string& /*group*/) {}
 
  protected:
   /// Where an iteration ended.

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+
+#include "breccia/checkpoint/state.hpp"
+
 #include "petsc_handle.hpp"
 
 namespace breccia::quasistatic {
@@ -28,6 +32,15 @@ class Field {
   double affine_;
   NodalVector rest_;
 };
+
+/// Leaves a field in a group of a state. Every process must call it.
+void save(StateWriter& state, const std::string& group, const Field& field);
+/// Takes it up, into a field of its size. Throws FileError when the sizes differ.
+void restore(const StateReader& state, const std::string& group, Field& field);
+
+/// What several processes find depends, in the last digits, on how many there are: throws InputError when the state
+/// was left by another number of them.
+void require_as_many_processes(const StateReader& state);
 
 /// Work of forces on a displacement; the same on all ranks.
 [[nodiscard]] double work(const Field& forces, const Field& displacement);

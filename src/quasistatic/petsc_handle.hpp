@@ -37,6 +37,7 @@ class PetscHandle {
 using NodalVector = PetscHandle<Vec, VecDestroy>;
 using Matrix = PetscHandle<Mat, MatDestroy>;
 using NodeGrid = PetscHandle<DM, DMDestroy>;
+using Scatter = PetscHandle<VecScatter, VecScatterDestroy>;
 using LinearSolver = PetscHandle<KSP, KSPDestroy>;
 
 using parallel::check;

@@ -2,7 +2,10 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace breccia::quasistatic {
 namespace {
@@ -139,6 +142,23 @@ Field ReducedBasis::approximation(const Moduli& matrix) const {
   const bool is_strained = box_->boundary() != Boundary::traction;
   sum.scale(is_strained ? 1.0 / sum.affine() : 1.0);
   return sum;
+}
+
+void ReducedBasis::save(StateWriter& state, const std::string& group) const {
+  breccia::save(state, group + "/response", response_);
+  state.write(group + "/vectors", static_cast<std::int64_t>(vectors_.size()));
+  for (std::size_t i = 0; i < vectors_.size(); ++i) {
+    quasistatic::save(state, fmt::format("{}/vector/{}", group, i), vectors_[i]);
+  }
+}
+
+void ReducedBasis::restore(const StateReader& state, const std::string& group) {
+  response_ = read_response(state, group + "/response");
+  const auto count = state.integer(group + "/vectors");
+  vectors_.clear();
+  for (std::int64_t i = 0; i < count; ++i) {
+    quasistatic::restore(state, fmt::format("{}/vector/{}", group, i), vectors_.emplace_back(box_->zero_field()));
+  }
 }
 
 Field ReducedBasis::combination(const Eigen::VectorXd& weights) const {

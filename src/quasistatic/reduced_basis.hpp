@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "breccia/quasistatic/reduced_response.hpp"
@@ -38,6 +39,9 @@ class ReducedBasis {
   /// Adds a solution for these moduli. One that the basis holds already, as in a box of one material, leaves it as it
   /// is.
   void add(Field solution, const Moduli& matrix);
+
+  void save(StateWriter& state, const std::string& group) const;
+  void restore(const StateReader& state, const std::string& group);
 
  private:
   [[nodiscard]] Field reference_forces(const Field& displacement) const;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
 
 #include "elastic_solver.hpp"
 #include "network.hpp"
@@ -73,129 +75,189 @@ struct Worst {
   double estimate = -1.0;
 };
 
-/// Over all loads, with the ratios of error to residual found so far.
-Worst worst_on(std::span<const Moduli> path, const std::vector<ReducedBasis>& bases,
-               const std::vector<double>& scales) {
-  Worst worst;
-  for (std::size_t l = 0; l < bases.size(); ++l) {
-    auto response = bases[l].response();
-    response.residual_scale = scales[l] > 0.0 ? scales[l] : 1.0;
-    for (const auto& moduli : path) {
-      const double estimate = response.error_estimate(moduli);
-      if (estimate > worst.estimate) worst = {moduli, estimate};
+/// The basis of each load, as it grows solution by solution. The bases point to the box and the parts.
+class Sampling {
+ public:
+  Sampling(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
+           const Moduli& reference)
+      : parts_(parts_of(problem, matrix)),
+        box_(problem.discretisation, problem.volumetric, problem.boundary),
+        scales_(loads.size(), 0.0),
+        measured_(loads.size()) {
+    for (const auto load : loads) bases_.emplace_back(box_, parts_, load, reference);
+  }
+
+  [[nodiscard]] const StiffnessParts& parts() const noexcept { return parts_; }
+  [[nodiscard]] const ElasticBox& box() const noexcept { return box_; }
+  [[nodiscard]] const std::vector<ReducedBasis>& bases() const noexcept { return bases_; }
+  [[nodiscard]] int snapshots() const noexcept { return snapshots_; }
+  /// Relative, at the last snapshot before it was added; 1 where it was not measured.
+  [[nodiscard]] double error() const noexcept { return error_; }
+
+  /// Adds a snapshot of each load. One that is measured tells how good the bases were there before; far below the
+  /// tolerance that tells of the linear solver.
+  void add_snapshot(ElasticSolver& solver, const Moduli& at, bool is_measured, double tolerance) {
+    const auto moduli = parts_.with(at);
+    solver.set_moduli(moduli);
+    solver.refresh();
+    error_ = is_measured ? 0.0 : 1.0;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto solution = solve(box_, solver, bases_[l], moduli, at);
+      double relative = 0.0;
+      if (is_measured) {
+        auto response = bases_[l].response();
+        response.residual_scale = 1.0;
+        relative = std::abs(response.modulus(at) / modulus_of(box_, bases_[l], moduli, solution) - 1.0);
+        constexpr double telling = 0.1;
+        if (relative > telling * tolerance || scales_[l] == 0.0) {
+          scales_[l] = std::max(scales_[l], relative / std::max(response.error_estimate(at), 1e-300));
+        }
+        error_ = std::max(error_, relative);
+      }
+      measured_[l].push_back(relative);
+      bases_[l].add(std::move(solution), at);
+    }
+    ++snapshots_;
+  }
+
+  /// Over all loads, with the ratios of error to residual found so far.
+  [[nodiscard]] Worst worst_on(std::span<const Moduli> path) const {
+    Worst worst;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto response = bases_[l].response();
+      response.residual_scale = scales_[l] > 0.0 ? scales_[l] : 1.0;
+      for (const auto& moduli : path) {
+        const double estimate = response.error_estimate(moduli);
+        if (estimate > worst.estimate) worst = {moduli, estimate};
+      }
+    }
+    return worst;
+  }
+
+  [[nodiscard]] std::vector<ReducedResponse> responses() const {
+    std::vector<ReducedResponse> responses;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto& response = responses.emplace_back(bases_[l].response());
+      response.residual_scale = scales_[l];
+      for (std::size_t i = 0; i < measured_[l].size(); ++i) response.snapshots[i].error_before = measured_[l][i];
+    }
+    return responses;
+  }
+
+  void save(StateWriter& state) const {
+    state.write("/sampling/snapshots", std::int64_t{snapshots_});
+    state.write("/sampling/error", error_);
+    state.write("/sampling/scales", scales_);
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      state.write(group + "/measured", measured_[l]);
+      bases_[l].save(state, group);
     }
   }
-  return worst;
-}
 
-/// What the recovery of fields needs. The bases point to the box and the parts.
-struct Sampling {
-  Sampling(const QuasistaticProblem& problem, MaterialIndex matrix)
-      : parts(parts_of(problem, matrix)), box(problem.discretisation, problem.volumetric, problem.boundary) {}
+  void restore(const StateReader& state) {
+    snapshots_ = static_cast<int>(state.integer("/sampling/snapshots"));
+    error_ = state.number("/sampling/error");
+    scales_ = state.numbers("/sampling/scales", bases_.size());
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      measured_[l] = state.numbers(group + "/measured");
+      bases_[l].restore(state, group);
+    }
+  }
 
-  StiffnessParts parts;
-  ElasticBox box;
-  std::vector<ReducedBasis> bases;  ///< by load
+ private:
+  StiffnessParts parts_;
+  ElasticBox box_;
+  std::vector<ReducedBasis> bases_;            ///< by load
+  std::vector<double> scales_;                 ///< largest ratio of error to residual found so far, by load
+  std::vector<std::vector<double>> measured_;  ///< errors of the snapshots, by load
+  int snapshots_ = 0;
+  double error_ = 1.0;
 };
 
 PointFields recover(const Sampling& sampling, const QuasistaticProblem& problem, MaterialIndex matrix_index,
                     std::size_t load, const Material& matrix, double time) {
-  const auto& basis = sampling.bases.at(load);
+  const auto& basis = sampling.bases().at(load);
   const auto state = quasistatic::network_state(basis.response(), matrix, time);
   // A unit of e is that of the load over the root of the area.
-  const double unit = std::sqrt(sampling.box.area());
+  const double unit = std::sqrt(sampling.box().area());
   const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
   const auto displacement = combined(state.displacement);
   std::vector<quasistatic::AppliedModuli> applied;
-  for (std::size_t m = 0; m < sampling.parts.filler.size(); ++m) {
+  for (std::size_t m = 0; m < sampling.parts().filler.size(); ++m) {
     if (m == matrix_index) {
       applied.push_back({combined(state.bulk), combined(state.shear)});
     } else {
       applied.push_back({displacement.copy(), displacement.copy()});
-      applied.back().bulk.scale(sampling.parts.filler[m].bulk);
-      applied.back().shear.scale(sampling.parts.filler[m].shear);
+      applied.back().bulk.scale(sampling.parts().filler[m].bulk);
+      applied.back().shear.scale(sampling.parts().filler[m].shear);
     }
   }
-  return quasistatic::recover_fields(sampling.box, problem.discretisation, problem.volumetric, basis.load(),
+  return quasistatic::recover_fields(sampling.box(), problem.discretisation, problem.volumetric, basis.load(),
                                      displacement, applied);
+}
+
+/// Both ends of the path and its middle, the middle first.
+std::vector<Moduli> first_moduli(std::span<const Moduli> path) {
+  std::vector<Moduli> first = {path[path.size() / 2]};
+  for (const auto& end : {path.front(), path.back()}) {
+    if (end.bulk != first.front().bulk || end.shear != first.front().shear) first.push_back(end);
+  }
+  return first;
 }
 
 }  // namespace
 
 SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> path, const SamplingOptions& options,
-                                  const std::function<void(const SamplingProgress&)>& observer) {
+                                  const std::function<void(const SamplingProgress&)>& observer,
+                                  Checkpoint* checkpoint) {
   if (path.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
-  const auto sampling = std::make_shared<Sampling>(problem, matrix);
-  const auto& parts = sampling->parts;
-  const auto& box = sampling->box;
-  auto& bases = sampling->bases;
-  const auto solver = quasistatic::make_elastic_solver(box, problem.linear);
-  const auto& middle = path[path.size() / 2];
-  for (const auto load : loads) bases.emplace_back(box, parts, load, middle);
-
-  std::vector<double> scales(loads.size(), 0.0);
-  std::vector<std::vector<double>> measured(loads.size());
-  double error = 1.0;
-  int snapshots = 0;
+  const auto first = first_moduli(path);
+  const auto sampling = std::make_shared<Sampling>(problem, matrix, loads, first.front());
+  const auto solver = quasistatic::make_elastic_solver(sampling->box(), problem.linear);
+  if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
+    quasistatic::require_as_many_processes(*earlier);
+    sampling->restore(*earlier);
+    solver->count_from(read_effort(*earlier, "/effort"));
+  }
   const auto add_snapshot = [&](const Moduli& at, bool is_measured) {
-    const auto moduli = parts.with(at);
-    solver->set_moduli(moduli);
-    solver->refresh();
-    error = is_measured ? 0.0 : 1.0;
-    for (std::size_t l = 0; l < bases.size(); ++l) {
-      auto solution = solve(box, *solver, bases[l], moduli, at);
-      double relative = 0.0;
-      if (is_measured) {
-        auto response = bases[l].response();
-        response.residual_scale = 1.0;
-        relative = std::abs(response.modulus(at) / modulus_of(box, bases[l], moduli, solution) - 1.0);
-        // Far below the tolerance an error tells of the linear solver, not of the basis.
-        constexpr double telling = 0.1;
-        if (relative > telling * options.tolerance || scales[l] == 0.0) {
-          scales[l] = std::max(scales[l], relative / std::max(response.error_estimate(at), 1e-300));
-        }
-        error = std::max(error, relative);
-      }
-      measured[l].push_back(relative);
-      bases[l].add(std::move(solution), at);
+    if (checkpoint != nullptr && checkpoint->is_due()) {
+      checkpoint->save([&](StateWriter& state) {
+        state.write("/processes", std::int64_t{parallel::ranks()});
+        save(state, "/effort", solver->effort());
+        sampling->save(state);
+      });
     }
-    ++snapshots;
-    if (observer) observer({snapshots, error});
+    sampling->add_snapshot(*solver, at, is_measured, options.tolerance);
+    if (observer) observer({sampling->snapshots(), sampling->error()});
   };
 
-  add_snapshot(middle, false);
-  for (const auto& basis : bases) {
-    if (basis.response().load_forces.size() > 0) continue;
-    throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
+  for (auto i = static_cast<std::size_t>(sampling->snapshots()); i < first.size(); ++i) {
+    add_snapshot(first[i], false);
+    for (const auto& basis : sampling->bases()) {
+      if (basis.response().load_forces.size() > 0) continue;
+      throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
+    }
   }
-  for (const auto& end : {path.front(), path.back()}) {
-    if (end.bulk != middle.bulk || end.shear != middle.shear) add_snapshot(end, false);
-  }
-  auto worst = worst_on(path, bases, scales);
-  while (path.size() > 1 && std::max(error, worst.estimate) > options.tolerance) {
-    if (snapshots == options.most_snapshots) {
+  auto worst = sampling->worst_on(path);
+  while (path.size() > 1 && std::max(sampling->error(), worst.estimate) > options.tolerance) {
+    if (sampling->snapshots() == options.most_snapshots) {
       throw NumericalError(
           fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
                       "or solver = \"stepping\" may serve",
-                      std::max(error, worst.estimate), options.most_snapshots, options.tolerance));
+                      std::max(sampling->error(), worst.estimate), options.most_snapshots, options.tolerance));
     }
     add_snapshot(worst.moduli, true);
-    worst = worst_on(path, bases, scales);
+    worst = sampling->worst_on(path);
   }
 
-  SampledResponses sampled;
-  sampled.effort = solver->effort();
-  for (std::size_t l = 0; l < bases.size(); ++l) {
-    auto response = bases[l].response();
-    response.residual_scale = scales[l];
-    for (std::size_t i = 0; i < measured[l].size(); ++i) response.snapshots[i].error_before = measured[l][i];
-    sampled.responses.push_back(std::move(response));
-  }
-  sampled.fields = [sampling, problem, matrix](std::size_t load, const Material& material, double time) {
-    return recover(*sampling, problem, matrix, load, material, time);
-  };
-  return sampled;
+  return {.responses = sampling->responses(),
+          .effort = solver->effort(),
+          .fields = [sampling, problem, matrix](std::size_t load, const Material& material, double time) {
+            return recover(*sampling, problem, matrix, load, material, time);
+          }};
 }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>
@@ -103,6 +104,40 @@ StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& 
   const auto start = std::chrono::steady_clock::now();
   result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, watch, result); });
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  describe(result);
+  return result;
+}
+
+void save(StateWriter& state, const StageMicrostructure& microstructure) {
+  const auto& [side, walls, discs] = microstructure.microstructure;
+  std::vector<double> x, y, diameters;
+  for (const auto& disc : discs) {
+    x.push_back(disc.centre[0]);
+    y.push_back(disc.centre[1]);
+    diameters.push_back(disc.diameter);
+  }
+  state.write("/side_m", side);
+  state.write("/walls", static_cast<std::int64_t>(walls));
+  state.write("/x_m", x);
+  state.write("/y_m", y);
+  state.write("/diameter_m", diameters);
+  if (microstructure.size_deviation) state.write("/size_deviation", *microstructure.size_deviation);
+  state.write("/events", static_cast<std::int64_t>(microstructure.events));
+  state.write("/seconds", microstructure.seconds);
+}
+
+StageMicrostructure read_stage_microstructure(const StateReader& state) {
+  StageMicrostructure result;
+  auto& [side, walls, discs] = result.microstructure;
+  side = state.number("/side_m");
+  walls = static_cast<Walls>(state.integer("/walls"));
+  const auto x = state.numbers("/x_m");
+  const auto y = state.numbers("/y_m", x.size());
+  const auto diameters = state.numbers("/diameter_m", x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) discs.push_back({{x[i], y[i]}, diameters[i]});
+  if (state.has("/size_deviation")) result.size_deviation = state.number("/size_deviation");
+  result.events = static_cast<std::uint64_t>(state.integer("/events"));
+  result.seconds = state.number("/seconds");
   describe(result);
   return result;
 }

@@ -12,8 +12,10 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/report.hpp"
+#include "breccia/study/resume.hpp"
 #include "breccia/study/stage_warnings.hpp"
 
+#include "checkpoints.hpp"
 #include "comparison.hpp"
 #include "field_files.hpp"
 #include "response_file.hpp"
@@ -42,18 +44,21 @@ std::vector<std::string> old_results(const Study& study, const fs::path& directo
     if (!fs::is_directory(directory / stage.name)) continue;
     for (const auto& entry : fs::directory_iterator(directory / stage.name)) {
       const auto name = entry.path().filename().string();
-      if (name.find("-dynamic-") != std::string::npos || is_of_fields(name))
+      if (name.find("-dynamic-") != std::string::npos || is_of_fields(name) || is_checkpoint(name))
         names.push_back(fmt::format("{}/{}", stage.name, name));
     }
   }
   return names;
 }
 
-void make_way(const Study& study, const fs::path& directory) {
+/// Removes what an earlier run has left, or of one that goes on only what it could not finish writing.
+void make_way(const Study& study, const fs::path& directory, bool resume) {
   const auto names = old_results(study, directory);
   refuse_to_replace(directory, names, study.inputs);
   make_directory(directory);
-  remove_files(directory, names);
+  if (!resume) remove_files(directory, names);
+  remove_partial_files(directory);
+  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
 }
 
 /// Results are written by the first of several processes.
@@ -62,15 +67,12 @@ void write_once(const Write& write) {
   if (parallel::rank() == 0) write();
 }
 
-StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& directory,
-                       const StudyObserver& observer) {
-  const PackingWatch watch = [&](const PackingProgress& progress) {
-    return !observer.packing || observer.packing(stage, progress);
-  };
+StageResult describe(const Study& study, const Stage& stage, StageMicrostructure microstructure,
+                     const fs::path& directory, const StudyObserver& observer) {
   StageResult result;
   result.name = stage.name;
   result.cells = stage.cells;
-  result.microstructure = make_microstructure(stage, watch);
+  result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
   const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
@@ -83,23 +85,45 @@ StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& d
   return result;
 }
 
+StageMicrostructure pack(const Stage& stage, const StudyObserver& observer, const CheckpointSchedule& schedule) {
+  return make_microstructure(stage, [&](const PackingProgress& progress) {
+    if (schedule.stop && schedule.stop()) return false;
+    return !observer.packing || observer.packing(stage, progress);
+  });
+}
+
+/// Packs a stage where no earlier run has, and writes it.
+StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& directory, const RunOptions& options,
+                       const Checkpoints& checkpoints, const StudyObserver& observer) {
+  write_once([&] { make_directory(directory); });
+  auto checkpoint = checkpoints.of_packing(stage);
+  if (checkpoint.is_finished()) {
+    return describe(study, stage, read_stage_microstructure(*checkpoint.earlier()), directory, observer);
+  }
+  auto microstructure = pack(stage, observer, options.checkpoints);
+  checkpoint.finish([&](StateWriter& state) { save(state, microstructure); });
+  return describe(study, stage, std::move(microstructure), directory, observer);
+}
+
 /// The tests of a stage, each written as soon as it is done.
 class StageRun {
  public:
   StageRun(const Study& study, const Stage& stage, const fs::path& directory, int threads,
-           const StudyObserver& observer, StudyResult& result)
+           const Checkpoints& checkpoints, const StudyObserver& observer, StudyResult& result)
       : study_(study),
         stage_(stage),
         directory_(directory),
         threads_(threads),
+        checkpoints_(checkpoints),
         observer_(observer),
         result_(result),
         done_(result.stages.back()) {}
 
   void run() {
     for (const int cells : grids_of(stage_)) {
-      const StageGrid grid = {&study_, &stage_, discretise(done_.microstructure.microstructure, cells),
-                              directory_ / stage_.name, threads_};
+      const StageGrid grid = {
+          &study_,  &stage_,      discretise(done_.microstructure.microstructure, cells), directory_ / stage_.name,
+          threads_, &checkpoints_};
       for (const auto bound : study_.tests.bounds) {
         for (const auto method : study_.tests.methods) run(grid, boundary_of(bound), method);
       }
@@ -170,6 +194,7 @@ class StageRun {
   const Stage& stage_;
   const fs::path& directory_;
   int threads_;
+  const Checkpoints& checkpoints_;
   const StudyObserver& observer_;
   StudyResult& result_;
   StageResult& done_;
@@ -184,31 +209,36 @@ std::vector<int> grids_of(const Stage& stage) {
 }
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
-  make_way(study, directory);
+  make_way(study, directory, false);
   StudyResult result;
   for (const auto& stage : study.stages) {
-    result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
+    const auto of_stage = directory / stage.name;
+    result.stages.push_back(describe(study, stage, pack(stage, observer, {}), of_stage, observer));
     write_provenance(directory, study, result);
   }
   return result;
 }
 
-StudyResult run_study(const Study& study, const fs::path& directory, int threads, const StudyObserver& observer) {
+StudyResult run_study(const Study& study, const fs::path& directory, const RunOptions& options,
+                      const StudyObserver& observer) {
   const auto begin = std::chrono::steady_clock::now();
   // Not after an hour of work.
   require_gnuplot();
-  write_once([&] { make_way(study, directory); });
+  if (options.resume) require_same_study(study, directory);
+  write_once([&] { make_way(study, directory, options.resume); });
+  const Checkpoints checkpoints(study, directory, options, observer);
   StudyResult result;
   for (const auto& stage : study.stages) {
-    result.stages.push_back(pack_stage(study, stage, directory / stage.name, observer));
+    result.stages.push_back(pack_stage(study, stage, directory / stage.name, options, checkpoints, observer));
     write_once([&] { write_provenance(directory, study, result); });
-    StageRun(study, stage, directory, threads, observer, result).run();
+    StageRun(study, stage, directory, options.threads, checkpoints, observer, result).run();
     write_once([&] { write_study_report(directory); });
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_once([&] {
     write_provenance(directory, study, result);
     write_study_report(directory);
+    checkpoints.remove();
   });
   return result;
 }

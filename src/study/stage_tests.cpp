@@ -24,11 +24,20 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   return materials;
 }
 
-/// Fields are written by the first of several processes.
-std::vector<FieldRecord> write_once(const StageGrid& grid, Boundary boundary, Method method,
-                                    const std::vector<TimedFields>& fields) {
-  if (parallel::rank() != 0) return {};
-  return write_fields(grid, boundary, method, fields);
+/// Writes the fields of a test, by the first of several processes, and then leaves the result as finished; of one that
+/// had been finished before, tells what was written then. Fields are large: they are not kept.
+template <class Result>
+std::vector<FieldRecord> fields_of(const StageGrid& grid, Boundary boundary, Method method, Checkpoint& checkpoint,
+                                   Result& result) {
+  if (checkpoint.is_finished()) return read_field_records(*checkpoint.earlier());
+  const auto fields = std::exchange(result.fields, {});
+  std::vector<FieldRecord> records;
+  if (parallel::rank() == 0) records = write_fields(grid, boundary, method, fields);
+  checkpoint.finish([&](StateWriter& state) {
+    save_result(state, result);
+    save(state, records);
+  });
+  return records;
 }
 
 }  // namespace
@@ -74,12 +83,17 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), cells);
+  auto checkpoint = grid.checkpoints->of_quasistatic(stage, boundary, cells);
   const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] {
-    return run_quasistatic_test(test, [&](const std::string& details, double share) {
-      if (observer.progress) observer.progress(stage, name, share, details);
-    });
+    return run_quasistatic_test(
+        test,
+        [&](const std::string& details, double share) {
+          if (observer.progress) observer.progress(stage, name, share, details);
+        },
+        &checkpoint);
   });
+  auto fields = fields_of(grid, boundary, Method::quasistatic, checkpoint, done);
   std::vector<TestResult> results;
   for (auto& response : done.responses) {
     TestResult result{.load = response.load, .boundary = boundary, .method = Method::quasistatic, .cells = cells};
@@ -89,7 +103,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
     result.record = QuasistaticRecord{std::move(response), done.effort, done.seconds};
     results.push_back(std::move(result));
   }
-  results.front().fields = write_once(grid, boundary, Method::quasistatic, done.fields);
+  results.front().fields = std::move(fields);
   return results;
 }
 
@@ -113,10 +127,11 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
     if (observer.domain_finished) observer.domain_finished(stage, boundary, load, domain);
   };
   const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
-  auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] { return run_dynamic_test(test, follow); });
+  auto checkpoint = grid.checkpoints->of_dynamic(stage, load, boundary, cells);
+  auto done =
+      name_errors(fmt::format("{} {}", stage.name, name), [&] { return run_dynamic_test(test, follow, &checkpoint); });
   TestResult result{.load = load, .boundary = boundary, .method = Method::dynamic, .cells = cells};
-  // Fields are large: they are written, and not kept.
-  result.fields = write_once(grid, boundary, Method::dynamic, std::exchange(done.fields, {}));
+  result.fields = fields_of(grid, boundary, Method::dynamic, checkpoint, done);
   result.modulus = std::exchange(done.curve, {});
   result.compliance = std::exchange(done.compliance, {});
   result.series = fitted(result.modulus);

@@ -5,6 +5,8 @@
 
 #include "breccia/study/run.hpp"
 
+#include "checkpoints.hpp"
+
 namespace breccia {
 
 /// What the tests of a stage are made on.
@@ -14,6 +16,7 @@ struct StageGrid {
   Discretisation discretisation;
   std::filesystem::path directory;  ///< of the stage's results
   int threads;
+  const Checkpoints* checkpoints;
 };
 
 /// All loads under one boundary by the quasi-static method.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
@@ -20,7 +21,7 @@ namespace {
 /// The tasks of a sweep, with its tables written after each of them.
 class SweepRun {
  public:
-  SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
+  SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
            const SweepObserver& observer)
       : sweep_(sweep), directory_(directory), options_(options), observer_(observer), result_(sweep.tasks.size()) {}
 
@@ -50,8 +51,22 @@ class SweepRun {
 
   /// Of all tasks before any runs, so that several processes find the same.
   void take_over() {
+    refuse_others();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
     write();
+  }
+
+  /// Results of other studies in the directories of the tasks, all at once.
+  void refuse_others() const {
+    std::string mistakes;
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      try {
+        require_same_study(sweep_.tasks[task].study, directory_of(task));
+      } catch (const InputError& error) {
+        mistakes += fmt::format("{}{}", mistakes.empty() ? "" : "\n", error.what());
+      }
+    }
+    if (!mistakes.empty()) throw InputError(mistakes);
   }
 
   void take_over(std::size_t task) {
@@ -92,7 +107,7 @@ class SweepRun {
 
   void run(std::size_t task) {
     try {
-      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_.threads, observer_.study);
+      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_, observer_.study);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);
@@ -116,14 +131,14 @@ class SweepRun {
 
   const Sweep& sweep_;
   const std::filesystem::path& directory_;
-  const SweepOptions& options_;
+  const RunOptions& options_;
   const SweepObserver& observer_;
   SweepResult result_;
 };
 
 }  // namespace
 
-SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
+SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {
   require_gnuplot();
   if (parallel::is_first()) {

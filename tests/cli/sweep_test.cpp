@@ -101,7 +101,8 @@ TEST(Sweep, ResumingRunsWhatIsNotDone) {
   EXPECT_THAT(states(study), ElementsAre("done", "done", "done"));
 
   const auto other = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
-  EXPECT_THAT(other.output, Not(HasSubstr("complete already")));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot go on from these results"), HasSubstr("out/seed-3")));
   EXPECT_THAT(study.breccia("run", {"--set", "stages.A.cells=10"}).output, Not(HasSubstr("complete already")));
 }
 

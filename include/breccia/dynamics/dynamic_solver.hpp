@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/dynamics/instruction_set.hpp"
 #include "breccia/mpm/point_fields.hpp"
@@ -62,6 +64,12 @@ class DynamicSolver {
   [[nodiscard]] virtual PointFields fields() const = 0;
   [[nodiscard]] virtual Footprint footprint() const = 0;
 
+  /// Leaves all that changes during a run in a group such as "/solver". Every process must call it.
+  void save(StateWriter& state, const std::string& group) const;
+  /// Goes on from there, with as many threads and processes as there are now. Throws FileError when the state is of
+  /// another problem.
+  void restore(const StateReader& state, const std::string& group);
+
  protected:
   /// Throws InputError when the problem is incomplete or its time step not stable, or when the traction of a load would
   /// act where the box has no points.
@@ -77,6 +85,8 @@ class DynamicSolver {
  private:
   /// Takes steps from `first` on, storing the averages where each begins.
   virtual void take_steps(std::int64_t first, int steps, Averages* averages) = 0;
+  virtual void save_arrays(StateWriter& state, const std::string& group) const = 0;
+  virtual void restore_arrays(const StateReader& state, const std::string& group) = 0;
 
   DynamicProblem problem_;
   std::int64_t step_ = 0;

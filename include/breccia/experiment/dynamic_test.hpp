@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/experiment/curve.hpp"
 #include "breccia/experiment/virtual_test.hpp"
@@ -83,9 +84,14 @@ struct DynamicPlan {
 };
 DynamicPlan plan_dynamic_test(const DynamicTest& test);
 
-/// Runs the time domains that the test needs and stitches them.
+/// Runs the time domains that the test needs and stitches them. With a checkpoint it leaves its state there when that
+/// is due, and goes on from what is there: the same bits as in one go.
 /// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
-DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {});
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {},
+                                   Checkpoint* checkpoint = nullptr);
+
+/// Leaves a result, without its fields, as the state that run_dynamic_test takes up with nothing left to do.
+void save_result(StateWriter& state, const DynamicTestResult& result);
 
 /// Material points x steps per second that a run of this test does on this machine, from a short trial.
 double trial_speed(const DynamicTest& test);

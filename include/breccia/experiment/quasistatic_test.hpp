@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/experiment/curve.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
@@ -60,8 +61,14 @@ struct QuasistaticTestResult {
 /// Told what is going on, and the share of the test that is done, 0 to 1. What it throws ends the test.
 using QuasistaticObserver = std::function<void(const std::string& details, double share)>;
 
+/// With a checkpoint the test leaves its state there when that is due, and goes on from what is there: the same bits as
+/// in one go; of a test that is finished the result without its fields.
 /// Throws InputError for an incomplete test or fields outside its times, NumericalError when a linear system or the
 /// tolerance defeats it.
-QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {});
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {},
+                                           Checkpoint* checkpoint = nullptr);
+
+/// Leaves a result, without its fields, as the state of a finished test.
+void save_result(StateWriter& state, const QuasistaticTestResult& result);
 
 }  // namespace breccia

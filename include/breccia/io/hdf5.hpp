@@ -58,7 +58,10 @@ class Hdf5Writer {
   void write(const std::string& name, std::span<const std::int64_t> values);
   /// Attaches an attribute to a group or dataset that exists.
   void write_attribute(const std::string& object, const std::string& attribute, const Hdf5Attribute& value);
-  /// Closes the file and gives it its name.
+  /// Closes the file, which has its bytes under a temporary name then.
+  void close();
+  [[nodiscard]] const std::filesystem::path& temporary() const noexcept { return target_.temporary(); }
+  /// Closes the file if that was not done, and gives it its name.
   void commit();
 
  private:

@@ -45,6 +45,9 @@ void refuse_to_replace(const std::filesystem::path& directory, std::span<const s
 /// Removes files of a directory where they are. Throws FileError.
 void remove_files(const std::filesystem::path& directory, std::span<const std::string> names);
 
+/// Removes what a process that was killed has left of atomic files in a directory, if there is one. Throws FileError.
+void remove_partial_files(const std::filesystem::path& directory);
+
 /// 64-bit xxHash of some bytes, as 16 hexadecimal digits. Tells contents apart; it is no protection against forgery.
 std::string content_hash(std::string_view bytes);
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/mpm/discretisation.hpp"
 
 namespace breccia {
@@ -21,6 +24,12 @@ struct TimedFields {
   double time = 0.0;  ///< [s]
   PointFields fields;
 };
+
+/// Leaves fields at some times in a group of a state, without the materials, which the discretisation tells, and takes
+/// them up. The latter throws FileError where they are of another discretisation.
+void save(StateWriter& state, const std::string& group, std::span<const TimedFields> fields);
+std::vector<TimedFields> read_fields(const StateReader& state, const std::string& group,
+                                     const Discretisation& discretisation);
 
 /// Fields of the points of a discretisation: their materials, and all else zero.
 PointFields zero_fields(const Discretisation& discretisation);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/mpm/point_fields.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
@@ -31,10 +32,11 @@ using ShareObserver = std::function<void(double)>;
 /// Applies each load as a step at time 0, and follows it to the times given [s], rising and positive, with
 /// displacements that are linear in time between them (theory, Eq. 17). Exact in the materials; of second order in the
 /// steps, whose error is estimated from a second run over every other time. Any of the materials may relax. Fields are
-/// kept at those of the times that are in `field_times`.
+/// kept at those of the times that are in `field_times`. With a checkpoint it leaves its state there between steps when
+/// that is due, and goes on from what is there: the same bits as in one go.
 /// Throws InputError when the problem is incomplete, NumericalError when a linear system cannot be solved.
 SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
                                      std::span<const double> times, const ShareObserver& observer = {},
-                                     std::span<const double> field_times = {});
+                                     std::span<const double> field_times = {}, Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/mpm/discretisation.hpp"
 #include "breccia/mpm/load.hpp"
 #include "breccia/mpm/volumetric.hpp"
@@ -42,6 +43,10 @@ struct LinearEffort {
   int most_iterations = 0;      ///< of one solve
   double largest_residual = 0;  ///< over load, after a solve [-]
 };
+
+/// Leaves it in a group of a state, and takes it up. The latter throws FileError where that is none.
+void save(StateWriter& state, const std::string& group, const LinearEffort& effort);
+LinearEffort read_effort(const StateReader& state, const std::string& group);
 
 /// A composite without inertia: what both quasi-static solvers solve. Points must all have a material.
 struct QuasistaticProblem {

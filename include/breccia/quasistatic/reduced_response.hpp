@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <Eigen/Dense>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/mpm/cell.hpp"
 #include "breccia/mpm/load.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
@@ -40,6 +42,10 @@ struct ReducedResponse {
   /// Estimate of its relative error, from the residual [-].
   [[nodiscard]] double error_estimate(const Moduli& matrix) const;
 };
+
+/// Leaves a response in a group of a state, and takes it up. The latter throws FileError where that is none.
+void save(StateWriter& state, const std::string& group, const ReducedResponse& response);
+ReducedResponse read_response(const StateReader& state, const std::string& group);
 
 /// Creep compliance [1/Pa] of the composite with a viscoelastic matrix: exact for the reduced stiffness (theory, Eqs.
 /// 19 and 20). The relaxation modulus follows from it by interconversion.

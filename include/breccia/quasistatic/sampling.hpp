@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/mpm/point_fields.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
@@ -34,10 +35,12 @@ struct SampledResponses {
 
 /// Solves for matrix moduli [Pa] chosen from `path` until the reduced responses meet the tolerance: first both ends and
 /// the middle, then where an estimate expects the largest error, which is measured there before the solution is added.
-/// The moduli of the matrix in the problem are not used; all other materials must be elastic.
+/// With a checkpoint it leaves its state there between solutions when that is due, and goes on from what is there: the
+/// same bits as in one go. The moduli of the matrix in the problem are not used; all other materials must be elastic.
 /// Throws InputError when they are not, NumericalError when a system cannot be solved or the tolerance not be met.
 SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> path, const SamplingOptions& options = {},
-                                  const std::function<void(const SamplingProgress&)>& observer = {});
+                                  const std::function<void(const SamplingProgress&)>& observer = {},
+                                  Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

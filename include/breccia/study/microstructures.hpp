@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/study.hpp"
 
@@ -25,5 +26,9 @@ struct StageMicrostructure {
 /// Throws InputError when the particles cannot be where the deck puts them, NumericalError when the packing is
 /// impossible, Interrupted when `watch` returns false.
 StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch = {});
+
+/// Leaves a microstructure in a state, and takes it up.
+void save(StateWriter& state, const StageMicrostructure& microstructure);
+StageMicrostructure read_stage_microstructure(const StateReader& state);
 
 }  // namespace breccia

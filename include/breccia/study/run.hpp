@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/experiment/dynamic_test.hpp"
 #include "breccia/experiment/homogenised_material.hpp"
 #include "breccia/study/microstructures.hpp"
@@ -102,12 +103,21 @@ struct StudyObserver {
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
   std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};
+  std::function<void(const std::string&)> noted = {};  ///< what a user should know of files that were found
+};
+
+/// How a study is run.
+struct RunOptions {
+  int threads = 0;                      ///< 0: all
+  bool resume = false;                  ///< go on from the checkpoints of an earlier run
+  CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early
 };
 
 /// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every
-/// file appears whole or not at all; what is done when the run ends early stays. Throws InputError, NumericalError,
-/// FileError or Interrupted.
-StudyResult run_study(const Study& study, const std::filesystem::path& directory, int threads,
+/// file appears whole or not at all; what is done when the run ends early stays, and with it checkpoints, from which
+/// another run goes on to the same bits. Throws InputError, which is also where it is to go on from the results of
+/// another study or version, NumericalError, FileError or Interrupted.
+StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
                       const StudyObserver& observer = {});
 
 /// Packs the microstructures of a study alone and writes them.

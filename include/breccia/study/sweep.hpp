@@ -65,12 +65,6 @@ struct TaskResult {
 /// In the order of the sweep's tasks.
 using SweepResult = std::vector<TaskResult>;
 
-/// How a sweep is run.
-struct SweepOptions {
-  int threads = 0;      ///< 0: all
-  bool resume = false;  ///< leave alone what is complete
-};
-
 /// Those who follow a sweep. What they throw ends it.
 struct SweepObserver {
   std::function<void(std::size_t task)> begun = {};
@@ -82,8 +76,9 @@ struct SweepObserver {
 /// Runs the tasks one after the other, those of each group of processes (parallel::divide) beside the others, each in
 /// the directory of its name, and writes `sweep.csv`, `sweep.json`, `sweep.svg` and, where seeds are swept,
 /// `spread.csv` (docs/results.md) anew after each of them. A task that fails for its numbers or its microstructure does
-/// not end the others. Throws FileError or Interrupted.
-SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const SweepOptions& options,
+/// not end the others. One that resumes leaves alone the tasks that are complete, and goes on with the others from their
+/// checkpoints. Throws FileError or Interrupted, and InputError where it is to resume results of other tasks.
+SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
 
 /// The moduli of tasks that differ in their seeds alone, at one time of one test.

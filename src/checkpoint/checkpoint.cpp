@@ -1,0 +1,85 @@
+#include "breccia/checkpoint/checkpoint.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr auto finished_name = "/is_finished";
+
+void require_owner(const std::filesystem::path& path, const StateOwner& found, const StateOwner& expected) {
+  const auto refuse = [&](const std::string& difference) {
+    throw InputError(
+        fmt::format("{}: {}; take another directory (--out), or run without --resume, which begins anew and removes "
+                    "this file",
+                    path.string(), difference));
+  };
+  if (found.version != expected.version) {
+    refuse(fmt::format("left by version {} of Breccia, this is version {}", found.version, expected.version));
+  }
+  if (found.deck_hash != expected.deck_hash) {
+    refuse("left by a run of another deck: a value, a seed, an override or a data file differs");
+  }
+}
+
+}  // namespace
+
+Checkpoint::Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointSchedule schedule)
+    : path_(std::move(path)), owner_(std::move(owner)), schedule_(std::move(schedule)) {}
+
+std::vector<std::string> Checkpoint::look_for_earlier() {
+  std::vector<std::string> problems;
+  for (const auto& path : {path_, older_state(path_)}) {
+    if (!std::filesystem::exists(path)) continue;
+    try {
+      earlier_.emplace(path);
+    } catch (const FileError& error) {
+      problems.emplace_back(error.what());
+      continue;
+    }
+    require_owner(path, earlier_->owner(), owner_);
+    break;
+  }
+  const auto* instead = earlier_ ? "the one before it is used" : "what it was for begins anew";
+  for (auto& problem : problems) problem += fmt::format("; {}", instead);
+  return problems;
+}
+
+bool Checkpoint::is_finished() const {
+  return earlier_ && earlier_->integer(finished_name) != 0;
+}
+
+bool Checkpoint::is_due() {
+  constexpr double save = 1.0, save_and_end = 2.0;
+  double wish = 0.0;
+  if (std::chrono::duration<double>(Clock::now() - last_).count() >= schedule_.interval) wish = save;
+  if (schedule_.stop && schedule_.stop()) wish = save_and_end;
+  wish = parallel::largest(wish);
+  ends_ = wish == save_and_end;
+  return wish > 0.0;
+}
+
+void Checkpoint::put(const WriteState& write, bool is_finished) {
+  StateWriter writer(path_, owner_);
+  writer.write(finished_name, std::int64_t{is_finished});
+  write(writer);
+  writer.commit();
+  last_ = Clock::now();
+}
+
+void Checkpoint::save(const WriteState& write) {
+  put(write, false);
+  if (ends_) throw Interrupted("interrupted; the state is on the disk, and --resume goes on from it");
+}
+
+void Checkpoint::finish(const WriteState& write) {
+  put(write, true);
+}
+
+}  // namespace breccia

@@ -1,0 +1,142 @@
+#include "domain_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "dynamic_state.hpp"
+
+namespace breccia {
+namespace {
+
+/// Steps over which one sample of the history is averaged: few enough to change the time by less than half a per cent,
+/// and to take no longer than a user waits for an answer.
+int steps_to_average(double time, double time_step, std::size_t points) {
+  constexpr double resolution = 0.005, points_x_steps = 3e7;
+  const double steps = std::min(resolution * time / time_step, points_x_steps / static_cast<double>(points));
+  return std::max(1, static_cast<int>(steps));
+}
+
+/// What the mean of a few steps tells: the modulus, or under a traction boundary 1 / J.
+Sample averaged_sample(const DynamicTest& test, const std::vector<Averages>& steps, double first_time,
+                       double time_step) {
+  const bool creeps = test.boundary == Boundary::traction;
+  double sum = 0.0;
+  for (const auto& [stress, strain] : steps) {
+    sum += creeps ? compliance_of(test.load, strain) : modulus_of(test.load, stress);
+  }
+  const auto count = static_cast<double>(steps.size());
+  const double mean = sum / count;
+  return {first_time + 0.5 * (count - 1.0) * time_step, creeps ? 1.0 / mean : mean};
+}
+
+/// Ramp durations from its midpoint after which what is measured is the answer to a step.
+double ramps_to_wait(Boundary boundary) {
+  return boundary == Boundary::traction ? 1.0 : 1.5;
+}
+
+}  // namespace
+
+DomainRules rules_of(const DynamicTest& test) {
+  const auto& grid = test.discretisation.grid();
+  DomainRules rules;
+  rules.side = grid.cell_side * std::max(grid.columns, grid.rows);
+  rules.density = mean_density(test.discretisation, test.materials);
+  rules.times = test.times;
+  rules.density_factors = test.options.density_factors;
+  rules.overlap = test.options.overlap;
+  return rules;
+}
+
+PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
+                       const DomainSequence& sequence) {
+  const double begin = sequence.expected_begin();
+  const double end = std::max(sequence.last_time(), begin);
+  constexpr double early = 1.0 / 6.0;
+  TimeDomain domain;
+  domain.density_factor = sequence.density_factor();
+  std::vector<Material> materials;
+  for (const auto& material : test.materials) {
+    const auto bulk = reduce_to_window(material.bulk, {begin, end}, test.options.reduction_tolerance);
+    const auto shear = reduce_to_window(material.shear, {begin, end}, test.options.reduction_tolerance);
+    materials.push_back({material.name, material.density, bulk.series, shear.series});
+    domain.terms = std::max(domain.terms, bulk.series.terms().size() + shear.series.terms().size());
+    domain.reduction_error = std::max({domain.reduction_error, bulk.error_bound, shear.error_bound});
+  }
+  domain.time_step = test.options.courant *
+                     stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
+  // A factor that still rises begins its window after so many transits, by definition; that gives the duration of one.
+  // A factor that falls again is valid long before its window begins. The composite is stiffer during the ramp.
+  const double transit = std::min(begin / (2.0 * there_and_back_transits),
+                                  rules.transit(domain.density_factor, bounds.lower(early * begin)));
+  const double ramp_transits =
+      test.boundary == Boundary::traction ? test.options.creep_ramp_transits : test.options.ramp_transits;
+  domain.ramp =
+      test.options.ramp_time ? *test.options.ramp_time * std::sqrt(domain.density_factor) : ramp_transits * transit;
+  constexpr double most_steps = 1e10;
+  if (!(end / domain.time_step < most_steps)) {
+    throw NumericalError(
+        fmt::format("time domains: {:.3e} s would take {:.1e} steps of {:.1e} s; the composite relaxes so far before "
+                    "that time that "
+                    "waves hardly cross the box; give an earlier last time",
+                    end, end / domain.time_step, domain.time_step));
+  }
+  DynamicProblem problem = {.discretisation = test.discretisation,
+                            .materials = std::move(materials),
+                            .volumetric = test.options.volumetric,
+                            .density_factor = domain.density_factor,
+                            .time_step = domain.time_step,
+                            .boundary = test.boundary,
+                            .load = unit_strain(test.load),
+                            .ramp = StrainRamp(domain.ramp),
+                            .start = test.options.start};
+  return {std::move(problem), std::move(domain)};
+}
+
+bool goes_on(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain, const Sample& sample,
+             DomainSequence& sequence) {
+  // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
+  const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
+  return sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
+}
+
+DomainRun::DomainRun(const DynamicTest& test, PreparedDomain prepared, std::span<const double> field_times)
+    : test_(&test),
+      domain_(std::move(prepared.domain)),
+      solver_(make_dynamic_solver(test.options.formulation, std::move(prepared.problem), test.threads)),
+      field_times_(field_times) {}
+
+Sample DomainRun::take_sample(double expected_begin) {
+  steps_.clear();
+  const double time = solver_->time();
+  const auto points = test_->discretisation.points();
+  solver_->advance(steps_to_average(std::max(time, expected_begin), domain_.time_step, points), steps_);
+  const auto sample = averaged_sample(*test_, steps_, time, domain_.time_step);
+  const bool creeps = test_->boundary == Boundary::traction;
+  if (!creeps || time >= 0.5 * domain_.ramp) domain_.history.push_back(sample);
+  domain_.steps = solver_->steps_taken();
+  domain_.seconds = seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  while (fields_.size() < field_times_.size() && sample.time >= field_times_[fields_.size()]) {
+    fields_.push_back({solver_->time(), solver_->fields()});
+  }
+  return sample;
+}
+
+void DomainRun::save(StateWriter& state) const {
+  save_domain(state, "/running", domain_);
+  breccia::save(state, "/running/fields", fields_);
+  solver_->save(state, "/solver");
+}
+
+void DomainRun::restore(const StateReader& state) {
+  domain_ = read_domain(state, "/running");
+  fields_ = read_fields(state, "/running/fields", test_->discretisation);
+  seconds_before_ = domain_.seconds;
+  solver_->restore(state, "/solver");
+}
+
+}  // namespace breccia

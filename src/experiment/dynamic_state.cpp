@@ -1,0 +1,55 @@
+#include "dynamic_state.hpp"
+
+#include <cstdint>
+
+#include <fmt/format.h>
+
+namespace breccia {
+void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain) {
+  std::vector<double> times, moduli;
+  for (const auto& [time, modulus] : domain.history) {
+    times.push_back(time);
+    moduli.push_back(modulus);
+  }
+  state.write(group + "/density_factor", domain.density_factor);
+  state.write(group + "/time_step_s", domain.time_step);
+  state.write(group + "/ramp_s", domain.ramp);
+  state.write(group + "/window_begin_s", domain.window.begin);
+  state.write(group + "/window_end_s", domain.window.end);
+  state.write(group + "/steps", domain.steps);
+  state.write(group + "/terms", static_cast<std::int64_t>(domain.terms));
+  state.write(group + "/reduction_error", domain.reduction_error);
+  state.write(group + "/seconds", domain.seconds);
+  state.write(group + "/times_s", times);
+  state.write(group + "/moduli_Pa", moduli);
+}
+
+TimeDomain read_domain(const StateReader& state, const std::string& group) {
+  TimeDomain domain;
+  domain.density_factor = state.number(group + "/density_factor");
+  domain.time_step = state.number(group + "/time_step_s");
+  domain.ramp = state.number(group + "/ramp_s");
+  domain.window = {state.number(group + "/window_begin_s"), state.number(group + "/window_end_s")};
+  domain.steps = state.integer(group + "/steps");
+  domain.terms = static_cast<std::size_t>(state.integer(group + "/terms"));
+  domain.reduction_error = state.number(group + "/reduction_error");
+  domain.seconds = state.number(group + "/seconds");
+  const auto times = state.numbers(group + "/times_s");
+  const auto moduli = state.numbers(group + "/moduli_Pa", times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) domain.history.push_back({times[i], moduli[i]});
+  return domain;
+}
+
+void save_domains(StateWriter& state, const std::vector<TimeDomain>& domains) {
+  state.write("/domains_done", static_cast<std::int64_t>(domains.size()));
+  for (std::size_t i = 0; i < domains.size(); ++i) save_domain(state, fmt::format("/domains/{}", i), domains[i]);
+}
+
+std::vector<TimeDomain> read_domains(const StateReader& state) {
+  std::vector<TimeDomain> domains;
+  const auto count = state.integer("/domains_done");
+  for (std::int64_t i = 0; i < count; ++i) domains.push_back(read_domain(state, fmt::format("/domains/{}", i)));
+  return domains;
+}
+
+}  // namespace breccia

@@ -1,0 +1,91 @@
+#include "breccia/io/seal.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+/// HDF5 does not mind bytes behind the end that it knows.
+constexpr std::string_view mark = "\nbreccia seal, xxh64 of all above: ";
+constexpr std::size_t digits = 16;
+constexpr std::size_t seal_length = mark.size() + digits + 1;
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
+  throw FileError(fmt::format("{}: {}", path.string(), what));
+}
+
+[[noreturn]] void fail_by_system(const std::filesystem::path& path, std::string_view action) {
+  fail(path, fmt::format("cannot {}: {}", action, std::generic_category().message(errno)));
+}
+
+/// Hash of the first bytes of a file.
+std::string hash_of(const std::filesystem::path& path, std::uintmax_t bytes) {
+  const std::unique_ptr<XXH64_state_t, decltype(&XXH64_freeState)> state(XXH64_createState(), XXH64_freeState);
+  if (!state) throw std::bad_alloc();
+  XXH64_reset(state.get(), 0);
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t portion = std::size_t{1} << 20U;
+  std::vector<char> buffer(portion);
+  while (bytes > 0) {
+    const auto wanted = std::min<std::uintmax_t>(bytes, portion);
+    if (!file.read(buffer.data(), static_cast<std::streamsize>(wanted))) fail_by_system(path, "read");
+    XXH64_update(state.get(), buffer.data(), wanted);
+    bytes -= wanted;
+  }
+  return fmt::format("{:0{}x}", XXH64_digest(state.get()), digits);
+}
+
+std::uintmax_t size_of(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  if (error) fail(path, fmt::format("cannot read: {}", error.message()));
+  return size;
+}
+
+void wait_for_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (file < 0) fail_by_system(path, "write");
+  const bool is_done = ::fsync(file) == 0;
+  ::close(file);
+  if (!is_done) fail_by_system(path, "write");
+}
+
+}  // namespace
+
+void seal(const std::filesystem::path& path) {
+  const auto hash = hash_of(path, size_of(path));
+  std::ofstream file(path, std::ios::binary | std::ios::app);
+  file << mark << hash << '\n';
+  file.close();
+  if (!file) fail_by_system(path, "write");
+  wait_for_disk(path);
+}
+
+void require_sealed(const std::filesystem::path& path) {
+  const auto size = size_of(path);
+  if (size < seal_length) fail(path, "torn, or no checkpoint of Breccia");
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, seal_length> end{};
+  file.seekg(static_cast<std::streamoff>(size - seal_length));
+  if (!file.read(end.data(), end.size())) fail_by_system(path, "read");
+  const std::string_view line(end.data(), end.size());
+  if (!line.starts_with(mark) || !line.ends_with('\n')) fail(path, "torn, or no checkpoint of Breccia");
+  if (line.substr(mark.size(), digits) != hash_of(path, size - seal_length)) fail(path, "damaged: wrong checksum");
+}
+
+}  // namespace breccia

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+
+/// The checkpoints of a study: of every packing and test one, in the directory of its stage.
+class Checkpoints {
+ public:
+  /// `observer` is told of files that had to be left aside. All must live as long as this.
+  Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
+              const StudyObserver& observer);
+
+  [[nodiscard]] Checkpoint of_packing(const Stage& stage) const;
+  [[nodiscard]] Checkpoint of_quasistatic(const Stage& stage, Boundary boundary, int cells) const;
+  [[nodiscard]] Checkpoint of_dynamic(const Stage& stage, Load load, Boundary boundary, int cells) const;
+
+  /// Removes all of them, once the study is done.
+  void remove() const;
+
+ private:
+  [[nodiscard]] Checkpoint open(const Stage& stage, const std::string& name) const;
+
+  const Study* study_;
+  const std::filesystem::path* directory_;
+  const RunOptions* options_;
+  const StudyObserver* observer_;
+};
+
+/// Is this the name of a checkpoint?
+bool is_checkpoint(std::string_view name);
+
+/// Leaves the names of field files in a state, and takes them up.
+void save(StateWriter& state, const std::vector<FieldRecord>& fields);
+std::vector<FieldRecord> read_field_records(const StateReader& state);
+
+}  // namespace breccia

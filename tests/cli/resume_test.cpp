@@ -1,0 +1,116 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/text_file.hpp"
+
+#include "messages.hpp"
+#include "model_deck.hpp"
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::StudyDirectory;
+using testing::AllOf;
+using testing::Contains;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A study that ends at the first moment at which it can, time and again, until it is done.
+class Resume : public testing::Test {
+ protected:
+  /// Returns how often it was interrupted.
+  int run_bit_by_bit() {
+    for (int interruptions = 0;; ++interruptions) {
+      const auto outcome = study_.breccia("run", {"--resume", "--time-limit", "50 ms"});
+      if (outcome.exit_code == 0) return interruptions;
+      EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+      EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
+      if (outcome.exit_code != 130) return -1;
+    }
+  }
+  void interrupt() const { EXPECT_EQ(study_.breccia("run", {"--time-limit", "1 us"}).exit_code, 130); }
+
+  StudyDirectory study_{test::model_deck};
+};
+
+TEST_F(Resume, EndsWithTheBytesOfARunInOneGo) {
+  const StudyDirectory whole(test::model_deck);
+  ASSERT_EQ(whole.breccia("run").exit_code, 0);
+  EXPECT_GT(run_bit_by_bit(), 0);
+  EXPECT_EQ(study_.results(), whole.results());
+  for (const auto* file : {"curves.csv", "prony.csv", "A/fields.vtkhdf", "A/modulus.svg"}) {
+    EXPECT_EQ(read_text(study_.result(file)), read_text(whole.result(file))) << file;
+  }
+}
+
+TEST_F(Resume, WhereNothingWasLeftARunBegins) {
+  const auto outcome = study_.breccia("run", {"--resume", "--set", "tests.method=quasistatic"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
+TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {
+  interrupt();
+  const auto before = study_.results();
+  study_.write("deck.toml", test::replaced(std::string(test::model_deck), "1.5 g/cm^3", "1.6 g/cm^3"));
+  const auto refused = study_.breccia("run", {"--resume"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("out: cannot go on from these results: deck.toml: line 9 was"),
+                                    HasSubstr("1.5 g/cm^3"), HasSubstr("1.6 g/cm^3"), HasSubstr("--out")));
+  EXPECT_EQ(study_.results(), before) << "nothing is lost";
+}
+
+TEST_F(Resume, OtherOverridesAreRefused) {
+  interrupt();
+  const auto refused = study_.breccia("run", {"--resume", "--set", "stages.A.cells=12"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr(R"(the overrides were [], are ["stages.A.cells=12"])"));
+}
+
+TEST_F(Resume, AnotherVersionIsRefused) {
+  interrupt();
+  write_text(study_.result("study.json"),
+             test::replaced(read_text(study_.result("study.json")), "\"version\": \"", "\"version\": \"9"));
+  const auto refused = study_.breccia("run", {"--resume"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("of version 9"));
+}
+
+TEST_F(Resume, ATornCheckpointIsNamed) {
+  interrupt();
+  const auto checkpoint = study_.result("A/shear-displacement-dynamic-24.checkpoint.h5");
+  const auto bytes = read_text(checkpoint);
+  write_text(checkpoint, bytes.substr(0, bytes.size() / 2));
+  const auto outcome = study_.breccia("run", {"--resume"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("out/A/shear-displacement-dynamic-24.checkpoint.h5: torn, or no checkpoint of "
+                                        "Breccia; what it was for begins anew"));
+  EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
+}
+
+TEST_F(Resume, WithoutTheOptionEverythingBeginsAnew) {
+  interrupt();
+  const auto outcome = study_.breccia("run", {"--set", "stages.A.cells=12"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
+}
+
+TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
+  interrupt();
+  write_text(study_.result("curves.csv.123.partial"), "half");
+  write_text(study_.result("A/modulus.svg.123.partial"), "half");
+  ASSERT_EQ(study_.breccia("run", {"--resume"}).exit_code, 0);
+  EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
+}
+
+TEST_F(Resume, ATimeThatIsNoneIsRefused) {
+  for (const auto* option : {"--time-limit", "--checkpoint-interval"}) {
+    const auto outcome = study_.breccia("run", {option, "2 m"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.errors, std::string(option) + ": expected a time, got \"2 m\"\n");
+  }
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,66 @@
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/error.hpp"
+
+#include "materials.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+class DynamicState : public testing::TestWithParam<std::tuple<Formulation, Volumetric, Boundary>> {
+ protected:
+  [[nodiscard]] static std::unique_ptr<DynamicSolver> solver(int threads, int cells = 12) {
+    const auto& [formulation, volumetric, boundary] = GetParam();
+    DynamicProblem problem{testing_materials::disc_in_box(cells),
+                           {testing_materials::relaxing, testing_materials::stiff}};
+    problem.volumetric = volumetric;
+    problem.boundary = boundary;
+    problem.load = {.xy = 0.5};
+    problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
+    problem.ramp = StrainRamp(100 * problem.time_step);
+    return make_dynamic_solver(formulation, std::move(problem), threads);
+  }
+
+  test::TemporaryDirectory directory_;
+  std::filesystem::path path_ = directory_.path() / "state.h5";
+};
+
+TEST_P(DynamicState, GoesOnWithTheSameBitsFromEveryPhase) {
+  // During the ramp and after it.
+  for (const int steps : {1, 60, 250}) {
+    const auto whole = solver(1), first = solver(1), second = solver(2);
+    std::vector<Averages> expected, found, before;
+    whole->advance(steps, before);
+    whole->advance(80, expected);
+    first->advance(steps, before);
+    StateWriter writer(path_, {"deck", "version"});
+    first->save(writer, "/solver");
+    writer.commit();
+    second->restore(StateReader(path_), "/solver");
+    second->advance(80, found);
+    EXPECT_EQ(found, expected) << steps;
+    EXPECT_EQ(second->steps_taken(), whole->steps_taken());
+    EXPECT_EQ(second->fields().stress, whole->fields().stress);
+  }
+}
+
+TEST_P(DynamicState, OfAnotherGridIsRefused) {
+  const auto coarse = solver(1, 8);
+  StateWriter writer(path_, {"deck", "version"});
+  coarse->save(writer, "/solver");
+  writer.commit();
+  EXPECT_THROW(solver(1)->restore(StateReader(path_), "/solver"), FileError);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DynamicState,
+                         testing::Combine(testing::Values(Formulation::total_lagrangian, Formulation::classical),
+                                          testing::Values(Volumetric::averaged, Volumetric::standard),
+                                          testing::Values(Boundary::displacement, Boundary::traction,
+                                                          Boundary::periodic)));
+
+}  // namespace
+}  // namespace breccia
