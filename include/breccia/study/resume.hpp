@@ -11,8 +11,8 @@ namespace breccia {
 /// files and this version of Breccia. Throws FileError when `study.json` cannot be read.
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
-/// Throws InputError, telling what differs, when a directory holds results, complete or not, of another study or version
-/// of Breccia. A `study.json` that cannot be understood tells nothing.
+/// Throws InputError, telling what differs, when a directory holds results, complete or not, of another study or
+/// version of Breccia. A `study.json` that cannot be understood tells nothing.
 void require_same_study(const Study& study, const std::filesystem::path& directory);
 
 }  // namespace breccia

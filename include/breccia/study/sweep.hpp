@@ -76,8 +76,8 @@ struct SweepObserver {
 /// Runs the tasks one after the other, those of each group of processes (parallel::divide) beside the others, each in
 /// the directory of its name, and writes `sweep.csv`, `sweep.json`, `sweep.svg` and, where seeds are swept,
 /// `spread.csv` (docs/results.md) anew after each of them. A task that fails for its numbers or its microstructure does
-/// not end the others. One that resumes leaves alone the tasks that are complete, and goes on with the others from their
-/// checkpoints. Throws FileError or Interrupted, and InputError where it is to resume results of other tasks.
+/// not end the others. One that resumes leaves alone the tasks that are complete, and goes on with the others from
+/// their checkpoints. Throws FileError or Interrupted, and InputError where it is to resume results of other tasks.
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
 
