@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "breccia/report/display.hpp"
+#include "breccia/study/memory.hpp"
 #include "breccia/study/run.hpp"
 #include "breccia/study/stage_warnings.hpp"
 
@@ -52,14 +53,9 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
 }
 
 std::string quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
-  // Substructures and a dozen or two of nodal vectors; or sparse Cholesky factors of a square grid, ordered by nested
-  // dissection.
-  constexpr double bytes_per_unknown = 340.0, bytes_per_unknown_and_doubling = 60.0;
   const double unknowns = 2.0 * cells * cells;
-  const double doublings = is_direct(study, unknowns) ? std::log2(unknowns) : 0.0;
-  const double bytes = unknowns * (bytes_per_unknown + bytes_per_unknown_and_doubling * doublings);
   return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB, some {}\n", stage.name,
-                     bound_of(boundary), cells, cells, unknowns, bytes / 1e6,
+                     bound_of(boundary), cells, cells, unknowns, quasistatic_memory(study, cells) / 1e6,
                      display(quasistatic_time(study, stage, unknowns), "s", 1));
 }
 
@@ -88,6 +84,7 @@ void print_plan(const Study& study) {
     fmt::print("{}", plan_of(study, stage, packed));
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
   }
+  require_memory(study, available_memory());
 }
 
 }  // namespace

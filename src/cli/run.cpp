@@ -35,7 +35,10 @@ double seconds_of(const char* option, const std::string& text) {
 }
 
 RunOptions options_of(const RunArguments& arguments) {
-  RunOptions options = {.threads = arguments.threads, .resume = arguments.resume, .checkpoints = {}};
+  RunOptions options = {.threads = arguments.threads,
+                        .resume = arguments.resume,
+                        .checkpoints = {},
+                        .ignore_memory = arguments.ignore_memory};
   options.checkpoints.interval = seconds_of("--checkpoint-interval", arguments.checkpoint_interval);
   options.checkpoints.stop = interruption_requested;
   if (!arguments.time_limit.empty()) {
@@ -114,6 +117,7 @@ void add_run(CLI::App& application) {
   add_run_arguments(*command, *arguments);
   command->add_flag("--resume", arguments->resume,
                     "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");
+  command->add_flag("--no-memory-check", arguments->ignore_memory, "begin even what will hardly fit into the memory");
   command
       ->add_option("--time-limit", arguments->time_limit,
                    "leave a checkpoint and end with exit code 130 after this time, as in \"11 h\"")

@@ -1,6 +1,7 @@
 // What a run tells of its state: memory, momentum, energy and fields, and what it goes on from. The steps are in
 // classical.cpp.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "classical.hpp"
@@ -69,6 +70,19 @@ PointFields Classical::fields() const {
                         scale * (point.pressure - sxx - syy), scale * sxy};
   }
   return fields;
+}
+
+Vector<2> Classical::most_moved() const {
+  Vector<2> place = {0.0, 0.0};
+  double most = 0.0;
+  for (const auto& point : points_) {
+    const double moved = std::hypot(point.velocity[0], point.velocity[1]);
+    if (moved <= most) continue;
+    most = moved;
+    place = point.position;
+    if (!std::isfinite(moved)) return place;
+  }
+  return place;
 }
 
 void Classical::save_arrays(StateWriter& state, const std::string& group) const {

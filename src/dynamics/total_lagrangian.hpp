@@ -63,6 +63,7 @@ class TotalLagrangian final : public DynamicSolver {
   };
 
   void take_steps(std::int64_t first, int steps, Averages* averages) override;
+  [[nodiscard]] Vector<2> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
   void sweep(Band& band, std::int64_t step, int steps, int place);

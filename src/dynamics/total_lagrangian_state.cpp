@@ -1,6 +1,7 @@
 // What a run tells of its state: memory, momentum, energy and fields, and what it goes on from. The steps are in
 // total_lagrangian.cpp.
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "breccia/mpm/cell.hpp"
@@ -121,6 +122,23 @@ PointFields TotalLagrangian::fields() const {
   exchange_.gather_cell_rows({fields.strain.front().data(), 3 * fields.strain.size()});
   exchange_.gather_cell_rows({fields.stress.front().data(), 4 * fields.stress.size()});
   return fields;
+}
+
+Vector<2> TotalLagrangian::most_moved() const {
+  fetch_nodes();
+  const auto& grid = problem().discretisation.grid();
+  Vector<2> place = {0.0, 0.0};
+  double most = 0.0;
+  for (int row = 0; row <= grid.rows; ++row) {
+    for (int column = 0; column <= grid.columns; ++column) {
+      const double moved = std::hypot(field(row, 2)[column], field(row, 3)[column]);
+      if (moved <= most) continue;
+      most = moved;
+      place = {column * grid.cell_side, row * grid.cell_side};
+      if (!std::isfinite(moved)) return place;
+    }
+  }
+  return place;
 }
 
 void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) const {

@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cerrno>
 #include <functional>
 #include <numeric>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,7 +50,15 @@ struct LayOut {
   }
 };
 
+/// A file that the library could not close, on a disk that is full, it would close again at the end of the program, and
+/// crash.
+void leave_files_alone_at_exit() {
+  static const bool once = H5dont_atexit() >= 0;
+  static_cast<void>(once);
+}
+
 Hdf5Handle create_file(const std::filesystem::path& path) {
+  leave_files_alone_at_exit();
   const Hdf5Silence silence;
   return file_handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
@@ -167,7 +177,8 @@ void Hdf5Writer::write_attribute(const std::string& object, const std::string& a
 }
 
 void Hdf5Writer::close() {
-  if (!file_.reset()) fail("close", "the file");
+  errno = 0;
+  if (!file_.reset()) fail("write", fmt::format("all of it: {}", std::generic_category().message(errno)));
 }
 
 void Hdf5Writer::commit() {

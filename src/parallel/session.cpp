@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <new>
 #include <numeric>
 
 #include <dlfcn.h>
@@ -155,6 +156,7 @@ std::vector<std::string> gather(const std::string& text_of_group) {
 
 void check(int petsc_error, const char* what) {
   if (petsc_error == 0) return;
+  if (petsc_error == PETSC_ERR_MEM) throw std::bad_alloc();
   const char* text = nullptr;
   PetscErrorMessage(static_cast<PetscErrorCode>(petsc_error), &text, nullptr);
   throw NumericalError(fmt::format("{}: {}", what, text == nullptr ? "unknown error of PETSc" : text));

@@ -127,6 +127,11 @@ bool AssembledSolver::try_to_solve(const Field& forces, Field& displacement, int
                                "a modulus is zero"
                              : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero");
   }
+  if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC) {
+    throw NumericalError(
+        "quasi-static solver: the stiffness is not positive definite; a modulus of a material may vanish "
+        "or be negative, or the contrast be beyond what numbers hold");
+  }
   return reason > 0;
 }
 

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
 #include <omp.h>
+
+#include "breccia/error.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -26,6 +29,15 @@ Eigen::VectorXd gather(const int* unknowns, Eigen::Index count, const std::vecto
     local[i] = unknowns[i] < 0 ? 0.0 : values[static_cast<std::size_t>(unknowns[i])];
   }
   return local;
+}
+
+/// Throws NumericalError when a displacement of the boundaries has no energy.
+void require_definite(double energy) {
+  if (energy > 0.0) return;
+  throw NumericalError(fmt::format(
+      "quasi-static solver: a displacement has the energy {:.1e}, so the stiffness is not positive definite; "
+      "a modulus of a material may vanish or be negative, or the contrast be beyond what numbers hold",
+      energy));
 }
 
 /// a = factor * a + other * b
@@ -165,7 +177,9 @@ double SubstructuringSolver::correct(const Field& residual, double largest, Fiel
     const double now = product(r, z);
     combine(now / before, p, 1.0, z);
     multiply(p, s);
-    const double step = now / product(p, s);
+    const double energy = product(p, s);
+    require_definite(energy);
+    const double step = now / energy;
     combine(1.0, x, step, p);
     combine(1.0, r, -step, s);
     before = now;

@@ -11,6 +11,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/study/memory.hpp"
 #include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
 #include "breccia/study/stage_warnings.hpp"
@@ -225,6 +226,7 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   // Not after an hour of work.
   require_gnuplot();
   if (options.resume) require_same_study(study, directory);
+  if (!options.ignore_memory && parallel::ranks() == 1) require_memory(study, available_memory());
   write_once([&] { make_way(study, directory, options.resume); });
   const Checkpoints checkpoints(study, directory, options, observer);
   StudyResult result;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ class DynamicSolver {
   DynamicSolver& operator=(DynamicSolver&&) = delete;
 
   /// Takes steps and appends, for each, the averages at the time where the step begins.
-  /// Throws NumericalError when the stress is no longer finite.
+  /// Throws NumericalError when the stress grows beyond any that a stable run has, with the step and the place.
   void advance(int steps, std::vector<Averages>& averages);
 
   /// Time where the next step begins [s], counted from the midpoint of the ramp.
@@ -85,8 +86,13 @@ class DynamicSolver {
  private:
   /// Takes steps from `first` on, storing the averages where each begins.
   virtual void take_steps(std::int64_t first, int steps, Averages* averages) = 0;
+  /// Where the displacement of a step is largest or no number at all [m].
+  [[nodiscard]] virtual Vector<2> most_moved() const = 0;
   virtual void save_arrays(StateWriter& state, const std::string& group) const = 0;
   virtual void restore_arrays(const StateReader& state, const std::string& group) = 0;
+
+  [[nodiscard]] double largest_sound_stress() const;
+  void require_sound(std::span<const Averages> averages) const;
 
   DynamicProblem problem_;
   std::int64_t step_ = 0;

@@ -111,6 +111,7 @@ struct RunOptions {
   int threads = 0;                      ///< 0: all
   bool resume = false;                  ///< go on from the checkpoints of an earlier run
   CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early
+  bool ignore_memory = false;           ///< begin even what will hardly fit
 };
 
 /// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every

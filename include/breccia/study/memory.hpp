@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Memory [B] that a quasi-static test takes, about: from experience, with all that it keeps.
+double quasistatic_memory(const Study& study, int cells);
+
+/// Memory [B] that this process may still take: what the machine has left, the limit of its control group and that of
+/// `ulimit -v`, whichever is least; infinite where none can be read.
+double available_memory();
+
+/// Throws InputError, for all stages at once, where a test will take more memory than there is, with the number of
+/// cells that would fit. Of a process alone; several may be on several machines.
+void require_memory(const Study& study, double available);
+
+}  // namespace breccia

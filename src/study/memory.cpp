@@ -1,0 +1,107 @@
+#include "breccia/study/memory.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "breccia/error.hpp"
+#include "breccia/study/run.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+/// The number after a word at the beginning of a line of a file of the kernel, such as `MemAvailable:`.
+std::optional<double> number_after(const char* file, const std::string& word) {
+  std::ifstream stream(file);
+  for (std::string line; std::getline(stream, line);) {
+    if (!line.starts_with(word)) continue;
+    const auto begin = line.find_first_of("0123456789", word.size());
+    if (begin == std::string::npos) return std::nullopt;
+    double number = 0.0;
+    std::from_chars(line.data() + begin, line.data() + line.size(), number);
+    return number;
+  }
+  return std::nullopt;
+}
+
+constexpr double kibibyte = 1024.0;
+
+double left_on_machine() {
+  const auto available = number_after("/proc/meminfo", "MemAvailable:");
+  return available ? kibibyte * *available : unlimited;
+}
+
+double left_in_control_group() {
+  const auto most = number_after("/sys/fs/cgroup/memory.max", "");
+  const auto used = number_after("/sys/fs/cgroup/memory.current", "");
+  return most && used ? *most - *used : unlimited;
+}
+
+double left_of_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
+  const auto used = number_after("/proc/self/status", "VmSize:");
+  return static_cast<double>(limit.rlim_cur) - kibibyte * used.value_or(0.0);
+}
+
+/// Largest of the tests of a stage by the dynamic method, on a grid of so many cells.
+double dynamic_memory(const Study& study, const Stage& stage, int cells) {
+  // Where the particles are does not matter.
+  const auto discretisation = discretise({stage.side, Walls::hard, {}}, cells);
+  double most = 0.0;
+  for (const auto bound : study.tests.bounds) {
+    for (const auto load : loads_of(study, stage)) {
+      const auto test =
+          make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary_of(bound), load, 0);
+      most = std::max(most, static_cast<double>(plan_dynamic_test(test).bytes));
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+double quasistatic_memory(const Study& study, int cells) {
+  const double unknowns = 2.0 * cells * cells;
+  if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
+    // Sparse Cholesky factors of a square grid, ordered by nested dissection.
+    return unknowns * (640.0 + 60.0 * std::log2(unknowns));
+  }
+  // Substructures and a dozen of nodal vectors; fields take as much again.
+  const double fields = study.tests.field_times.empty() ? 0.0 : 340.0;
+  return unknowns * (340.0 + fields);
+}
+
+double available_memory() {
+  return std::min({left_on_machine(), left_in_control_group(), left_of_address_space()});
+}
+
+void require_memory(const Study& study, double available) {
+  std::string mistakes;
+  for (const auto& stage : study.stages) {
+    const int cells = stage.cells;
+    for (const auto method : study.tests.methods) {
+      const double bytes =
+          method == Method::quasistatic ? quasistatic_memory(study, cells) : dynamic_memory(study, stage, cells);
+      if (bytes <= available) continue;
+      const int fitting = static_cast<int>(cells * std::sqrt(std::max(0.0, available) / bytes));
+      mistakes += fmt::format(
+          "{}{}: {} x {} cells take about {:.2g} GB by the {} method, and {:.2g} GB are left; cells = {} would fit "
+          "(--no-memory-check runs them nevertheless)",
+          mistakes.empty() ? "" : "\n", stage.name, cells, cells, bytes / 1e9,
+          method == Method::quasistatic ? "quasi-static" : "dynamic", available / 1e9, fitting);
+    }
+  }
+  if (!mistakes.empty()) throw InputError(mistakes);
+}
+
+}  // namespace breccia
