@@ -8,10 +8,13 @@ namespace breccia {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t), "Hdf5Handle keeps a hid_t");
 
-/// Within its lifetime the HDF5 library prints nothing: failures are reported as FileError instead.
+/// Within its lifetime the HDF5 library prints nothing: failures are reported as FileError instead. At the end of the
+/// program it does nothing: a file that it could not close, on a disk that is full, it would close again, and crash.
 class Hdf5Silence {
  public:
   Hdf5Silence() noexcept {
+    static const bool once = H5dont_atexit() >= 0;
+    static_cast<void>(once);
     H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }

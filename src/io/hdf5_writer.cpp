@@ -50,16 +50,9 @@ struct LayOut {
   }
 };
 
-/// A file that the library could not close, on a disk that is full, it would close again at the end of the program, and
-/// crash.
-void leave_files_alone_at_exit() {
-  static const bool once = H5dont_atexit() >= 0;
-  static_cast<void>(once);
-}
-
 Hdf5Handle create_file(const std::filesystem::path& path) {
-  leave_files_alone_at_exit();
   const Hdf5Silence silence;
+  errno = 0;
   return file_handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
@@ -90,7 +83,7 @@ bool Hdf5Handle::reset() noexcept {
 }
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& path) : target_(path), file_(create_file(target_.temporary())) {
-  if (file_.id() < 0) fail("create", "the file");
+  if (file_.id() < 0) fail("create", fmt::format("the file: {}", std::generic_category().message(errno)));
 }
 
 void Hdf5Writer::create_group(const std::string& name) {

@@ -135,8 +135,10 @@ TEST_P(BothFormulations, StopWithStepAndPlaceWhenTheyAreUnstable) {
   const auto run = solver(problem);
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{x[0] > 0.5 ? 1e308 : -1e308, 0.0}; });
   std::vector<Averages> averages;
-  EXPECT_THAT(test::message_of<NumericalError>([&] { run->advance(100, averages); }),
-              testing::ContainsRegex("unstable at step [0-9]+, .* s after the load.* motion at .* m; likely cause: "));
+  EXPECT_THAT(
+      test::message_of<NumericalError>([&] { run->advance(100, averages); }),
+      testing::AnyOf(testing::ContainsRegex("unstable at step [0-9]+, .* s after the load.* motion at .* m; likely "),
+                     testing::ContainsRegex("the point .* m left the grid at step [0-9]+; likely cause: ")));
 }
 
 TEST_P(BothFormulations, GiveNoEnergyOfRelaxingMaterials) {
