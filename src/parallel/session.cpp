@@ -159,7 +159,8 @@ void check(int petsc_error, const char* what) {
   if (petsc_error == PETSC_ERR_MEM) throw std::bad_alloc();
   const char* text = nullptr;
   PetscErrorMessage(static_cast<PetscErrorCode>(petsc_error), &text, nullptr);
-  throw NumericalError(fmt::format("{}: {}", what, text == nullptr ? fmt::format("error {} of PETSc", petsc_error) : std::string(text)));
+  throw NumericalError(
+      fmt::format("{}: {}", what, text == nullptr ? fmt::format("error {} of PETSc", petsc_error) : std::string(text)));
 }
 
 }  // namespace breccia::parallel

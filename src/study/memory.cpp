@@ -49,8 +49,10 @@ double left_in_control_group() {
 double left_of_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
+  // With less than this the libraries for MPI and linear algebra fail, or wait for ever for memory.
+  constexpr double of_libraries = 4e8;
   const auto used = number_after("/proc/self/status", "VmSize:");
-  return static_cast<double>(limit.rlim_cur) - kibibyte * used.value_or(0.0);
+  return static_cast<double>(limit.rlim_cur) - kibibyte * used.value_or(0.0) - of_libraries;
 }
 
 /// Largest of the tests of a stage by the dynamic method, on a grid of so many cells.
@@ -93,12 +95,13 @@ void require_memory(const Study& study, double available) {
       const double bytes =
           method == Method::quasistatic ? quasistatic_memory(study, cells) : dynamic_memory(study, stage, cells);
       if (bytes <= available) continue;
-      const int fitting = static_cast<int>(cells * std::sqrt(std::max(0.0, available) / bytes));
+      const double left = std::max(0.0, available);
       mistakes += fmt::format(
           "{}{}: {} x {} cells take about {:.2g} GB by the {} method, and {:.2g} GB are left; cells = {} would fit "
           "(--no-memory-check runs them nevertheless)",
           mistakes.empty() ? "" : "\n", stage.name, cells, cells, bytes / 1e9,
-          method == Method::quasistatic ? "quasi-static" : "dynamic", available / 1e9, fitting);
+          method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,
+          static_cast<int>(cells * std::sqrt(left / bytes)));
     }
   }
   if (!mistakes.empty()) throw InputError(mistakes);
