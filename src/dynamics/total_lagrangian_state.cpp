@@ -14,7 +14,7 @@ namespace breccia::dynamics {
 Footprint TotalLagrangian::footprint() const {
   constexpr std::size_t fields_moved = 9;  // five read, of which four are written
   const auto rows = static_cast<std::size_t>(exchange_.end() - exchange_.first());
-  const auto forces = (4 * bands_.size() + 2) * 4 * stride_;
+  const auto forces = (5 * bands_.size() + 2) * 4 * stride_;
   const auto doubles = nodes_.size() + masses_.size() + forces;
   return {.held = problem().discretisation.cells().size() * sizeof(CellMaterials) + layout_.material_bytes() +
                   layout_.history_bytes() + doubles * sizeof(double) + row_sums_.size() * sizeof(RowSums),
