@@ -16,7 +16,8 @@ namespace {
 
 /// Length of a row of nodes: all blocks and the node to their right, in whole blocks, and never close to a multiple of
 /// 512 bytes, where rows would compete for the same cache sets.
-std::size_t padded_length(int blocks_per_row) {
+std::size_t padded_length(const Grid& grid) {
+  const int blocks_per_row = (grid.columns + lanes - 1) / lanes;
   const auto length = static_cast<std::size_t>(blocks_per_row + 1) * lanes;
   return length % 64 == 0 ? length + lanes : length;
 }
@@ -48,14 +49,19 @@ RowForces TotalLagrangian::ForceRow::view() noexcept {
 TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions)
     : DynamicSolver(std::move(problem)),
       kernels_(&kernels(instructions)),
-      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic),
+      stride_(padded_length(this->problem().discretisation.grid())),
+      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic, stride_),
       layout_(this->problem(), exchange_.first(), exchange_.end()),
-      stride_(padded_length(layout_.blocks_per_row())),
       masses_(nodal_masses(this->problem())),
       from_below_(stride_),
       from_above_(stride_),
       chunk_(steps_of_chunk(this->problem().discretisation.grid())) {
   const auto& grid = this->problem().discretisation.grid();
+  // What comes from the left and the right cells is one sum by then.
+  for (auto* forces : {&from_below_, &from_above_}) {
+    std::ranges::fill(forces->values[2], -0.0);
+    std::ranges::fill(forces->values[3], -0.0);
+  }
   nodes_.assign(stride_ * 5 * static_cast<std::size_t>(grid.rows + 1), 0.0);
   const double squared_step = this->problem().time_step * this->problem().time_step;
   auto mass = masses_.begin();
@@ -109,7 +115,7 @@ void TotalLagrangian::take_turn(std::int64_t first, int steps, Averages* average
     progress.swept.reset();
     progress.moved.reset();
   }
-  swapped_.reset();
+  outer_forces_.reset();
   summed_.reset();
 #pragma omp parallel num_threads(crew_.threads())
   {
@@ -120,7 +126,7 @@ void TotalLagrangian::take_turn(std::int64_t first, int steps, Averages* average
     const auto begin = bands_.size() * thread / threads, end = bands_.size() * (thread + 1) / threads;
     for (int done = 0; done < steps; ++done) {
       for (auto band = begin; band < end; ++band) sweep(band, first + done, done);
-      if (thread == 0 && exchange_.has_neighbours()) swap_outer_forces(done);
+      if (thread == 0 && exchange_.has_neighbours()) take_outer_forces(done);
       for (auto band = begin; band < end; ++band) move_lowest_row(band, first + done, done);
       const int taken = done + 1, in_chunk = done % chunk_ + 1;
       if (in_chunk < chunk_ && taken < steps) continue;
@@ -169,18 +175,18 @@ void TotalLagrangian::sweep(std::size_t place, std::int64_t step, int done) {
         join_ends(cells.above, grid.columns);
         break;
     }
+    if (row == exchange_.first() && exchange_.has_neighbours()) exchange_.begin(bottom.view());
     if (row > band.first) move_row(row, band.carried.view(), bottom.view(), step);
     std::swap(band.top, band.carried);
   }
   progress_[place].swept.reach(done + 1);
 }
 
-/// Between processes, or between the ends of a periodic box.
-void TotalLagrangian::swap_outer_forces(int done) {
+/// Takes what the neighbouring processes, or the ends of a periodic box, add to the outer rows of nodes.
+void TotalLagrangian::take_outer_forces(int done) {
   progress_.back().swept.wait_for(done + 1);
-  exchange_.swap(bands_.back().highest.view(), bands_.front().lowest.view(), from_below_.view(), from_above_.view(),
-                 static_cast<int>(stride_));
-  swapped_.reach(done + 1);
+  exchange_.finish(bands_.back().highest.view(), from_below_.view(), from_above_.view());
+  outer_forces_.reach(done + 1);
 }
 
 void TotalLagrangian::move_lowest_row(std::size_t place, std::int64_t step, int done) {
@@ -191,7 +197,7 @@ void TotalLagrangian::move_lowest_row(std::size_t place, std::int64_t step, int 
   move_row(own.first, (place > 0 ? bands_[place - 1].highest : from_below_).view(), own.lowest.view(), step);
   if (wraps && own.first == 0 && exchange_.end() == rows) copy_lowest_row(step);
   if (place + 1 == bands_.size()) {
-    if (exchange_.has_neighbours()) swapped_.wait_for(done + 1);
+    if (exchange_.has_neighbours()) outer_forces_.wait_for(done + 1);
     if (!wraps || own.end < rows) {
       move_row(own.end, own.highest.view(), from_above_.view(), step);
     } else if (exchange_.first() > 0) {

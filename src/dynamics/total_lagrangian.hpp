@@ -77,7 +77,7 @@ class TotalLagrangian final : public DynamicSolver {
   void restore_arrays(const StateReader& state, const std::string& group) override;
   void take_turn(std::int64_t first, int steps, Averages* averages);
   void sweep(std::size_t place, std::int64_t step, int done);
-  void swap_outer_forces(int done);
+  void take_outer_forces(int done);
   void move_lowest_row(std::size_t place, std::int64_t step, int done);
   void sum_rows(std::int64_t first, int taken, int steps, Averages* averages);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
@@ -104,9 +104,9 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
 
   const KernelTable* kernels_;
+  std::size_t stride_;  ///< nodes a row holds, with the filling
   RowExchange exchange_;
   BlockLayout layout_;  ///< of the rows of this process
-  std::size_t stride_;  ///< nodes a row holds, with the filling
   /// Rows of displacement x, y, increment x, y, dt^2 / m. Those of other processes are fetched when they are asked for.
   mutable std::vector<double> nodes_;
   std::vector<double> masses_;
@@ -115,7 +115,7 @@ class TotalLagrangian final : public DynamicSolver {
   std::vector<Band> bands_;
   Crew crew_{1};
   std::vector<Progress> progress_;  ///< by band
-  Milestone swapped_;               ///< forces with the neighbours of the box or the process
+  Milestone outer_forces_;          ///< those of the neighbours of this process are here
   Milestone summed_;                ///< the rows of all bands
   int chunk_;                       ///< steps after which the sums of rows are put together
   std::vector<RowSums> row_sums_;   ///< by row of nodes, and for each the steps of a chunk
