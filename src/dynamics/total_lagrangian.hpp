@@ -8,6 +8,7 @@
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/mpm/cell.hpp"
 
+#include "aligned_vector.hpp"
 #include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
 #include "crew.hpp"
@@ -45,7 +46,7 @@ class TotalLagrangian final : public DynamicSolver {
   };
   /// Storage behind RowForces.
   struct ForceRow {
-    std::array<std::vector<double>, 4> values;
+    std::array<AlignedVector, 4> values;
     explicit ForceRow(std::size_t length);
     [[nodiscard]] RowForces view() noexcept;
   };
@@ -108,7 +109,7 @@ class TotalLagrangian final : public DynamicSolver {
   RowExchange exchange_;
   BlockLayout layout_;  ///< of the rows of this process
   /// Rows of displacement x, y, increment x, y, dt^2 / m. Those of other processes are fetched when they are asked for.
-  mutable std::vector<double> nodes_;
+  mutable AlignedVector nodes_;
   std::vector<double> masses_;
   ForceRow from_below_;  ///< of the row of cells below the rows of this process; zero below the box
   ForceRow from_above_;

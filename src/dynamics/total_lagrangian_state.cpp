@@ -148,7 +148,7 @@ void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) 
 }
 
 void TotalLagrangian::restore_arrays(const StateReader& state, const std::string& group) {
-  nodes_ = state.numbers(group + "/nodes", nodes_.size());
+  std::ranges::copy(state.numbers(group + "/nodes", nodes_.size()), nodes_.begin());
   const auto own = layout_.history();
   const auto [begin, size] = exchange_.place_of(own.size());
   const auto all = state.numbers(group + "/history", size);
