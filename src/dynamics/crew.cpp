@@ -1,21 +1,24 @@
 #include "crew.hpp"
 
 #include <algorithm>
-#include <ctime>
+#include <chrono>
+#include <fstream>
 #include <functional>
 #include <utility>
 
 namespace breccia::dynamics {
 namespace {
 
-double seconds_of(clockid_t clock) noexcept {
-  timespec time{};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+/// As Linux counts it for the calling thread; 0 where it does not.
+double seconds_displaced() {
+  std::ifstream file("/proc/thread-self/schedstat");
+  double running = 0.0, displaced = 0.0;
+  file >> running >> displaced;
+  return 1e-9 * displaced;
 }
 
-Crew::Time now() noexcept {
-  return {seconds_of(CLOCK_THREAD_CPUTIME_ID), seconds_of(CLOCK_MONOTONIC)};
+double seconds_now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -24,7 +27,7 @@ Crew::Crew(int most_threads)
     : most_(most_threads), threads_(most_threads), times_(static_cast<std::size_t>(most_threads)) {}
 
 void Crew::add(std::size_t thread, const Time& time) {
-  times_[thread].processor += time.processor;
+  times_[thread].displaced += time.displaced;
   times_[thread].wall += time.wall;
 }
 
@@ -35,7 +38,7 @@ void Crew::judge() {
   if (wall < long_enough) return;
   std::vector<double> shares;
   for (const auto& time : times_) {
-    if (time.wall > 0.0) shares.push_back(time.processor / time.wall);
+    if (time.wall > 0.0) shares.push_back(std::max(0.0, 1.0 - time.displaced / time.wall));
   }
   short_for_ = threads_ < most_ ? short_for_ + wall : 0.0;
   threads_ = best_number_of_threads(std::move(shares));
@@ -62,11 +65,10 @@ int best_number_of_threads(std::vector<double> shares) {
   return best;
 }
 
-ThreadWatch::ThreadWatch() noexcept : start_(now()) {}
+ThreadWatch::ThreadWatch() : start_{seconds_displaced(), seconds_now()} {}
 
-Crew::Time ThreadWatch::time() const noexcept {
-  const auto end = now();
-  return {end.processor - start_.processor, end.wall - start_.wall};
+Crew::Time ThreadWatch::time() const {
+  return {seconds_displaced() - start_.displaced, seconds_now() - start_.wall};
 }
 
 }  // namespace breccia::dynamics

@@ -14,9 +14,9 @@ class Crew {
 
   [[nodiscard]] int threads() const noexcept { return threads_; }
 
-  /// What a thread got.
+  /// How a thread fared.
   struct Time {
-    double processor = 0.0;  ///< [s]
+    double displaced = 0.0;  ///< ready to run, while something else had its core [s]
     double wall = 0.0;       ///< [s]
   };
   /// Adds to the time of a thread; threads may do so at once.
@@ -38,8 +38,8 @@ int best_number_of_threads(std::vector<double> shares);
 /// Time of the calling thread since it was made.
 class ThreadWatch {
  public:
-  ThreadWatch() noexcept;
-  [[nodiscard]] Crew::Time time() const noexcept;
+  ThreadWatch();
+  [[nodiscard]] Crew::Time time() const;
 
  private:
   Crew::Time start_;

@@ -17,8 +17,8 @@ namespace breccia::dynamics {
 /// alone has all rows, and MPI is not started for it.
 class RowExchange {
  public:
-  /// Deals the rows in order. In a box that wraps, the first and the last process are neighbours. Rows of forces have so
-  /// many values. Throws InputError when there are more processes than rows.
+  /// Deals the rows in order. In a box that wraps, the first and the last process are neighbours. Rows of forces have
+  /// so many values. Throws InputError when there are more processes than rows.
   RowExchange(const Grid& grid, bool wraps, std::size_t length);
 
   /// Rows of cells [first, end).
@@ -28,9 +28,9 @@ class RowExchange {
 
   /// Begins to hand the forces on the lowest nodes to the process below and to take those of both neighbours.
   void begin(const RowForces& lowest);
-  /// Hands the forces on the highest nodes to the process above and waits for those of the neighbours. Leaves alone what
-  /// no neighbour would send. Those of the left and the right cells come as one sum, in the place of the left ones, and
-  /// what is in the place of the right ones must be -0, with which a sum keeps its bits.
+  /// Hands the forces on the highest nodes to the process above and waits for those of the neighbours. Leaves alone
+  /// what no neighbour would send. Those of the left and the right cells come as one sum, in the place of the left
+  /// ones, and what is in the place of the right ones must be -0, with which a sum keeps its bits.
   void finish(const RowForces& highest, const RowForces& from_below, const RowForces& from_above);
 
   /// Completes a list that holds so many values for each row of cells, or of nodes, of which this process knows its

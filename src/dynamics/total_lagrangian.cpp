@@ -101,7 +101,7 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
   // Some milliseconds, after which the number of threads may be another.
-  constexpr std::size_t points_x_steps = 2'000'000;
+  constexpr std::size_t points_x_steps = 4'000'000;
   const auto chunks = points_x_steps / problem().discretisation.points() / static_cast<std::size_t>(chunk_) + 1;
   const int turn = static_cast<int>(chunks) * chunk_;
   for (int done = 0; done < steps; done += turn) {

@@ -29,7 +29,7 @@ TEST(Crew, IsTriedAgainAsAWhole) {
   EXPECT_EQ(crew.threads(), 4);
   const auto work_with_shares = [&](double of_first, double of_others) {
     for (int thread = 0; thread < crew.threads(); ++thread) {
-      crew.add(static_cast<std::size_t>(thread), {0.1 * (thread == 0 ? of_first : of_others), 0.1});
+      crew.add(static_cast<std::size_t>(thread), {0.1 * (1.0 - (thread == 0 ? of_first : of_others)), 0.1});
     }
     crew.judge();
   };
@@ -45,8 +45,8 @@ TEST(Crew, IsTriedAgainAsAWhole) {
 
 TEST(Crew, DoesNotJudgeByAMoment) {
   Crew crew(2);
-  crew.add(0, {1e-3, 1e-3});
-  crew.add(1, {0.0, 1e-3});
+  crew.add(0, {0.0, 1e-3});
+  crew.add(1, {1e-3, 1e-3});
   crew.judge();
   EXPECT_EQ(crew.threads(), 2);
 }
