@@ -5,6 +5,7 @@
 
 #include "breccia/dynamics/dynamic_problem.hpp"
 
+#include "aligned_vector.hpp"
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
@@ -47,7 +48,7 @@ class BlockLayout {
   std::vector<MaterialStep> materials_;
   std::vector<Share> shares_;
   std::vector<Block> blocks_;
-  std::vector<double> history_;
+  AlignedVector history_;
 };
 
 }  // namespace breccia::dynamics

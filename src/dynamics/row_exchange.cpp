@@ -1,14 +1,11 @@
 #include "row_exchange.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
-#include <mpi.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/communicator.hpp"
@@ -17,13 +14,29 @@
 namespace breccia::dynamics {
 namespace {
 
-std::array<double*, 4> components(const RowForces& forces) {
-  return {forces.left_x, forces.left_y, forces.right_x, forces.right_y};
+constexpr int upwards = 0, downwards = 1;
+
+void pack(const RowForces& forces, std::vector<double>& message) {
+  const auto length = message.size() / 2;
+  std::transform(forces.left_x, forces.left_x + length, forces.right_x, message.data(), std::plus{});
+  std::transform(forces.left_y, forces.left_y + length, forces.right_y, message.data() + length, std::plus{});
+}
+
+void unpack(const std::vector<double>& message, const RowForces& forces) {
+  const auto length = message.size() / 2;
+  std::copy_n(message.data(), length, forces.left_x);
+  std::copy_n(message.data() + length, length, forces.left_y);
 }
 
 }  // namespace
 
-RowExchange::RowExchange(const Grid& grid, bool wraps) : rows_(grid.rows), wraps_(wraps) {
+RowExchange::RowExchange(const Grid& grid, bool wraps, std::size_t length)
+    : rows_(grid.rows),
+      wraps_(wraps),
+      up_(2 * length),
+      down_(2 * length),
+      from_below_(2 * length),
+      from_above_(2 * length) {
   if (!parallel::is_under_mpirun()) return;
   parallel::start();
   rank_ = parallel::rank();
@@ -37,25 +50,36 @@ int RowExchange::first_of(int rank) const noexcept {
   return static_cast<int>(static_cast<std::int64_t>(rows_) * rank / ranks_);
 }
 
-void RowExchange::swap(const RowForces& highest, const RowForces& lowest, const RowForces& from_below,
-                       const RowForces& from_above, int length) const {
-  const auto up = components(highest), down = components(lowest);
-  const auto below = components(from_below), above = components(from_above);
+int RowExchange::process_above() const noexcept {
+  return rank_ + 1 < ranks_ ? rank_ + 1 : wraps_ ? 0 : MPI_PROC_NULL;
+}
+
+int RowExchange::process_below() const noexcept {
+  return rank_ > 0 ? rank_ - 1 : wraps_ ? ranks_ - 1 : MPI_PROC_NULL;
+}
+
+void RowExchange::begin(const RowForces& lowest) {
+  pack(lowest, down_);
+  if (ranks_ == 1) return;
+  const auto length = static_cast<int>(down_.size());
+  MPI_Irecv(from_below_.data(), length, MPI_DOUBLE, process_below(), upwards, parallel::communicator(), &requests_[0]);
+  MPI_Irecv(from_above_.data(), length, MPI_DOUBLE, process_above(), downwards, parallel::communicator(),
+            &requests_[1]);
+  MPI_Isend(down_.data(), length, MPI_DOUBLE, process_below(), downwards, parallel::communicator(), &requests_[2]);
+}
+
+void RowExchange::finish(const RowForces& highest, const RowForces& from_below, const RowForces& from_above) {
+  pack(highest, up_);
   if (ranks_ == 1) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      std::copy_n(up[i], length, below[i]);
-      std::copy_n(down[i], length, above[i]);
-    }
+    unpack(up_, from_below);
+    unpack(down_, from_above);
     return;
   }
-  const int neighbour_above = rank_ + 1 < ranks_ ? rank_ + 1 : wraps_ ? 0 : MPI_PROC_NULL;
-  const int neighbour_below = rank_ > 0 ? rank_ - 1 : wraps_ ? ranks_ - 1 : MPI_PROC_NULL;
-  for (std::size_t i = 0; i < 4; ++i) {
-    MPI_Sendrecv(up[i], length, MPI_DOUBLE, neighbour_above, 0, below[i], length, MPI_DOUBLE, neighbour_below, 0,
-                 parallel::communicator(), MPI_STATUS_IGNORE);
-    MPI_Sendrecv(down[i], length, MPI_DOUBLE, neighbour_below, 1, above[i], length, MPI_DOUBLE, neighbour_above, 1,
-                 parallel::communicator(), MPI_STATUS_IGNORE);
-  }
+  MPI_Isend(up_.data(), static_cast<int>(up_.size()), MPI_DOUBLE, process_above(), upwards, parallel::communicator(),
+            &requests_[3]);
+  MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+  if (process_below() != MPI_PROC_NULL) unpack(from_below_, from_below);
+  if (process_above() != MPI_PROC_NULL) unpack(from_above_, from_above);
 }
 
 void RowExchange::gather_cell_rows(std::span<double> values) const {

@@ -7,7 +7,6 @@
 
 #include "breccia/mpm/cell.hpp"
 
-#include "barrier.hpp"
 #include "boundary_nodes.hpp"
 #include "kernels.hpp"
 #include "nodal_masses.hpp"
@@ -17,9 +16,16 @@ namespace {
 
 /// Length of a row of nodes: all blocks and the node to their right, in whole blocks, and never close to a multiple of
 /// 512 bytes, where rows would compete for the same cache sets.
-std::size_t padded_length(int blocks_per_row) {
+std::size_t padded_length(const Grid& grid) {
+  const int blocks_per_row = (grid.columns + lanes - 1) / lanes;
   const auto length = static_cast<std::size_t>(blocks_per_row + 1) * lanes;
   return length % 64 == 0 ? length + lanes : length;
+}
+
+/// Steps whose sums of rows are kept: few enough to leave the caches to the nodes.
+int steps_of_chunk(const Grid& grid) {
+  constexpr int most_sums = 1 << 10;
+  return std::max(1, most_sums / (grid.rows + 1));
 }
 
 /// Gives the nodes at both ends of a row the forces of the cells at the other end.
@@ -43,13 +49,19 @@ RowForces TotalLagrangian::ForceRow::view() noexcept {
 TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions)
     : DynamicSolver(std::move(problem)),
       kernels_(&kernels(instructions)),
-      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic),
+      stride_(padded_length(this->problem().discretisation.grid())),
+      exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic, stride_),
       layout_(this->problem(), exchange_.first(), exchange_.end()),
-      stride_(padded_length(layout_.blocks_per_row())),
       masses_(nodal_masses(this->problem())),
       from_below_(stride_),
-      from_above_(stride_) {
+      from_above_(stride_),
+      chunk_(steps_of_chunk(this->problem().discretisation.grid())) {
   const auto& grid = this->problem().discretisation.grid();
+  // What comes from the left and the right cells is one sum by then.
+  for (auto* forces : {&from_below_, &from_above_}) {
+    std::ranges::fill(forces->values[2], -0.0);
+    std::ranges::fill(forces->values[3], -0.0);
+  }
   nodes_.assign(stride_ * 5 * static_cast<std::size_t>(grid.rows + 1), 0.0);
   const double squared_step = this->problem().time_step * this->problem().time_step;
   auto mass = masses_.begin();
@@ -64,10 +76,13 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, Instructio
   const auto useful = static_cast<int>(this->problem().discretisation.points() / points_per_thread);
   const int first = exchange_.first(), rows = exchange_.end() - first;
   const int bands = std::clamp(std::min(threads, useful), 1, rows);
+  crew_ = Crew(std::min(bands, omp_get_num_procs()));
   for (int band = 0; band < bands; ++band) {
     bands_.push_back({first + rows * band / bands, first + rows * (band + 1) / bands, ForceRow(stride_),
-                      ForceRow(stride_), ForceRow(stride_), ForceRow(stride_)});
+                      ForceRow(stride_), ForceRow(stride_), ForceRow(stride_), ForceRow(stride_)});
   }
+  progress_ = std::vector<Progress>(bands_.size());
+  row_sums_.resize(static_cast<std::size_t>((grid.rows + 1) * chunk_));
 }
 
 void TotalLagrangian::set_velocities(const VelocityField& velocity) {
@@ -85,55 +100,55 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
-  // Sums of rows are put together at the end of a chunk; few enough to leave the caches to the nodes.
-  constexpr int most_sums = 1 << 10;
-  const int chunk = std::max(1, most_sums / (problem().discretisation.grid().rows + 1));
-  for (int done = 0; done < steps; done += chunk) {
-    take_chunk(first + done, std::min(chunk, steps - done), averages + done);
+  // Some milliseconds, after which the number of threads may be another.
+  constexpr std::size_t points_x_steps = 4'000'000;
+  const auto chunks = points_x_steps / problem().discretisation.points() / static_cast<std::size_t>(chunk_) + 1;
+  const int turn = static_cast<int>(chunks) * chunk_;
+  for (int done = 0; done < steps; done += turn) {
+    take_turn(first + done, std::min(turn, steps - done), averages + done);
+    crew_.judge();
   }
 }
 
-void TotalLagrangian::take_chunk(std::int64_t first, int steps, Averages* averages) {
-  const auto node_rows = static_cast<std::size_t>(problem().discretisation.grid().rows) + 1;
-  row_sums_.assign(node_rows * static_cast<std::size_t>(steps), RowSums{});
-  Barrier barrier;
-#pragma omp parallel num_threads(bands_.size())
+void TotalLagrangian::take_turn(std::int64_t first, int steps, Averages* averages) {
+  for (auto& progress : progress_) {
+    progress.swept.reset();
+    progress.moved.reset();
+  }
+  outer_forces_.reset();
+  summed_.reset();
+#pragma omp parallel num_threads(crew_.threads())
   {
-    // OpenMP may grant fewer threads than there are bands.
-    const int threads = omp_get_num_threads();
+    const ThreadWatch watch;
+    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
-    for (int i = 0; i < steps; ++i) {
-      for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
-        sweep(bands_[band], first + i, steps, i);
-      }
-      barrier.wait(threads);
-      if (exchange_.has_neighbours()) {
-        if (thread == 0) {
-          exchange_.swap(bands_.back().highest.view(), bands_.front().lowest.view(), from_below_.view(),
-                         from_above_.view(), static_cast<int>(stride_));
-        }
-        barrier.wait(threads);
-      }
-      for (auto band = thread; band < bands_.size(); band += static_cast<std::size_t>(threads)) {
-        join_bands(band, first + i);
-      }
-      barrier.wait(threads);
+    // Neighbouring bands go to a thread that has several.
+    const auto begin = bands_.size() * thread / threads, end = bands_.size() * (thread + 1) / threads;
+    for (int done = 0; done < steps; ++done) {
+      for (auto band = begin; band < end; ++band) sweep(band, first + done, done);
+      if (thread == 0 && exchange_.has_neighbours()) take_outer_forces(done);
+      for (auto band = begin; band < end; ++band) move_lowest_row(band, first + done, done);
+      const int taken = done + 1, in_chunk = done % chunk_ + 1;
+      if (in_chunk < chunk_ && taken < steps) continue;
+      if (thread == 0) sum_rows(first + taken - in_chunk, taken, in_chunk, averages + taken - in_chunk);
+      summed_.wait_for(taken);
     }
+    crew_.add(thread, watch.time());
   }
-  static_assert(sizeof(RowSums) == 6 * sizeof(double));
-  exchange_.gather_node_rows({row_sums_.front().stress.data(), 6 * row_sums_.size()});
-  for (int i = 0; i < steps; ++i) averages[i] = this->averages(first + i, steps, i);
 }
 
-void TotalLagrangian::sweep(Band& band, std::int64_t step, int steps, int place) {
+void TotalLagrangian::sweep(std::size_t place, std::int64_t step, int done) {
   const auto& grid = problem().discretisation.grid();
-  const auto sums = [&](int row) -> RowSums& {
-    return row_sums_[static_cast<std::size_t>(row) * static_cast<std::size_t>(steps) + static_cast<std::size_t>(place)];
-  };
+  auto& band = bands_[place];
   for (int row = band.first; row < band.end; ++row) {
+    const bool last = row + 1 == band.end;
+    // The band above moves the nodes there, and from the forces of this band.
+    if (last) progress_[(place + 1) % bands_.size()].moved.wait_for(done);
     const auto below = displacement(row), above = displacement(row + 1);
     const auto step_below = increment(row), step_above = increment(row + 1);
     auto& bottom = row == band.first ? band.lowest : band.bottom;
+    auto& top = last ? band.highest : band.top;
+    auto& sums = sums_of(row, done);
     const CellRow cells = {.blocks = layout_.row(row),
                            .block_count = layout_.blocks_per_row(),
                            .displacement_below = {below.x, below.y},
@@ -141,8 +156,8 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step, int steps, int place)
                            .increment_below = {step_below.x, step_below.y},
                            .increment_above = {step_above.x, step_above.y},
                            .below = bottom.view(),
-                           .above = band.top.view(),
-                           .stress = sums(row).stress.data()};
+                           .above = top.view(),
+                           .stress = sums.stress.data()};
     if (problem().volumetric == Volumetric::averaged) {
       kernels_->cell_row_averaged(cells);
     } else {
@@ -152,32 +167,54 @@ void TotalLagrangian::sweep(Band& band, std::int64_t step, int steps, int place)
       case Boundary::displacement:
         break;
       case Boundary::traction:
-        sums(row).strain = boundary_strain(row);
-        if (row + 1 == grid.rows) sums(grid.rows).strain = boundary_strain(grid.rows);
+        sums.strain = boundary_strain(row);
+        if (row + 1 == grid.rows) sums_of(grid.rows, done).strain = boundary_strain(grid.rows);
         break;
       case Boundary::periodic:
         join_ends(cells.below, grid.columns);
         join_ends(cells.above, grid.columns);
         break;
     }
-    if (row > band.first) move_row(row, band.highest.view(), bottom.view(), step);
-    std::swap(band.top, band.highest);
+    if (row == exchange_.first() && exchange_.has_neighbours()) exchange_.begin(bottom.view());
+    if (row > band.first) move_row(row, band.carried.view(), bottom.view(), step);
+    std::swap(band.top, band.carried);
   }
+  progress_[place].swept.reach(done + 1);
 }
 
-void TotalLagrangian::join_bands(std::size_t band, std::int64_t step) {
+/// Takes what the neighbouring processes, or the ends of a periodic box, add to the outer rows of nodes.
+void TotalLagrangian::take_outer_forces(int done) {
+  progress_.back().swept.wait_for(done + 1);
+  exchange_.finish(bands_.back().highest.view(), from_below_.view(), from_above_.view());
+  outer_forces_.reach(done + 1);
+}
+
+void TotalLagrangian::move_lowest_row(std::size_t place, std::int64_t step, int done) {
   const int rows = problem().discretisation.grid().rows;
   const bool wraps = problem().boundary == Boundary::periodic;
-  auto& own = bands_[band];
-  move_row(own.first, (band > 0 ? bands_[band - 1].highest : from_below_).view(), own.lowest.view(), step);
+  auto& own = bands_[place];
+  if (place > 0) progress_[place - 1].swept.wait_for(done + 1);
+  move_row(own.first, (place > 0 ? bands_[place - 1].highest : from_below_).view(), own.lowest.view(), step);
   if (wraps && own.first == 0 && exchange_.end() == rows) copy_lowest_row(step);
-  if (band + 1 < bands_.size()) return;
-  if (!wraps || own.end < rows) {
-    move_row(own.end, own.highest.view(), from_above_.view(), step);
-  } else if (exchange_.first() > 0) {
-    move_row(0, own.highest.view(), from_above_.view(), step);
-    copy_lowest_row(step);
+  if (place + 1 == bands_.size()) {
+    if (exchange_.has_neighbours()) outer_forces_.wait_for(done + 1);
+    if (!wraps || own.end < rows) {
+      move_row(own.end, own.highest.view(), from_above_.view(), step);
+    } else if (exchange_.first() > 0) {
+      move_row(0, own.highest.view(), from_above_.view(), step);
+      copy_lowest_row(step);
+    }
   }
+  progress_[place].moved.reach(done + 1);
+}
+
+/// Averages of the steps of a chunk, once all threads have come so far.
+void TotalLagrangian::sum_rows(std::int64_t first, int taken, int steps, Averages* averages) {
+  for (const auto& progress : progress_) progress.moved.wait_for(taken);
+  static_assert(sizeof(RowSums) == 6 * sizeof(double));
+  exchange_.gather_node_rows({row_sums_.front().stress.data(), 6 * row_sums_.size()});
+  for (int i = 0; i < steps; ++i) averages[i] = this->averages(first + i, i);
+  summed_.reach(taken);
 }
 
 void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above,
@@ -286,12 +323,12 @@ PlaneStrain TotalLagrangian::boundary_strain(int row) const {
 }
 
 /// Averages at a step, whose sums stand at a place among those of a chunk.
-Averages TotalLagrangian::averages(std::int64_t step, int steps, int place) const {
+Averages TotalLagrangian::averages(std::int64_t step, int place) const {
   const auto& grid = problem().discretisation.grid();
   PlaneStress stress;
   PlaneStrain strain;
   auto of_row = static_cast<std::size_t>(place);
-  for (int row = 0; row <= grid.rows; ++row, of_row += static_cast<std::size_t>(steps)) {
+  for (int row = 0; row <= grid.rows; ++row, of_row += static_cast<std::size_t>(chunk_)) {
     const auto& sums = row_sums_[of_row];
     stress.xx += sums.stress[0];
     stress.yy += sums.stress[1];

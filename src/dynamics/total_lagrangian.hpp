@@ -8,8 +8,11 @@
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/mpm/cell.hpp"
 
+#include "aligned_vector.hpp"
 #include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
+#include "crew.hpp"
+#include "milestone.hpp"
 #include "row_exchange.hpp"
 
 namespace breccia::dynamics {
@@ -19,8 +22,9 @@ namespace breccia::dynamics {
 /// cells around it have given their forces.
 ///
 /// Rows are dealt to threads in bands. The row of nodes between two bands moves after both are done, from the same two
-/// sums as any other row, so results do not depend on the number of threads. Processes have bands of bands: the row
-/// of nodes between two processes is moved by both, from the same sums.
+/// sums as any other row, so results do not depend on the number of threads. A band waits for those beside it alone,
+/// and for the one above not before its last row of cells. Processes have bands of bands: the row of nodes between two
+/// processes is moved by both, from the same sums.
 ///
 /// Opposite nodes of a periodic box move as one: the forces at the ends of a row are added crosswise, the lowest row of
 /// nodes takes the forces of the highest row of cells, too, and images are copies but for the affine motion.
@@ -42,7 +46,7 @@ class TotalLagrangian final : public DynamicSolver {
   };
   /// Storage behind RowForces.
   struct ForceRow {
-    std::array<std::vector<double>, 4> values;
+    std::array<AlignedVector, 4> values;
     explicit ForceRow(std::size_t length);
     [[nodiscard]] RowForces view() noexcept;
   };
@@ -53,7 +57,13 @@ class TotalLagrangian final : public DynamicSolver {
     ForceRow lowest;   ///< of the first row of cells on the nodes below it
     ForceRow bottom;   ///< of the present row of cells on the nodes below it
     ForceRow top;      ///< of the present row of cells on the nodes above it
-    ForceRow highest;  ///< of the row of cells below: what is carried to the present row's lower nodes
+    ForceRow carried;  ///< of the row of cells below on the nodes below the present row of cells
+    ForceRow highest;  ///< of the last row of cells on the nodes above it
+  };
+  /// How far a band is in the steps of one call.
+  struct Progress {
+    Milestone swept;  ///< all of its cells have given their forces
+    Milestone moved;  ///< its lowest row of nodes has moved, and all above it but the highest
   };
 
   /// What a row of cells, and the row of nodes below it, adds to the averages.
@@ -66,8 +76,11 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] Vector<2> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  void sweep(Band& band, std::int64_t step, int steps, int place);
-  void join_bands(std::size_t band, std::int64_t step);
+  void take_turn(std::int64_t first, int steps, Averages* averages);
+  void sweep(std::size_t place, std::int64_t step, int done);
+  void take_outer_forces(int done);
+  void move_lowest_row(std::size_t place, std::int64_t step, int done);
+  void sum_rows(std::int64_t first, int taken, int steps, Averages* averages);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
   void follow_load(int row, std::int64_t step);
   void add_traction(int row, std::int64_t step);
@@ -75,8 +88,10 @@ class TotalLagrangian final : public DynamicSolver {
   void copy_lowest_row(std::int64_t step);
   void fetch_nodes() const;
   [[nodiscard]] PlaneStrain boundary_strain(int row) const;
-  void take_chunk(std::int64_t first, int steps, Averages* averages);
-  [[nodiscard]] Averages averages(std::int64_t step, int steps, int place) const;
+  [[nodiscard]] Averages averages(std::int64_t step, int place) const;
+  [[nodiscard]] RowSums& sums_of(int row, int done) noexcept {
+    return row_sums_[static_cast<std::size_t>(row * chunk_ + done % chunk_)];
+  }
 
   [[nodiscard]] Row displacement(int row) noexcept { return {field(row, 0), field(row, 1)}; }
   [[nodiscard]] Row increment(int row) noexcept { return {field(row, 2), field(row, 3)}; }
@@ -90,16 +105,21 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
 
   const KernelTable* kernels_;
+  std::size_t stride_;  ///< nodes a row holds, with the filling
   RowExchange exchange_;
   BlockLayout layout_;  ///< of the rows of this process
-  std::size_t stride_;  ///< nodes a row holds, with the filling
   /// Rows of displacement x, y, increment x, y, dt^2 / m. Those of other processes are fetched when they are asked for.
-  mutable std::vector<double> nodes_;
+  mutable AlignedVector nodes_;
   std::vector<double> masses_;
   ForceRow from_below_;  ///< of the row of cells below the rows of this process; zero below the box
   ForceRow from_above_;
   std::vector<Band> bands_;
-  std::vector<RowSums> row_sums_;  ///< by row of nodes, and for each the steps of a chunk
+  Crew crew_{1};
+  std::vector<Progress> progress_;  ///< by band
+  Milestone outer_forces_;          ///< those of the neighbours of this process are here
+  Milestone summed_;                ///< the rows of all bands
+  int chunk_;                       ///< steps after which the sums of rows are put together
+  std::vector<RowSums> row_sums_;   ///< by row of nodes, and for each the steps of a chunk
 };
 
 }  // namespace breccia::dynamics

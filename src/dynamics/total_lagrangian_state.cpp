@@ -14,7 +14,7 @@ namespace breccia::dynamics {
 Footprint TotalLagrangian::footprint() const {
   constexpr std::size_t fields_moved = 9;  // five read, of which four are written
   const auto rows = static_cast<std::size_t>(exchange_.end() - exchange_.first());
-  const auto forces = (4 * bands_.size() + 2) * 4 * stride_;
+  const auto forces = (5 * bands_.size() + 2) * 4 * stride_;
   const auto doubles = nodes_.size() + masses_.size() + forces;
   return {.held = problem().discretisation.cells().size() * sizeof(CellMaterials) + layout_.material_bytes() +
                   layout_.history_bytes() + doubles * sizeof(double) + row_sums_.size() * sizeof(RowSums),
@@ -148,7 +148,7 @@ void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) 
 }
 
 void TotalLagrangian::restore_arrays(const StateReader& state, const std::string& group) {
-  nodes_ = state.numbers(group + "/nodes", nodes_.size());
+  std::ranges::copy(state.numbers(group + "/nodes", nodes_.size()), nodes_.begin());
   const auto own = layout_.history();
   const auto [begin, size] = exchange_.place_of(own.size());
   const auto all = state.numbers(group + "/history", size);
