@@ -21,7 +21,8 @@ std::optional<double> parse_points(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), end_of_text, points);
   const std::string unit(end, end_of_text);
   const bool names_points = unit == " points" || unit == " point";
-  return error == std::errc{} && names_points && points >= 0.0 ? std::optional(points) : std::nullopt;
+  return error == std::errc{} && names_points && points >= 0.0 && std::isfinite(points) ? std::optional(points)
+                                                                                        : std::nullopt;
 }
 
 /// The smallest distance between particles [m], given as a length or in material points.
