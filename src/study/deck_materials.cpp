@@ -58,7 +58,7 @@ PronySeries read_series(const Section& modulus) {
   if (!complete) return series;
   series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
   const bool is_positive = series.unrelaxed() > 0.0 && std::isfinite(series.unrelaxed());
-  if (is_known && !is_positive) modulus.report(source, "expected a modulus above zero");
+  if (is_known && !is_positive) modulus.report(source, "expected a modulus above zero, and finite");
   if (std::ranges::any_of(series.terms(), is_out_of_scale)) {
     modulus.report(source, "expected relaxation times between 1e-100 s and 1e100 s");
   }

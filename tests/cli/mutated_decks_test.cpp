@@ -77,7 +77,7 @@ shear   = "18.8 MPa"
 name    = "A"
 matrix  = "m"
 box     = "6 mm"
-cells   = [6, 12]
+cells   = [12, 24]
 filler  = { material = "p", sizes = { diameter = "2 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 
@@ -112,7 +112,7 @@ name    = "A"
 matrix  = "m"
 box     = "6 mm"
 cells   = 8
-filler  = { material = "p", fraction = 0.2, from = "1 mm", to = "2 mm", sizes = { lognormal = [{ weight = 1, median = "1.4 mm", sigma = 0.5 }] } }
+filler  = { material = "p", fraction = 0.2, from = "1 mm", to = "2 mm", sizes = { lognormal = [{ weight = 1, median = "1.4 mm", sigma = 0.5 }] }, gap = "0.1 mm" }
 packing = { method = "lubachevsky-stillinger", walls = false }
 
 [tests]
@@ -198,6 +198,16 @@ std::string flaw_of_results(const fs::path& directory) {
   return {};
 }
 
+/// The same of a study or of all tasks of a sweep.
+std::string flaw_of_all_results(const fs::path& directory) {
+  if (!fs::exists(directory / "sweep.json")) return flaw_of_results(directory);
+  std::string flaws;
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    if (entry.is_directory()) flaws += flaw_of_results(entry.path());
+  }
+  return flaws;
+}
+
 /// Files that were being written, and directories in which nothing is.
 std::string half_done(const fs::path& directory) {
   if (!fs::exists(directory)) return {};
@@ -213,10 +223,8 @@ std::string half_done(const fs::path& directory) {
 std::string flaw_of(const test::Outcome& outcome, const fs::path& results) {
   static const std::regex located(R"(^deck\.toml:\d+:\d+: )");
   switch (outcome.exit_code) {
-    case 0: {
-      const bool is_sweep = fs::exists(results / "sweep.json");
-      return flaw_of_results(is_sweep ? results / "seed-1" : results);
-    }
+    case 0:
+      return flaw_of_all_results(results);
     case 2:
       if (!has_every_line(outcome.errors, located)) return "a mistake without a place";
       return fs::exists(results) ? "results of a deck that was refused" : "";
@@ -231,6 +239,17 @@ std::string flaw_of(const test::Outcome& outcome, const fs::path& results) {
 int decks_to_try() {
   const char* wanted = std::getenv("BRECCIA_MUTATED_DECKS");
   return wanted != nullptr ? std::atoi(wanted) : 48;
+}
+
+TEST(MutatedDecks, RunWithoutTheirMistakes) {
+  for (const auto* deck : decks) {
+    const test::TemporaryDirectory directory;
+    write_data(directory);
+    directory.write("deck.toml", deck);
+    const auto outcome = run(directory.path());
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(flaw_of(outcome, directory.path() / "out"), "");
+  }
 }
 
 TEST(MutatedDecks, AreRefusedWithTheirPlaceOrRun) {
