@@ -24,7 +24,13 @@ std::string escaped(char letter) {
 /// A message on one line, which changes nothing else on a terminal.
 std::string printable(const std::string& text) {
   std::string result;
-  for (const char letter : text) result += is_control(letter) ? escaped(letter) : std::string(1, letter);
+  for (const char letter : text) {
+    if (is_control(letter)) {
+      result += escaped(letter);
+    } else {
+      result += letter;
+    }
+  }
   return result;
 }
 
