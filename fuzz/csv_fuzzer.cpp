@@ -25,7 +25,7 @@ const char* deck_for(std::string_view text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   static const fuzz::InputFolder folder;
   const auto text = fuzz::text_of(data, size);
   const auto file = folder.written("input.csv", text);

@@ -4,7 +4,7 @@
 #include "refusal.hpp"
 #include "study_reading.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   using namespace breccia::fuzz;
   static const InputFolder folder;
   const auto deck = folder.written("deck.toml", text_of(data, size));

@@ -7,7 +7,7 @@
 #include "refusal.hpp"
 #include "study_reading.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   using namespace breccia::fuzz;
   static const InputFolder folder;
   std::vector<std::string> overrides, swept;

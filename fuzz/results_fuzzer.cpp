@@ -32,7 +32,7 @@ void read_table(const fuzz::InputFolder& folder, std::string_view text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
   static const fuzz::InputFolder folder;
   const auto text = fuzz::text_of(data, size);
   if (text.starts_with('{')) {

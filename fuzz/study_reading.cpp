@@ -9,7 +9,7 @@
 #include "study/sweep_keys.hpp"
 
 /// The parser of UDUNITS-2 forgets the letters of a unit that it does not understand. What breccia forgets is found.
-extern "C" const char* __lsan_default_suppressions() {
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier,*-naming)
   return "leak:utlex";
 }
 
