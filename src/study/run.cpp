@@ -62,10 +62,10 @@ void make_way(const Study& study, const fs::path& directory, bool resume) {
   for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
 }
 
-/// Takes the directory of the results away again where a run has ended before any.
+/// Takes a directory of results away again where a run has ended before any.
 class UnlessEmpty {
  public:
-  explicit UnlessEmpty(const fs::path& directory) : directory_(directory) {}
+  explicit UnlessEmpty(fs::path directory) : directory_(std::move(directory)) {}
   UnlessEmpty(const UnlessEmpty&) = delete;
   UnlessEmpty& operator=(const UnlessEmpty&) = delete;
   UnlessEmpty(UnlessEmpty&&) = delete;
@@ -76,7 +76,7 @@ class UnlessEmpty {
   }
 
  private:
-  const fs::path& directory_;
+  fs::path directory_;
 };
 
 /// Results are written by the first of several processes.
@@ -250,6 +250,7 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   const Checkpoints checkpoints(study, directory, options, observer);
   StudyResult result;
   for (const auto& stage : study.stages) {
+    const UnlessEmpty kept_stage(directory / stage.name);
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, options, checkpoints, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, options.threads, checkpoints, observer, result).run();
