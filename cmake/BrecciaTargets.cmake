@@ -19,6 +19,10 @@ if(BRECCIA_SANITIZE)
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
 endif()
+if(BRECCIA_BUILD_FUZZ)
+  target_compile_options(breccia_options INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(breccia_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # breccia_room(<name> SOURCES <file>... [LIBRARIES <target>...])
 # One room of src/: an object library, with the libraries it needs beyond Eigen and fmt.

@@ -32,9 +32,15 @@ bool follows_affinely(const DynamicProblem& problem) noexcept {
 }
 
 Vector<2> affine_motion(const DynamicProblem& problem, int column, int row) noexcept {
+  if (problem.boundary != Boundary::displacement) return affine_difference(problem, column, row);
+  const auto& grid = problem.discretisation.grid();
+  return affine_difference(problem, column - 0.5 * grid.columns, row - 0.5 * grid.rows);
+}
+
+Vector<2> affine_difference(const DynamicProblem& problem, double columns, double rows) noexcept {
   const double h = problem.discretisation.grid().cell_side;
   const auto& load = problem.load;
-  const double x = column * h, y = row * h;
+  const double x = columns * h, y = rows * h;
   return {load.xx * x + load.xy * y, load.xy * x + load.yy * y};
 }
 

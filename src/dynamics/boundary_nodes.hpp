@@ -13,8 +13,12 @@ bool is_image(const DynamicProblem& problem, int column, int row) noexcept;
 /// While the load rises, nodes that are not prescribed get the acceleration of its affine motion.
 bool follows_affinely(const DynamicProblem& problem) noexcept;
 
-/// Displacement of a node in the affine motion of the whole load [m].
+/// Displacement of a node in the affine motion of the whole load [m]. Under a displacement boundary the centre of the
+/// box rests, so that the boundary strains the box and does not shake it; else the lower left corner does.
 Vector<2> affine_motion(const DynamicProblem& problem, int column, int row) noexcept;
+
+/// The difference of that between two places so many columns and rows apart [m].
+Vector<2> affine_difference(const DynamicProblem& problem, double columns, double rows) noexcept;
 
 /// Integral of the node's shape function times the outward normal over the boundary of the box [m]; zero inside.
 Vector<2> outward_side(const Grid& grid, int column, int row) noexcept;

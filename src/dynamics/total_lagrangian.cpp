@@ -284,7 +284,7 @@ void TotalLagrangian::add_traction(int row, std::int64_t step) {
 /// Makes the last node of a row the image of the first.
 void TotalLagrangian::close_row(int row, std::int64_t step) {
   const int last = problem().discretisation.grid().columns;
-  const auto across = affine_motion(problem(), last, 0);
+  const auto across = affine_difference(problem(), last, 0);
   const double next = load_at(step + 1), rise = next - load_at(step);
   const auto u = displacement(row), du = increment(row);
   u.x[last] = u.x[0] + next * across[0];
@@ -296,7 +296,7 @@ void TotalLagrangian::close_row(int row, std::int64_t step) {
 /// Makes the highest row of nodes the image of the lowest.
 void TotalLagrangian::copy_lowest_row(std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const auto up = affine_motion(problem(), 0, grid.rows);
+  const auto up = affine_difference(problem(), 0, grid.rows);
   const double next = load_at(step + 1), rise = next - load_at(step);
   const auto from_u = displacement(0), from_du = increment(0);
   const auto u = displacement(grid.rows), du = increment(grid.rows);

@@ -1,5 +1,6 @@
 #include "breccia/io/deck.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,7 +33,9 @@ void add_unknown_keys(const DeckState& state, std::vector<Mistake>& mistakes) {
 
 Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides)
     : state_(std::make_unique<DeckState>()) {
-  if (!std::filesystem::exists(path)) throw InputError(fmt::format("{}: no such deck", path.string()));
+  std::error_code is_no_name_of_a_file;  // too long, for example
+  if (!std::filesystem::exists(path, is_no_name_of_a_file))
+    throw InputError(fmt::format("{}: no such deck", path.string()));
   if (std::filesystem::is_directory(path)) {
     throw InputError(fmt::format("{}: expected a deck, got a directory", path.string()));
   }
@@ -42,12 +45,21 @@ Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& ov
   for (const auto& text : overrides) detail::apply_override(state_->root, text, state_->mistakes);
 }
 
+Deck::Deck(std::unique_ptr<DeckState> state) : state_(std::move(state)) {}
 Deck::Deck(Deck&&) noexcept = default;
 Deck& Deck::operator=(Deck&&) noexcept = default;
 Deck::~Deck() = default;
 
 const std::string& Deck::text() const noexcept {
   return state_->text;
+}
+
+Deck Deck::unread_copy() const {
+  auto state = std::make_unique<DeckState>();
+  state->path = state_->path;
+  state->text = state_->text;
+  state->root = state_->root;
+  return Deck(std::move(state));
 }
 
 std::vector<std::string> Deck::set(const Setting& setting) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <type_traits>
 
 #include <fmt/format.h>
@@ -33,19 +34,29 @@ std::string with_article(std::string_view noun) {
   return fmt::format("{} {}", vowel ? "an" : "a", noun);
 }
 
-/// What a range asks for: "a positive length", "a number between 0 and 1".
-std::string described(const Range& range, std::string_view noun) {
+/// What a range asks for: "a positive length", "a number between 0 and 1". `text_of` writes its limits.
+template <class TextOf>
+std::string described(const Range& range, std::string_view noun, const TextOf& text_of) {
   const bool bounded_below = std::isfinite(range.lower);
   const bool bounded_above = std::isfinite(range.upper);
   if (bounded_below && bounded_above) {
-    const auto limits = range.excludes_upper   ? fmt::format("between {} and {}", range.lower, range.upper)
-                        : range.excludes_lower ? fmt::format("above {} and up to {}", range.lower, range.upper)
-                                               : fmt::format("from {} to {}", range.lower, range.upper);
+    const auto lower = text_of(range.lower), upper = text_of(range.upper);
+    const auto limits = range.excludes_upper   ? fmt::format("between {} and {}", lower, upper)
+                        : range.excludes_lower ? fmt::format("above {} and up to {}", lower, upper)
+                                               : fmt::format("from {} to {}", lower, upper);
     return fmt::format("{} {}", with_article(noun), limits);
   }
   if (!bounded_below) return with_article(noun);
   if (range.lower == 0.0) return fmt::format("a {} {}", range.excludes_lower ? "positive" : "non-negative", noun);
-  return fmt::format("{} of at least {}", with_article(noun), range.lower);
+  return fmt::format("{} of at least {}", with_article(noun), text_of(range.lower));
+}
+
+std::string described(const Range& range, std::string_view noun) {
+  return described(range, noun, [](double limit) { return fmt::format("{}", limit); });
+}
+
+std::string described(const Range& range, Dimension dimension) {
+  return described(range, name(dimension), [dimension](double limit) { return readable(limit, dimension); });
 }
 
 std::string wanted(Dimension dimension) {
@@ -80,7 +91,7 @@ Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const 
   } catch (const InputError& error) {
     return wrong<double>(error.what());
   }
-  return wrong<double>(expected_but_got(described(range, name(dimension)), value));
+  return wrong<double>(expected_but_got(described(range, dimension), value));
 }
 
 Answer<double> read_number(const DeckValue& value, const Range& range) {
@@ -274,7 +285,8 @@ std::filesystem::path Section::file(const std::string& key) const {
   const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
   if (!name) return {};
   auto path = (state_->path.parent_path() / *name).lexically_normal();
-  if (std::filesystem::is_regular_file(path)) {
+  std::error_code is_no_name_of_a_file;  // too long, for example
+  if (std::filesystem::is_regular_file(path, is_no_name_of_a_file)) {
     state_->files.insert(path);
     return path;
   }

@@ -13,6 +13,27 @@ namespace breccia {
 
 namespace {
 
+bool is_control(char letter) {
+  return static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
+}
+
+std::string escaped(char letter) {
+  return fmt::format("\\u{:04x}", static_cast<int>(letter));
+}
+
+/// A message on one line, which changes nothing else on a terminal.
+std::string printable(const std::string& text) {
+  std::string result;
+  for (const char letter : text) {
+    if (is_control(letter)) {
+      result += escaped(letter);
+    } else {
+      result += letter;
+    }
+  }
+  return result;
+}
+
 std::string line_of(const std::filesystem::path& deck, const Mistake& mistake) {
   const auto& place = mistake.place;
   if (!place.option.empty()) return fmt::format("{}: {}", place.option, mistake.message);
@@ -22,9 +43,8 @@ std::string line_of(const std::filesystem::path& deck, const Mistake& mistake) {
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char letter : text) {
-    const bool is_control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
     if (letter == '"' || letter == '\\') result += '\\';
-    result += is_control ? fmt::format("\\u{:04x}", static_cast<int>(letter)) : std::string(1, letter);
+    result += is_control(letter) ? escaped(letter) : std::string(1, letter);
   }
   return result + "\"";
 }
@@ -51,7 +71,7 @@ void refuse_mistakes(const std::filesystem::path& deck, std::vector<Mistake> mis
   std::vector<std::string> lines;
   std::set<std::string> known;
   for (const auto& mistake : mistakes) {
-    const auto line = line_of(deck, mistake);
+    const auto line = printable(line_of(deck, mistake));
     if (known.insert(line).second) lines.push_back(line);
   }
   throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
@@ -79,7 +99,8 @@ std::optional<std::vector<std::string>> split_path(std::string_view path) {
       steps.back() += letter;
     }
   }
-  if (quoted || steps.back().empty()) return std::nullopt;
+  constexpr std::size_t most_steps = 100;  // for each, tables are made within tables
+  if (quoted || steps.back().empty() || steps.size() > most_steps) return std::nullopt;
   return steps;
 }
 

@@ -46,7 +46,27 @@ DeckTable convert(const toml::table& table) {
 
 }  // namespace
 
+namespace {
+
+/// Tables within tables, which `a.a.a. ... = 1` makes, would exhaust the stack of the parser.
+void refuse_endless_keys(const std::filesystem::path& path, const std::string& text) {
+  constexpr std::size_t most = 4096;
+  std::uint32_t line = 1;
+  std::size_t dots = 0;
+  for (const char letter : text) {
+    if (letter == '\n') ++line;
+    if (letter == '\n' || letter == ',' || letter == '=') dots = 0;
+    if (letter == '.' && ++dots > most) {
+      throw InputError(
+          fmt::format("{}:{}:1: expected a key, got one with more than {} dots", path.string(), line, most));
+    }
+  }
+}
+
+}  // namespace
+
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text) {
+  refuse_endless_keys(path, text);
   try {
     return convert(toml::parse(std::string_view(text), std::string_view(path.native())));
   } catch (const toml::parse_error& error) {

@@ -48,9 +48,14 @@ std::vector<double> draw_diameters(const SizeDistribution& distribution, double 
   std::vector<double> diameters;
   for (double area = 0.0; area + half_smallest < total_area; area += disc_area(diameters.back())) {
     diameters.push_back(next_diameter(distribution, area, total_area));
+    if (diameters.size() > most_particles) {
+      throw NumericalError(fmt::format(
+          "drawing particle sizes: a fraction {} of a box of side {} m holds more than {} particles of {} m to {} m",
+          fraction, side, most_particles, distribution.smallest(), distribution.largest()));
+    }
   }
   if (diameters.empty()) {
-    throw InputError(
+    throw NumericalError(
         fmt::format("drawing particle sizes: a fraction {} of a box of side {} m is less than half a particle of the "
                     "smallest diameter, {} m",
                     fraction, side, distribution.smallest()));

@@ -7,6 +7,7 @@
 #include "breccia/error.hpp"
 
 #include "deck_sections.hpp"
+#include "filler_sizes.hpp"
 
 namespace breccia {
 
@@ -21,7 +22,8 @@ std::optional<double> parse_points(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), end_of_text, points);
   const std::string unit(end, end_of_text);
   const bool names_points = unit == " points" || unit == " point";
-  return error == std::errc{} && names_points && points >= 0.0 ? std::optional(points) : std::nullopt;
+  return error == std::errc{} && names_points && points >= 0.0 && std::isfinite(points) ? std::optional(points)
+                                                                                        : std::nullopt;
 }
 
 /// The smallest distance between particles [m], given as a length or in material points.
@@ -59,12 +61,13 @@ void read_cuts(const Section& section, Filler& filler) {
     section.refuse({"from", "to"}, "only a distribution of sizes (a file or lognormal) is cut");
     return;
   }
+  bool misses = false;
   if (const auto* table = std::get_if<TabulatedSizes>(&*filler.sizes)) {
     filler.smallest = table->diameters.front();
     filler.largest = table->diameters.back();
     if (section.has("from")) filler.smallest = section.quantity("from", Dimension::length, Range::positive());
     if (section.has("to")) filler.largest = section.quantity("to", Dimension::length, Range::positive());
-    const bool misses = *filler.smallest >= table->diameters.back() || *filler.largest <= table->diameters.front();
+    misses = *filler.smallest >= table->diameters.back() || *filler.largest <= table->diameters.front();
     if (misses) {
       section.report("sizes", fmt::format("the table has no sizes from {} to {}: it covers {} to {}",
                                           readable(*filler.smallest, Dimension::length),
@@ -80,11 +83,17 @@ void read_cuts(const Section& section, Filler& filler) {
     section.report("from",
                    fmt::format("expected less than {} (to), got {}", readable(*filler.largest, Dimension::length),
                                readable(*filler.smallest, Dimension::length)));
+  } else if (*filler.smallest < *filler.largest && !misses) {  // and both are numbers
+    section.report_errors_of("sizes", [&] { static_cast<void>(distribution_of(filler)); });
   }
 }
 
 /// Whether the particles can be in the box at all.
 void check_fit(const Section& section, const Filler& filler, double side) {
+  if (filler.gap >= side && std::isfinite(filler.gap)) {
+    section.report("gap", fmt::format("a gap of {} does not fit into a box of {}",
+                                      readable(filler.gap, Dimension::length), readable(side, Dimension::length)));
+  }
   if (!filler.sizes) return;
   double diameter = 0.0;
   if (const auto* single = std::get_if<SingleSize>(&*filler.sizes)) diameter = single->diameter;

@@ -25,6 +25,12 @@ std::vector<MaxwellTerm> read_terms(const Section& modulus) {
   return terms;
 }
 
+/// Would a shift to another temperature make it zero or infinite?
+bool is_out_of_scale(const MaxwellTerm& term) {
+  constexpr double largest = 1e100;
+  return term.relaxation_time < 1.0 / largest || term.relaxation_time > largest;
+}
+
 /// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
 PronySeries read_series(const Section& modulus) {
   PronyFile spectrum;
@@ -51,7 +57,11 @@ PronySeries read_series(const Section& modulus) {
   });
   if (!complete) return series;
   series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
-  if (is_known && !(series.unrelaxed() > 0.0)) modulus.report(source, "expected a modulus above zero");
+  const bool is_positive = series.unrelaxed() > 0.0 && std::isfinite(series.unrelaxed());
+  if (is_known && !is_positive) modulus.report(source, "expected a modulus above zero, and finite");
+  if (std::ranges::any_of(series.terms(), is_out_of_scale)) {
+    modulus.report(source, "expected relaxation times between 1e-100 s and 1e100 s");
+  }
   return series;
 }
 

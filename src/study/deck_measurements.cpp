@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,9 +26,10 @@ Curve read_measured_curve(const std::filesystem::path& path) {
   std::vector<std::string> mistakes;
   Curve curve;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (!(times[row] > (curve.empty() ? 0.0 : curve.back().time))) {
+    const double earlier = curve.empty() ? 0.0 : curve.back().time;
+    if (!(times[row] > earlier) || !std::isfinite(times[row])) {
       mistakes.push_back(fmt::format("{}: expected rising positive times, got {}", table.place(row), times[row]));
-    } else if (!(moduli[row] > 0.0)) {
+    } else if (!(moduli[row] > 0.0) || !std::isfinite(moduli[row])) {
       mistakes.push_back(fmt::format("{}: expected a positive modulus, got {}", table.place(row), moduli[row]));
     } else {
       curve.push_back({times[row], moduli[row]});

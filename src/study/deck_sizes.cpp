@@ -1,9 +1,12 @@
 #include <cmath>
+#include <cstdint>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
+#include "breccia/microstructure/size_distribution.hpp"
 
 #include "deck_sections.hpp"
 
@@ -50,10 +53,15 @@ std::optional<Sizes> read_file(const Section& filler) {
 ListedSizes read_list(const Section& sizes) {
   const auto diameters = sizes.quantities("list", Dimension::length, Range::positive());
   if (!sizes.has("counts")) return {diameters};
-  constexpr double most = 1e6;
-  const auto counts = sizes.integers("counts", {.lower = 1.0, .upper = most});
+  constexpr auto most = static_cast<std::int64_t>(most_particles);
+  const auto counts = sizes.integers("counts", {.lower = 1.0, .upper = static_cast<double>(most)});
   if (counts.size() != diameters.size()) {
     sizes.report("counts", fmt::format("expected as many as in list, {}, got {}", diameters.size(), counts.size()));
+    return {};
+  }
+  const auto particles = std::reduce(counts.begin(), counts.end());
+  if (particles > most) {
+    sizes.report("counts", fmt::format("expected at most {} particles, got {}", most, particles));
     return {};
   }
   ListedSizes listed;
@@ -67,7 +75,7 @@ LognormalSizes read_lognormal(const Section& sizes) {
   LognormalSizes lognormal;
   double sum = 0.0;
   for (const auto& component : sizes.sections("lognormal")) {
-    lognormal.components.push_back({component.optional_number("weight", Range::positive()).value_or(1.0),
+    lognormal.components.push_back({component.optional_number("weight", Range::above_and_up_to(0.0, 1e6)).value_or(1.0),
                                     component.quantity("median", Dimension::length, Range::positive()),
                                     component.number("sigma", Range::positive())});
     sum += lognormal.components.back().weight;

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int fewest_cells = 2;
 constexpr int most_cells = 1 << 20;
+/// Of boxes [m]: wide enough for whatever is a composite.
+const Range sides = {.lower = 1e-12, .upper = 1e6};
 
 /// May the name be that of a directory, on any system?
 bool is_safe(const std::string& name) {
@@ -102,7 +104,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     Stage stage;
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
-    stage.side = section.quantity("box", Dimension::length, Range::positive());
+    stage.side = section.quantity("box", Dimension::length, sides);
     if (section.kind("cells") == Kind::array) {
       section.refuse({"resolution"}, "the cells are given already");
       stage.coarser_cells = read_grids(section);

@@ -73,7 +73,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
     labels.push_back(labels_of_values(values));
   }
   for (const auto& choice : combinations(keys)) {
-    Deck task_deck(deck, overrides);
+    auto task_deck = document.unread_copy();
     set_values(task_deck, keys, choice, mistakes);
     SweepTask task;
     task.study = resolve(task_deck);

@@ -13,6 +13,7 @@
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
 
+#include "filler_sizes.hpp"
 #include "named_errors.hpp"
 
 namespace breccia {
@@ -24,30 +25,6 @@ struct Overloaded : Functions... {
 };
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
-
-/// The distribution that a random packing is drawn from; none for a list of particles.
-std::optional<SizeDistribution> distribution_of(const Filler& filler) {
-  if (!filler.sizes) return std::nullopt;
-  auto distribution = std::visit(
-      Overloaded{[](const SingleSize& sizes) { return std::optional(SizeDistribution::monodisperse(sizes.diameter)); },
-                 [](const ListedSizes&) { return std::optional<SizeDistribution>(); },
-                 [](const LognormalSizes& sizes) {
-                   std::vector<LognormalComponent> components;
-                   for (const auto& [weight, median, sigma] : sizes.components)
-                     components.push_back({weight, median, sigma});
-                   return std::optional(SizeDistribution::lognormal_mixture(std::move(components)));
-                 },
-                 [](const TabulatedSizes& sizes) {
-                   return std::optional(
-                       SizeDistribution::tabulated(sizes.diameters, sizes.cumulative_volume_fractions));
-                 }},
-      *filler.sizes);
-  if (distribution && (filler.smallest || filler.largest)) {
-    distribution = distribution->truncated(filler.smallest.value_or(distribution->smallest()),
-                                           filler.largest.value_or(distribution->largest()));
-  }
-  return distribution;
-}
 
 Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, const PackingWatch& watch,
                               StageMicrostructure& result) {

@@ -1,5 +1,7 @@
 #include "breccia/study/report.hpp"
 
+#include <system_error>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +59,12 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   return responses;
 }
 
+/// Is there such a file? What cannot be the name of one is none.
+bool is_there(const fs::path& file) {
+  std::error_code is_no_name_of_a_file;
+  return fs::is_regular_file(file, is_no_name_of_a_file);
+}
+
 /// The history of each time domain of a stage, thinned.
 Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
   Json histories = Json::array();
@@ -65,8 +73,9 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
     for (std::size_t number = 1; number <= domains; ++number) {
       const auto file =
           directory / history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
-                                   test.at("cells").get<int>(), number);
-      if (!fs::exists(file)) continue;
+                                   static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()),
+                                   number);
+      if (!is_there(file)) continue;
       const auto history = outline_of(read_history(file));
       refuse_foreign(file, history.deck_hash, hash);
       histories.push_back({{"load", test.at("load")},
@@ -88,7 +97,7 @@ Json field_pictures_of(const fs::path& directory, const Json& stage) {
     for (const auto& field : test.at("fields")) {
       for (const auto* picture : {"stress_picture", "strain_picture"}) {
         const auto name = field.at(picture).get<std::string>();
-        if (fs::exists(directory / name)) pictures[name] = read_text(directory / name);
+        if (is_there(directory / name)) pictures[name] = read_text(directory / name);
       }
     }
   }
@@ -102,15 +111,15 @@ Json data_of(const fs::path& directory, Json study) {
   auto names = curve_files();
   names.emplace_back("comparison.csv");
   for (const auto& name : names) {
-    if (fs::exists(directory / name)) tables[name] = read_text(directory / name);
+    if (is_there(directory / name)) tables[name] = read_text(directory / name);
   }
   const auto hash = study.at("hash").get<std::string>();
   for (const auto& stage : study.at("stages")) {
     const auto name = stage.at("name").get<std::string>();
     const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
-    if (fs::exists(picture)) pictures[name] = read_text(picture);
+    if (is_there(picture)) pictures[name] = read_text(picture);
     fields[name] = field_pictures_of(directory / name, stage);
-    if (fs::exists(response)) responses[name] = responses_of(response, hash);
+    if (is_there(response)) responses[name] = responses_of(response, hash);
     histories[name] = histories_of(directory / name, stage, hash);
   }
   return {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
@@ -119,8 +128,13 @@ Json data_of(const fs::path& directory, Json study) {
 
 }  // namespace
 
+PageData study_page_data(const fs::path& directory) {
+  return read_page_data(directory / "study.json", [&](Json study) { return data_of(directory, std::move(study)); });
+}
+
 void write_study_report(const fs::path& directory) {
-  write_page(directory, "study.json", study_page, [&](Json study) { return data_of(directory, std::move(study)); });
+  const auto [title, data] = study_page_data(directory);
+  write_text(directory / "report.html", study_page(title, data));
 }
 
 void write_report(const fs::path& directory) {

@@ -12,21 +12,16 @@ namespace breccia {
 
 using Json = nlohmann::ordered_json;
 
-void write_page(const std::filesystem::path& directory, const std::string& record,
-                const std::function<std::string(std::string_view title, std::string_view data)>& page,
-                const std::function<Json(Json)>& data_of) {
-  const auto file = directory / record;
-  auto json = Json::parse(read_text(file), nullptr, false);
-  if (!json.is_object()) throw FileError(fmt::format("{}: not as `breccia run` writes it", file.string()));
-  std::string title;
-  Json data;
+PageData read_page_data(const std::filesystem::path& record, const std::function<Json(Json)>& data_of) {
+  auto json = Json::parse(read_text(record), nullptr, false);
+  if (!json.is_object()) throw FileError(fmt::format("{}: not as `breccia run` writes it", record.string()));
   try {
-    title = json.at("title").get<std::string>();
-    data = data_of(std::move(json));
+    auto title = json.at("title").get<std::string>();
+    const auto data = data_of(std::move(json));
+    return {std::move(title), data.dump(-1, ' ', false, Json::error_handler_t::replace)};
   } catch (const Json::exception& error) {
-    throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", file.string(), error.what()));
+    throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", record.string(), error.what()));
   }
-  write_text(directory / "report.html", page(title, data.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
 std::vector<double> rounded(std::vector<double> numbers) {

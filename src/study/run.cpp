@@ -62,6 +62,23 @@ void make_way(const Study& study, const fs::path& directory, bool resume) {
   for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
 }
 
+/// Takes a directory of results away again where a run has ended before any.
+class UnlessEmpty {
+ public:
+  explicit UnlessEmpty(fs::path directory) : directory_(std::move(directory)) {}
+  UnlessEmpty(const UnlessEmpty&) = delete;
+  UnlessEmpty& operator=(const UnlessEmpty&) = delete;
+  UnlessEmpty(UnlessEmpty&&) = delete;
+  UnlessEmpty& operator=(UnlessEmpty&&) = delete;
+  ~UnlessEmpty() {
+    std::error_code is_not_empty;
+    if (parallel::rank() == 0) fs::remove(directory_, is_not_empty);
+  }
+
+ private:
+  fs::path directory_;
+};
+
 /// Results are written by the first of several processes.
 template <class Write>
 void write_once(const Write& write) {
@@ -211,6 +228,7 @@ std::vector<int> grids_of(const Stage& stage) {
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
   make_way(study, directory, false);
+  const UnlessEmpty kept(directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     const auto of_stage = directory / stage.name;
@@ -228,9 +246,11 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   if (options.resume) require_same_study(study, directory);
   if (!options.ignore_memory && parallel::ranks() == 1) require_memory(study, available_memory());
   write_once([&] { make_way(study, directory, options.resume); });
+  const UnlessEmpty kept(directory);
   const Checkpoints checkpoints(study, directory, options, observer);
   StudyResult result;
   for (const auto& stage : study.stages) {
+    const UnlessEmpty kept_stage(directory / stage.name);
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, options, checkpoints, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, options.threads, checkpoints, observer, result).run();

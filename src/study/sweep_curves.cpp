@@ -1,9 +1,14 @@
 #include <algorithm>
-#include <array>
+#include <charconv>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 
 #include "sweep_results.hpp"
@@ -14,10 +19,26 @@ namespace {
 
 constexpr auto extrapolated = "extrapolated";
 
+/// Cells per side of a grid, as name_of_grid writes them; nothing for anything else.
+std::optional<int> cells_of(const std::string& name) {
+  if (name == extrapolated) return std::numeric_limits<int>::max();
+  int cells = 0;
+  const auto* const end_of_name = name.data() + name.size();
+  const auto [end, error] = std::from_chars(name.data(), end_of_name, cells);
+  return error == std::errc{} && end == end_of_name && cells > 0 ? std::optional(cells) : std::nullopt;
+}
+
+/// Throws FileError where a row is not one of curves.csv.
+void require_as_written(const CsvTable& table, std::size_t row) {
+  const double time = table.numbers("time_s")[row], modulus = table.numbers("modulus_Pa")[row];
+  const bool is_sample = time > 0.0 && std::isfinite(time) && std::isfinite(modulus);
+  if (is_sample && cells_of(table.text("cells")[row])) return;
+  throw FileError(fmt::format("{}: not as `breccia run` writes it", table.place(row)));
+}
+
 /// How well a curve stands for others of its boundary.
 std::pair<bool, int> preference(const TaskCurve& curve) {
-  const int cells = curve.cells == extrapolated ? std::numeric_limits<int>::max() : std::stoi(curve.cells);
-  return {curve.method == name_of(Method::quasistatic), cells};
+  return {curve.method == name_of(Method::quasistatic), cells_of(curve.cells).value_or(0)};
 }
 
 std::vector<TaskCurve> last_stage_of(const std::vector<TaskCurve>& curves) {
@@ -61,6 +82,7 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory) {
   const auto table = read_csv(directory / "curves.csv", {"stage", "load", "boundary", "method", "cells"});
   std::vector<TaskCurve> curves;
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    require_as_written(table, row);
     const TaskCurve test{table.text("stage")[row],  table.text("load")[row],  table.text("boundary")[row],
                          table.text("method")[row], table.text("cells")[row], {}};
     if (curves.empty() || !curves.back().matches(test)) curves.push_back(test);

@@ -1,7 +1,9 @@
 #include "sweep_keys.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -16,12 +18,20 @@ enum class Spacing { linear, logarithmic };
 
 /// The value that a user would have written: 0.6, not 0.6000000000000001.
 double rounded(double value) {
-  return std::stod(fmt::format("{:.12g}", value));
+  const auto digits = fmt::format("{:.12g}", value);
+  std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  return value;
 }
 
-std::vector<Scalar> integers_between(std::int64_t from, std::int64_t to, std::int64_t step) {
+/// From the first to the last there may be more than an integer with a sign can tell.
+std::uint64_t distance(std::int64_t from, std::int64_t to) {
+  return static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
+}
+
+std::vector<Scalar> integers_from(std::int64_t from, std::uint64_t step, std::int64_t count) {
   std::vector<Scalar> values;
-  for (auto value = from; value <= to; value += step) values.emplace_back(value);
+  auto value = static_cast<std::uint64_t>(from);
+  for (std::int64_t i = 0; i < count; ++i, value += step) values.emplace_back(static_cast<std::int64_t>(value));
   return values;
 }
 
@@ -29,7 +39,8 @@ std::vector<Scalar> numbers_between(double from, double to, std::int64_t count, 
   std::vector<Scalar> values;
   for (std::int64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
-    const double value = spacing == Spacing::linear ? from + share * (to - from) : from * std::pow(to / from, share);
+    const double value = spacing == Spacing::linear ? std::lerp(from, to, share)
+                                                    : std::exp(std::lerp(std::log(from), std::log(to), share));
     values.emplace_back(rounded(value));
   }
   return values;
@@ -46,12 +57,12 @@ std::vector<Scalar> read_steps_of_one(const Section& range) {
     range.report("to", fmt::format("expected more than {}, got {}", from, to));
     return {};
   }
-  const double count = static_cast<double>(to) - static_cast<double>(from) + 1.0;
+  const double count = static_cast<double>(distance(from, to)) + 1.0;
   if (count > static_cast<double>(most_tasks)) {
     range.report("to", fmt::format("expected at most {} values, got {:.6g}", most_tasks, count));
     return {};
   }
-  return integers_between(from, to, 1);
+  return integers_from(from, 1, static_cast<std::int64_t>(count));
 }
 
 /// `{ from = 0.5, to = 0.7, count = 5, spacing = "logarithmic" }`
@@ -71,10 +82,9 @@ std::vector<Scalar> read_counted(const Section& range) {
   }
   const bool between_integers = range.kind("from") == Kind::integer && range.kind("to") == Kind::integer;
   if (between_integers && spacing == Spacing::linear) {
-    const auto distance = range.integer("to") - range.integer("from");
-    if (distance % (count - 1) == 0) {
-      return integers_between(range.integer("from"), range.integer("to"), distance / (count - 1));
-    }
+    const auto first = range.integer("from");
+    const auto whole = distance(first, range.integer("to")), parts = static_cast<std::uint64_t>(count - 1);
+    if (whole % parts == 0) return integers_from(first, whole / parts, count);
   }
   return numbers_between(from, to, count, spacing);
 }

@@ -54,18 +54,24 @@ Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vecto
 
 }  // namespace
 
-void write_sweep_report(const fs::path& directory) {
-  write_page(directory, "sweep.json", sweep_page, [&](Json sweep) {
+PageData sweep_page_data(const fs::path& directory) {
+  return read_page_data(directory / "sweep.json", [&](Json sweep) {
     const auto curves = stored_curves(directory, sweep.at("tasks"));
     return data_of(directory, std::move(sweep), curves);
   });
 }
 
+void write_sweep_report(const fs::path& directory) {
+  const auto [title, data] = sweep_page_data(directory);
+  write_text(directory / "report.html", sweep_page(title, data));
+}
+
 void write_sweep_report(const fs::path& directory, const SweepResult& result) {
   std::vector<std::vector<TaskCurve>> curves;
   for (const auto& task : result) curves.push_back(task.curves);
-  write_page(directory, "sweep.json", sweep_page,
-             [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
+  const auto [title, data] = read_page_data(directory / "sweep.json",
+                                            [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
+  write_text(directory / "report.html", sweep_page(title, data));
 }
 
 }  // namespace breccia

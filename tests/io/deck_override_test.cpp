@@ -128,6 +128,13 @@ TEST_F(DeckOverride, TheContentKnowsNoCommentsAndNoKeyLeftOut) {
   EXPECT_NE(content("a = 'b'"), content("a = 'c'"));
 }
 
+TEST(SplitPath, RefusesStepsWithoutEnd) {
+  std::string path = "a";
+  for (int step = 0; step < 99; ++step) path += ".a";
+  EXPECT_EQ(split_path(path).value().size(), 100U);
+  EXPECT_FALSE(split_path(path + ".a"));
+}
+
 TEST(TomlText, ReadsBackAsTheSame) {
   const test::TemporaryDirectory directory;
   const std::vector<Scalar> values{true, std::int64_t{-3}, 2.0, 0.1, 1e300, std::string("a \"b\" \\ \n")};

@@ -205,5 +205,43 @@ TEST_F(DeckTest, AMissingDeckIsBadUsage) {
               HasSubstr("expected a deck, got a directory"));
 }
 
+TEST_F(DeckTest, RefusesAKeyWithoutEnd) {
+  std::string key = "a";
+  for (int step = 0; step < 5000; ++step) key += ".a";
+  EXPECT_EQ(
+      without_directory(test::message_of<InputError>([&] { static_cast<void>(read("a = 1\n" + key + " = 1\n")); })),
+      "deck.toml:2:1: expected a key, got one with more than 4096 dots");
+}
+
+TEST_F(DeckTest, WhatCannotBeTheNameOfAFileIsNone) {
+  const std::string name(300, 'a');
+  const auto deck = read("file = \"" + name + "\"\n");
+  EXPECT_EQ(deck.root().file("file"), "");
+  EXPECT_EQ(mistakes(deck), "deck.toml:1:8: file: no such file: " + name);
+  EXPECT_EQ(test::message_of<InputError>([&] { const Deck none(name); }), name + ": no such deck");
+}
+
+TEST_F(DeckTest, AMistakeIsOneLineWhateverItIsAbout) {
+  const auto deck = read("number = \"a\\nb\\u001b[2J\"\n");
+  EXPECT_THAT(deck.root().number("number"), IsNan());
+  EXPECT_EQ(mistakes(deck), "deck.toml:1:10: number: expected a number, got \"a\\u000ab\\u001b[2J\"");
+}
+
+TEST_F(DeckTest, LimitsOfQuantitiesHaveTheirUnits) {
+  const auto deck = read("box = \"1 km\"\n");
+  EXPECT_THAT(deck.root().quantity("box", Dimension::length, {.lower = 1e-6, .upper = 0.5}), IsNan());
+  EXPECT_EQ(mistakes(deck), "deck.toml:1:7: box: expected a length from 1 um to 500 mm, got \"1 km\"");
+}
+
+TEST_F(DeckTest, AnUnreadCopyKnowsNothingOfWhatWasAsked) {
+  const auto deck = read("a = 1\nb = 2\n");
+  static_cast<void>(deck.root().number("a"));
+  EXPECT_EQ(deck.mistakes().size(), 1U);
+  const auto copy = deck.unread_copy();
+  EXPECT_TRUE(copy.mistakes().empty());
+  EXPECT_EQ(copy.root().number("b"), 2.0);
+  EXPECT_EQ(mistakes(copy), "deck.toml:1:1: unknown key \"a\", did you mean \"b\"?");
+}
+
 }  // namespace
 }  // namespace breccia

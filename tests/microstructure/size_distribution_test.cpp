@@ -209,7 +209,8 @@ TEST(DrawDiameters, BadArguments) {
   expect_error<InputError>([&] { return draw_diameters(sizes, 0.0, 1e-3); }, "between 0 and 1", "got 0");
   expect_error<InputError>([&] { return draw_diameters(sizes, 1.0, 1e-3); }, "between 0 and 1");
   expect_error<InputError>([&] { return draw_diameters(sizes, 0.5, -1e-3); }, "side", "-0.001 m");
-  expect_error<InputError>([&] { return draw_diameters(sizes, 0.1, 5e-6); }, "less than half a particle");
+  expect_error<NumericalError>([&] { return draw_diameters(sizes, 0.1, 5e-6); }, "less than half a particle");
+  expect_error<NumericalError>([&] { return draw_diameters(sizes, 0.5, 1e-2); }, "more than 1000000 particles");
   expect_error<InputError>([&] { return draw_diameters(hmx(), 0.5, 1e-3); }, "truncate it", "inf m");
 }
 

@@ -104,5 +104,13 @@ temperature = "-120 degC")")),
   EXPECT_THAT(mistakes(shift("law = \"arrhenius\"")), HasSubstr("expected \"wlf\" (nothing else is available)"));
 }
 
+TEST_F(DeckMaterials, BeyondAllScales) {
+  EXPECT_THAT(mistakes("shear = { terms = [{ time = \"1 s\", modulus = \"1e308 Pa\" }, "
+                       "{ time = \"2 s\", modulus = \"1e308 Pa\" }] }"),
+              HasSubstr("shear.terms: expected a modulus above zero"));
+  EXPECT_THAT(mistakes("shear = { terms = [{ time = \"1e-200 s\", modulus = \"1 Pa\" }] }"),
+              HasSubstr("shear.terms: expected relaxation times between 1e-100 s and 1e100 s"));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -223,5 +223,21 @@ TEST_F(DeckStages, MistakesInATableOfSizes) {
               HasSubstr("the table has no sizes from 1 mm to 2 mm: it covers 100 um to 200 um"));
 }
 
+TEST_F(DeckStages, WhatNoBoxHolds) {
+  constexpr auto one_size = "fraction = 0.5, sizes = { diameter = \"1 mm\" }, gap = ";
+  EXPECT_THAT(mistakes(test::join(one_size, "\"inf points\""), random_packing), HasSubstr("got \"inf points\""));
+  EXPECT_THAT(mistakes(test::join(one_size, "\"6 mm\""), random_packing),
+              HasSubstr("stages.a.filler.gap: a gap of 6 mm does not fit into a box of 6 mm"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 um\", \"2 um\"], counts = [1000000, 1] }", random_packing),
+              HasSubstr("counts: expected at most 1000000 particles, got 1000001"));
+  EXPECT_THAT(mistakes("fraction = 0.5, from = \"1 um\", to = \"1 mm\", sizes = { lognormal = [{ median = \"154 m\", "
+                       "sigma = 0.76 }] }",
+                       random_packing),
+              HasSubstr("stages.a.filler.sizes: size distribution: nothing of it"));
+  EXPECT_THAT(directory.mistakes(test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n",
+                                            "box = \"1e200 m\"\ncells = 60\n", test::tests)),
+              HasSubstr("stages.a.box: expected a length from 0.001 nm to 1e+06 m, got \"1e200 m\""));
+}
+
 }  // namespace
 }  // namespace breccia

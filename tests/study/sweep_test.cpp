@@ -11,6 +11,7 @@ namespace breccia {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 class SweepDeck : public testing::Test {
  protected:
@@ -82,6 +83,23 @@ TEST_F(SweepDeck, RangesOfNumbers) {
   EXPECT_THAT(names("[sweep]\n\"tests.quasistatic.tolerance\" = "
                     "{ from = 1e-6, to = 1e-4, count = 3, spacing = \"logarithmic\" }\n"),
               ElementsAre("tolerance-1e-06", "tolerance-1e-05", "tolerance-0.0001"));
+}
+
+TEST_F(SweepDeck, RangesReachAsFarAsNumbersDo) {
+  constexpr auto seeds = "[sweep]\n\"stages.0.packing.seed\" = ";
+  EXPECT_THAT(names(test::join(seeds, "{ from = 9223372036854775806, to = 9223372036854775807 }\n")),
+              ElementsAre("seed-9223372036854775806", "seed-9223372036854775807"));
+  EXPECT_THAT(names(test::join(seeds, "{ from = 1, to = 9223372036854775807, count = 3 }\n")),
+              ElementsAre("seed-1", "seed-4611686018427387904", "seed-9223372036854775807"));
+  const auto fractions = [&](const char* range) {
+    return mistakes(test::join("[sweep]\n\"stages.0.filler.fraction\" = ", range, "\n"));
+  };
+  EXPECT_THAT(fractions("{ from = -1e308, to = 1e308, count = 3 }"),
+              HasSubstr("expected a number between 0 and 1, got -1e+308"));
+  EXPECT_THAT(fractions("{ from = 1e-320, to = 1e300, count = 2, spacing = \"logarithmic\" }"),
+              HasSubstr("expected a number between 0 and 1, got 1e+300"));
+  EXPECT_THAT(fractions("{ from = -9223372036854775807, to = 9223372036854775807 }"),
+              HasSubstr("expected at most 1000 values, got 1.84467e+19"));
 }
 
 TEST_F(SweepDeck, NamesTellKeysAndFilesApart) {

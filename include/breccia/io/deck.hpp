@@ -151,6 +151,9 @@ class Deck {
   Deck& operator=(Deck&&) noexcept;
   ~Deck();
 
+  /// The same deck with nothing asked of it yet, and without the mistakes found so far.
+  [[nodiscard]] Deck unread_copy() const;
+
   /// Replaces or adds a value, before the deck is read, and returns the paths of all that it has replaced: more than
   /// one where the path has a `*`. A path that leads nowhere is a mistake, and returns none.
   std::vector<std::string> set(const Setting& setting);
@@ -174,6 +177,8 @@ class Deck {
   void finish() const { refuse_mistakes(path(), mistakes()); }
 
  private:
+  explicit Deck(std::unique_ptr<detail::DeckState> state);
+
   std::unique_ptr<detail::DeckState> state_;
 };
 

@@ -48,7 +48,8 @@ struct Setting {
   PlacedScalar value;
 };
 
-/// The steps of a dotted path; a step in double quotes may hold dots. Nothing when a step is empty.
+/// The steps of a dotted path; a step in double quotes may hold dots. Nothing when a step is empty, or when
+/// they are more than a hundred.
 std::optional<std::vector<std::string>> split_path(std::string_view path);
 
 }  // namespace breccia

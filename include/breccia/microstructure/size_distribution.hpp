@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <variant>
 #include <vector>
@@ -55,10 +56,14 @@ class SizeDistribution {
   double within_ = 1.0;  // share of the law from `smallest_` to `largest_`
 };
 
+/// More particles in a box are taken for a mistake, which would run for days.
+inline constexpr std::size_t most_particles = 1'000'000;
+
 /// Diameters [m], from the largest down, of discs that fill `fraction` of a square of this side [m] and follow the
 /// distribution as closely as whole discs can: each sits at the middle of its own slice of the cumulative area, so the
 /// drawn distribution and the total area agree with what was asked within one disc. Uses no random numbers.
-/// Throws InputError if a bound of the distribution is 0 or infinite, or if not even one disc is to be drawn.
+/// Throws InputError if a bound of the distribution is 0 or infinite, NumericalError if not even one disc is to be
+/// drawn, or more than most_particles.
 [[nodiscard]] std::vector<double> draw_diameters(const SizeDistribution& distribution, double fraction, double side);
 
 /// Largest difference between the distribution and that of discs with these diameters [m], both by area.

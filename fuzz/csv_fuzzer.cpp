@@ -1,0 +1,36 @@
+// A CSV file, and everything that is read from one: Prony series, sizes, discs, measurements, data to fit.
+
+#include "breccia/io/csv.hpp"
+#include "breccia/study/deck.hpp"
+
+#include "cli/fit_data.hpp"
+#include "input_folder.hpp"
+#include "refusal.hpp"
+#include "study_reading.hpp"
+
+namespace {
+
+using namespace breccia;
+
+bool has(std::string_view text, std::string_view column) {
+  return text.find(column) != std::string_view::npos;
+}
+
+/// A deck that names the file as what its columns say it is.
+const char* deck_for(std::string_view text) {
+  if (has(text, "x_m")) return "discs_input.toml";
+  if (has(text, "diameter_m")) return "sizes_input.toml";
+  return has(text, "relaxation_time_s") ? "prony_input.toml" : "measured_input.toml";
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
+  static const fuzz::InputFolder folder;
+  const auto text = fuzz::text_of(data, size);
+  const auto file = folder.written("input.csv", text);
+  fuzz::allow_refusal([&] { static_cast<void>(cli::read_fit_data(file)); });
+  if (has(text, "stage")) fuzz::allow_refusal([&] { static_cast<void>(read_csv(file, {"stage", "load", "cells"})); });
+  fuzz::allow_refusal([&] { fuzz::look_through(read_study(folder.path() / deck_for(text))); });
+  return 0;
+}

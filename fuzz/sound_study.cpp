@@ -1,0 +1,92 @@
+#include "sound_study.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace breccia::fuzz {
+
+namespace {
+
+void require(bool is_so, const std::string& what) {
+  if (!is_so) throw std::logic_error("accepted without " + what);
+}
+
+bool is_positive(double value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+void require_sound(const PronySeries& series) {
+  require(is_positive(series.unrelaxed()), "a positive modulus");
+  for (const auto& [relaxation_time, modulus] : series.terms()) {
+    require(is_positive(relaxation_time), "positive relaxation times");
+    require(modulus >= 0.0, "moduli that are not negative");
+  }
+}
+
+void require_sound(const Material& material) {
+  require(is_positive(material.density), "a positive density");
+  require_sound(material.bulk);
+  require_sound(material.shear);
+}
+
+struct RequireSizes {
+  void operator()(const SingleSize& sizes) const { require(is_positive(sizes.diameter), "a diameter"); }
+  void operator()(const ListedSizes& sizes) const {
+    require(!sizes.diameters.empty(), "sizes in the list");
+    for (const double diameter : sizes.diameters) require(is_positive(diameter), "positive diameters in the list");
+  }
+  void operator()(const LognormalSizes& sizes) const {
+    require(!sizes.components.empty(), "components of the distribution");
+    for (const auto& [weight, median, sigma] : sizes.components) {
+      require(is_positive(weight) && weight <= 1.0, "weights of the components");
+      require(is_positive(median) && is_positive(sigma), "a median and a width of the components");
+    }
+  }
+  void operator()(const TabulatedSizes& sizes) const {
+    require(sizes.diameters.size() >= 2 && is_positive(sizes.diameters.front()), "diameters in the table");
+  }
+};
+
+void require_sound(const Filler& filler, double side) {
+  require_sound(filler.material);
+  if (filler.fraction) require(*filler.fraction > 0.0 && *filler.fraction < 1.0, "a fraction between 0 and 1");
+  if (filler.smallest) require(*filler.smallest < *filler.largest, "sizes from the smallest to the largest");
+  if (filler.sizes) std::visit(RequireSizes(), *filler.sizes);
+  require(filler.gap >= 0.0 && std::isfinite(filler.gap), "a gap");
+  if (const auto* listed = std::get_if<ExplicitPacking>(&filler.packing)) {
+    require(!listed->discs.empty(), "discs");
+    for (const auto& disc : listed->discs) {
+      require(is_positive(disc.diameter) && disc.diameter <= side, "diameters of discs within the box");
+    }
+  }
+}
+
+void require_sound(const Stage& stage) {
+  require(!stage.name.empty() && stage.name.find_first_of("/\\") == std::string::npos, "a name for its directory");
+  if (const auto* matrix = std::get_if<Material>(&stage.matrix)) require_sound(*matrix);
+  require(is_positive(stage.side) && is_positive(stage.side * stage.side), "an area of the box");
+  require(stage.cells >= 2 && is_positive(stage.cell_size()), "cells");
+  if (stage.filler) require_sound(*stage.filler, stage.side);
+}
+
+}  // namespace
+
+void require_sound(const Study& study) {
+  for (const auto& material : study.materials) require_sound(material);
+  require(!study.stages.empty(), "stages");
+  for (const auto& stage : study.stages) require_sound(stage);
+  const auto& tests = study.tests;
+  require(!tests.loads.empty() && !tests.bounds.empty() && !tests.methods.empty(), "tests");
+  require(is_positive(tests.first_time) && is_positive(tests.last_time) && tests.first_time < tests.last_time, "times");
+  require(tests.points_per_decade > 0, "points of the curves");
+  for (const double time : tests.field_times) {
+    require(time >= tests.first_time && time <= tests.last_time, "times of fields within those of the tests");
+  }
+  for (const auto& measurement : study.measurements) {
+    const auto known = measurement.known_within({tests.first_time, tests.last_time});
+    if (known) require(is_positive(measurement.at(known->begin)), "a measured modulus");
+  }
+}
+
+}  // namespace breccia::fuzz

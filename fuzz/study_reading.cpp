@@ -1,0 +1,44 @@
+#include "study_reading.hpp"
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/deck.hpp"
+#include "breccia/study/sweep.hpp"
+
+#include "cli/summary.hpp"
+#include "sound_study.hpp"
+#include "study/sweep_keys.hpp"
+
+/// The parser of UDUNITS-2 forgets the letters of a unit that it does not understand. What breccia forgets is found.
+extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier,*-naming)
+  return "leak:utlex";
+}
+
+namespace breccia::fuzz {
+
+namespace {
+
+std::size_t tasks_of(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                     const std::vector<std::string>& swept) {
+  Deck document(deck, overrides);
+  for (const auto& key : swept) document.add("sweep", "--sweep", key);
+  std::size_t tasks = 1;
+  for (const auto& key : read_keys(document.root())) tasks *= key.values.size();
+  return tasks;
+}
+
+}  // namespace
+
+void look_through(const Study& study) {
+  require_sound(study);
+  static_cast<void>(cli::summary(study));
+}
+
+void read_deck(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+               const std::vector<std::string>& swept) {
+  // The hundredth task of a sweep shows nothing that the tenth does not, and takes as long.
+  constexpr std::size_t most_tasks = 12;
+  if (tasks_of(deck, overrides, swept) > most_tasks) return look_through(read_study(deck, overrides));
+  for (const auto& task : read_sweep(deck, overrides, swept).tasks) look_through(task.study);
+}
+
+}  // namespace breccia::fuzz

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/microstructure/size_distribution.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// The distribution that a random packing is drawn from; none for a list of particles. Throws InputError when nothing
+/// of it lies between the smallest and the largest size of the filler.
+std::optional<SizeDistribution> distribution_of(const Filler& filler);
+
+}  // namespace breccia

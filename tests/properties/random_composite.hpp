@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "breccia/experiment/dynamic_test.hpp"
+#include "breccia/experiment/quasistatic_test.hpp"
+#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia::test {
+
+/// A composite of chance: a few discs in a matrix that relaxes.
+struct Composite {
+  Microstructure box;
+  std::vector<Material> materials;  ///< matrix and filler
+  Volumetric volumetric = Volumetric::averaged;
+};
+
+/// What the filler of a composite may do.
+enum class FillerKind { elastic, relaxing };
+
+/// The same for a seed on every machine. The moduli, their ratios between the phases and of K to G go over decades;
+/// a spectrum has one to six terms between 0.1 ms and 1 s.
+Composite random_composite(std::uint64_t seed, FillerKind filler = FillerKind::elastic);
+
+/// In which the composites are tested [s].
+inline constexpr TimeWindow window = {1e-3, 0.1};
+inline constexpr int cells = 12;
+
+/// In shear and in bulk.
+QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary);
+DynamicTest dynamic_test(const Composite& composite, Boundary boundary);
+
+inline constexpr std::array boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
+
+}  // namespace breccia::test
