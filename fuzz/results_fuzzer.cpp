@@ -17,7 +17,7 @@ void read_json(const fuzz::InputFolder& folder, std::string_view text) {
   folder.write("sweep.json", text);
   Study study;
   study.hash = "0123456789abcdef";
-  fuzz::allow_refusal([&] { static_cast<void>(time_of_complete_run(study, folder.path())); });
+  fuzz::allow_refusal([&] { static_cast<void>(take_over_complete_run(study, folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(study_page_data(folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(sweep_page_data(folder.path())); });
 }

@@ -52,7 +52,7 @@ RunOptions options_of(const RunArguments& arguments) {
 
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
-  if (arguments.resume && time_of_complete_run(study, directory)) {
+  if (arguments.resume && take_over_complete_run(study, directory)) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
     return;
   }

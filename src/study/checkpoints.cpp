@@ -1,6 +1,7 @@
 #include "checkpoints.hpp"
 
 #include <cstdint>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -34,19 +35,23 @@ Checkpoint Checkpoints::open(const Stage& stage, const std::string& name) const 
   return checkpoint;
 }
 
-void Checkpoints::remove() const {
-  for (const auto& stage : study_->stages) {
+bool is_checkpoint(std::string_view name) {
+  return name.ends_with(".checkpoint.h5") || name.ends_with(".checkpoint.older.h5");
+}
+
+bool remove_checkpoints(const Study& study, const std::filesystem::path& directory) {
+  bool were_any = false;
+  for (const auto& stage : study.stages) {
+    std::error_code is_missing;
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(*directory_ / stage.name)) {
+    for (const auto& entry : std::filesystem::directory_iterator(directory / stage.name, is_missing)) {
       auto name = entry.path().filename().string();
       if (is_checkpoint(name)) names.push_back(std::move(name));
     }
-    remove_files(*directory_ / stage.name, names);
+    remove_files(directory / stage.name, names);
+    were_any = were_any || !names.empty();
   }
-}
-
-bool is_checkpoint(std::string_view name) {
-  return name.ends_with(".checkpoint.h5") || name.ends_with(".checkpoint.older.h5");
+  return were_any;
 }
 
 void save(StateWriter& state, const std::vector<FieldRecord>& fields) {

@@ -20,9 +20,6 @@ class Checkpoints {
   [[nodiscard]] Checkpoint of_quasistatic(const Stage& stage, Boundary boundary, int cells) const;
   [[nodiscard]] Checkpoint of_dynamic(const Stage& stage, Load load, Boundary boundary, int cells) const;
 
-  /// Removes all of them, once the study is done.
-  void remove() const;
-
  private:
   [[nodiscard]] Checkpoint open(const Stage& stage, const std::string& name) const;
 
@@ -34,6 +31,9 @@ class Checkpoints {
 
 /// Is this the name of a checkpoint?
 bool is_checkpoint(std::string_view name);
+
+/// Removes all checkpoints of a study, once it is done. Returns whether there were any.
+bool remove_checkpoints(const Study& study, const std::filesystem::path& directory);
 
 /// Leaves the names of field files in a state, and takes them up.
 void save(StateWriter& state, const std::vector<FieldRecord>& fields);

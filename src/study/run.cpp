@@ -260,7 +260,7 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   write_once([&] {
     write_provenance(directory, study, result);
     write_study_report(directory);
-    checkpoints.remove();
+    remove_checkpoints(study, directory);
   });
   return result;
 }

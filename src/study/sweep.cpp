@@ -70,7 +70,7 @@ class SweepRun {
   }
 
   void take_over(std::size_t task) {
-    const auto seconds = time_of_complete_run(sweep_.tasks[task].study, directory_of(task));
+    const auto seconds = take_over_complete_run(sweep_.tasks[task].study, directory_of(task));
     if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
   }
 

@@ -8,8 +8,9 @@
 namespace breccia {
 
 /// Wall time [s] of the run that left its results in a directory, if they are complete, and of this study, its data
-/// files and this version of Breccia. Throws FileError when `study.json` cannot be read.
-std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
+/// files and this version of Breccia. Does for a run that was killed at its very end what was left: its page and the
+/// checkpoints. Throws FileError when `study.json` cannot be read.
+std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory);
 
 /// Throws InputError, telling what differs, when a directory holds results, complete or not, of another study or
 /// version of Breccia. A `study.json` that cannot be understood tells nothing.
