@@ -1,10 +1,7 @@
 // A reduced response as a part of the state of a calculation.
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
-#include <fmt/format.h>
-
-#include "breccia/error.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 
 namespace breccia {
@@ -14,13 +11,10 @@ void save_matrix(StateWriter& state, const std::string& name, const Eigen::Matri
   state.write(name, std::span(matrix.data(), static_cast<std::size_t>(matrix.size())));
 }
 
-Eigen::MatrixXd read_square(const StateReader& state, const std::string& name) {
-  const auto values = state.numbers(name);
-  const auto side = std::lround(std::sqrt(static_cast<double>(values.size())));
-  if (static_cast<std::size_t>(side * side) != values.size()) {
-    throw FileError(fmt::format("{}: expected a square matrix, got {} numbers", name, values.size()));
-  }
-  return Eigen::Map<const Eigen::MatrixXd>(values.data(), side, side);
+Eigen::MatrixXd read_square(const StateReader& state, const std::string& name, std::size_t side) {
+  const auto values = state.numbers(name, side * side);
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(side),
+                                           static_cast<Eigen::Index>(side));
 }
 
 }  // namespace
@@ -49,12 +43,14 @@ ReducedResponse read_response(const StateReader& state, const std::string& group
   ReducedResponse response;
   response.load = static_cast<Load>(state.integer(group + "/load"));
   response.boundary = static_cast<Boundary>(state.integer(group + "/boundary"));
-  response.filler = read_square(state, group + "/filler_Pa");
-  response.matrix_shear = read_square(state, group + "/matrix_shear");
-  response.matrix_bulk = read_square(state, group + "/matrix_bulk");
-  const auto forces = state.numbers(group + "/load_forces", static_cast<std::size_t>(response.filler.rows()));
-  response.load_forces = Eigen::Map<const Eigen::VectorXd>(forces.data(), response.filler.rows());
-  response.residual_products = read_square(state, group + "/residual_products");
+  const auto forces = state.numbers(group + "/load_forces");
+  const auto size = forces.size();
+  response.load_forces = Eigen::Map<const Eigen::VectorXd>(forces.data(), static_cast<Eigen::Index>(size));
+  response.filler = read_square(state, group + "/filler_Pa", size);
+  response.matrix_shear = read_square(state, group + "/matrix_shear", size);
+  response.matrix_bulk = read_square(state, group + "/matrix_bulk", size);
+  // Of three parts of each vector, and the load.
+  response.residual_products = read_square(state, group + "/residual_products", 3 * size + 1);
   response.residual_scale = state.number(group + "/residual_scale");
   const auto shear = state.numbers(group + "/snapshots/shear_Pa");
   const auto bulk = state.numbers(group + "/snapshots/bulk_Pa", shear.size());

@@ -1,0 +1,74 @@
+// What a run goes on from. An input that begins with a slash lists the numbers of a state, which is written as a run
+// does, with its checksum, and then read by all that reads states. Any other stands for the bytes of the file: they
+// must be refused before the HDF5 library sees them, which is known to crash on hostile files.
+
+#include <sstream>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/study/microstructures.hpp"
+
+#include "experiment/dynamic_state.hpp"
+#include "experiment/quasistatic_state.hpp"
+#include "input_folder.hpp"
+#include "refusal.hpp"
+
+namespace {
+
+using namespace breccia;
+
+/// Lines `/name i 1` and `/name d 0.5 1e3 ...` and `/name t word`.
+void write_state(const std::filesystem::path& path, std::string_view text) {
+  StateWriter state(path, {"0123456789abcdef", "1.0"});
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string name, word;
+    char kind = 'd';
+    words >> name >> kind;
+    if (kind == 'i') {
+      std::int64_t value = 0;
+      words >> value;
+      state.write(name, value);
+    } else if (kind == 't') {
+      words >> word;
+      state.write(name, word);
+    } else {
+      std::vector<double> values;
+      for (double value = 0.0; words >> value;) values.push_back(value);
+      state.write(name, values);
+    }
+  }
+  state.commit();
+}
+
+void read_all(const StateReader& state) {
+  static const Discretisation two_cells({2, 1, 1e-3});
+  const auto read = [](const auto& action) { fuzz::allow_refusal([&] { static_cast<void>(action()); }); };
+  read([&] { return read_stage_microstructure(state); });
+  read([&] { return read_quasistatic_result(state); });
+  read([&] { return read_domains(state); });
+  read([&] { return read_domain(state, "/running"); });
+  read([&] { return read_fields(state, "/fields", two_cells); });
+  read([&] { return state.text("/field_file/0/file"); });
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {  // NOLINT(*-naming)
+  static const fuzz::InputFolder folder;
+  const auto text = fuzz::text_of(data, size);
+  const auto path = folder.path() / "state.h5";
+  if (!text.starts_with('/')) {
+    folder.write("state.h5", text);
+    fuzz::allow_refusal([&] { read_all(StateReader(path)); });
+    return 0;
+  }
+  bool is_written = false;
+  fuzz::allow_refusal([&] {
+    write_state(path, text);
+    is_written = true;
+  });
+  if (is_written) read_all(StateReader(path));
+  return 0;
+}
