@@ -1,12 +1,15 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 
 #include <cstdint>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/seal.hpp"
 #include "breccia/parallel/reduction.hpp"
+#include "breccia/parallel/session.hpp"
 
 namespace breccia {
 namespace {
@@ -28,6 +31,12 @@ void require_owner(const std::filesystem::path& path, const StateOwner& found, c
   }
 }
 
+/// A damaged file must not become the older of two states.
+void set_aside(const std::filesystem::path& path) {
+  std::error_code is_gone;
+  if (parallel::rank() == 0) std::filesystem::rename(path, path.string() + ".damaged", is_gone);
+}
+
 }  // namespace
 
 Checkpoint::Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointSchedule schedule)
@@ -35,18 +44,25 @@ Checkpoint::Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointS
 
 std::vector<std::string> Checkpoint::look_for_earlier() {
   std::vector<std::string> problems;
+  double which = 0.0;
   for (const auto& path : {path_, older_state(path_)}) {
     if (!std::filesystem::exists(path)) continue;
     try {
       earlier_.emplace(path);
-    } catch (const FileError& error) {
+    } catch (const DamagedFile& error) {
       problems.emplace_back(error.what());
+      set_aside(path);
       continue;
     }
     require_owner(path, earlier_->owner(), owner_);
+    which = path == path_ ? 1.0 : 2.0;
     break;
   }
-  const auto* instead = earlier_ ? "the one before it is used" : "what it was for begins anew";
+  if (parallel::largest(which) != -parallel::largest(-which)) {
+    throw FileError(fmt::format(
+        "{}: not all processes see the same checkpoints; results must be on a disk that all share", path_.string()));
+  }
+  const auto* instead = earlier_ ? "the one before it is used" : "this packing or test begins anew";
   for (auto& problem : problems) problem += fmt::format("; {}", instead);
   return problems;
 }
@@ -70,6 +86,8 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
   writer.commit();
+  // Nobody leaves, and ends the others, while the first process writes.
+  static_cast<void>(parallel::largest(0.0));
   last_ = Clock::now();
 }
 

@@ -55,7 +55,7 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
 std::string quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
   const double unknowns = 2.0 * cells * cells;
   return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB, some {}\n", stage.name,
-                     bound_of(boundary), cells, cells, unknowns, quasistatic_memory(study, cells) / 1e6,
+                     bound_of(boundary), cells, cells, unknowns, quasistatic_memory(study, stage, cells) / 1e6,
                      display(quasistatic_time(study, stage, unknowns), "s", 1));
 }
 

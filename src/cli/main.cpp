@@ -87,6 +87,9 @@ void end_all(const Outcome& outcome) {
   namespace parallel = breccia::parallel;
   constexpr std::chrono::seconds while_the_first_speaks(3);
   if (!parallel::is_first()) std::this_thread::sleep_for(while_the_first_speaks);
+  constexpr std::chrono::seconds while_others_write(10);
+  const bool is_interrupted = outcome.exit_code == breccia::ExitCode::interrupted;
+  if (is_interrupted && parallel::groups() > 1) std::this_thread::sleep_for(while_others_write);
   if (!outcome.failure.empty()) {
     const int process = parallel::group() * parallel::ranks() + parallel::rank();
     fmt::print(stderr, "{}{}\n", process > 0 ? fmt::format("process {}: ", process) : "", outcome.failure);

@@ -57,7 +57,7 @@ StudyObserver narrate(Progress& progress) {
         stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin, domain.window.end,
         domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
-  observer.noted = [&progress](const std::string& note) { progress.print(note); };
+  observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;
 }
 

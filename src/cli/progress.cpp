@@ -50,4 +50,11 @@ void Progress::print(std::string_view line) {
   (void)std::fflush(stdout);
 }
 
+void Progress::note(std::string_view line) {
+  if (line_is_live_) fmt::print(stderr, "\r\x1b[K");
+  line_is_live_ = false;
+  fmt::print(stderr, "{}\n", line);
+  (void)std::fflush(stderr);
+}
+
 }  // namespace breccia::cli

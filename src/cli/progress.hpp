@@ -16,6 +16,8 @@ class Progress {
   void update(std::string_view what, double share, std::string_view details);
   /// A line that stays.
   void print(std::string_view line);
+  /// Prints a line that nobody should miss, on standard error, even when quiet.
+  void note(std::string_view line);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -104,15 +104,34 @@ void RowExchange::gather(std::span<double> values, int rows) const {
                  parallel::communicator());
 }
 
-std::vector<double> RowExchange::collect(std::span<const double> own) const {
-  if (ranks_ == 1) return {own.begin(), own.end()};
-  const auto count = static_cast<int>(own.size());
-  std::vector<int> counts(static_cast<std::size_t>(ranks_)), begins(counts.size());
-  MPI_Gather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, parallel::communicator());
-  std::exclusive_scan(counts.begin(), counts.end(), begins.begin(), 0);
-  std::vector<double> all(rank_ == 0 ? static_cast<std::size_t>(begins.back() + counts.back()) : 0);
-  MPI_Gatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), begins.data(), MPI_DOUBLE, 0,
-              parallel::communicator());
+std::span<const double> RowExchange::collect(std::span<const double> own, std::vector<double>& all) const {
+  if (ranks_ == 1) return own;
+  // MPI counts in 32 bits.
+  constexpr std::size_t portion = std::size_t{1} << 28U;
+  std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
+  const std::uint64_t count = own.size();
+  MPI_Gather(&count, 1, MPI_UINT64_T, counts.data(), 1, MPI_UINT64_T, 0, parallel::communicator());
+  const auto in_portions = [&](std::size_t size, const auto& pass) {
+    for (std::size_t done = 0; done < size; done += portion) {
+      pass(done, static_cast<int>(std::min(portion, size - done)));
+    }
+  };
+  if (rank_ > 0) {
+    in_portions(own.size(), [&](std::size_t begin, int length) {
+      MPI_Send(own.data() + begin, length, MPI_DOUBLE, 0, 0, parallel::communicator());
+    });
+    return {};
+  }
+  all.resize(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  std::copy(own.begin(), own.end(), all.begin());
+  std::size_t place = own.size();
+  for (int rank = 1; rank < ranks_; ++rank) {
+    const auto size = counts[static_cast<std::size_t>(rank)];
+    in_portions(size, [&](std::size_t begin, int length) {
+      MPI_Recv(all.data() + place + begin, length, MPI_DOUBLE, rank, 0, parallel::communicator(), MPI_STATUS_IGNORE);
+    });
+    place += size;
+  }
   return all;
 }
 

@@ -38,8 +38,9 @@ class RowExchange {
   void gather_cell_rows(std::span<double> values) const;
   void gather_node_rows(std::span<double> values) const;
 
-  /// What all processes have of something that each knows for its own rows, in their order; on the first process.
-  [[nodiscard]] std::vector<double> collect(std::span<const double> own) const;
+  /// What all processes have of something that each knows for its own rows, in their order; on the first process, where
+  /// it is put into `all`. A process alone gets its own back.
+  [[nodiscard]] std::span<const double> collect(std::span<const double> own, std::vector<double>& all) const;
   /// Where the share of this process begins in it, and how long the whole is.
   struct Place {
     std::size_t begin;

@@ -100,7 +100,7 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
-  // Some milliseconds, after which the number of threads may be another.
+  // Some milliseconds at most, after which the number of threads may be another.
   constexpr std::size_t points_x_steps = 4'000'000;
   const auto chunks = points_x_steps / problem().discretisation.points() / static_cast<std::size_t>(chunk_) + 1;
   const int turn = static_cast<int>(chunks) * chunk_;
@@ -349,5 +349,4 @@ Averages TotalLagrangian::averages(std::int64_t step, int place) const {
   return averages;
 }
 
-/// A row of nodes stays in the cache between the two rows of cells around it; forces never leave it.
 }  // namespace breccia::dynamics

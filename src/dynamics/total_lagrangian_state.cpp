@@ -144,7 +144,8 @@ Vector<2> TotalLagrangian::most_moved() const {
 void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) const {
   fetch_nodes();
   state.write(group + "/nodes", nodes_);
-  state.write(group + "/history", exchange_.collect(layout_.history()));
+  std::vector<double> all;
+  state.write(group + "/history", exchange_.collect(layout_.history(), all));
 }
 
 void TotalLagrangian::restore_arrays(const StateReader& state, const std::string& group) {

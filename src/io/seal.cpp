@@ -1,18 +1,18 @@
 #include "breccia/io/seal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
 #include <memory>
+#include <new>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
@@ -27,6 +27,10 @@ constexpr std::size_t seal_length = mark.size() + digits + 1;
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
   throw FileError(fmt::format("{}: {}", path.string(), what));
+}
+
+[[noreturn]] void fail_as_damaged(const std::filesystem::path& path, std::string_view how) {
+  throw DamagedFile(fmt::format("{}: {}", path.string(), how));
 }
 
 [[noreturn]] void fail_by_system(const std::filesystem::path& path, std::string_view action) {
@@ -57,14 +61,6 @@ std::uintmax_t size_of(const std::filesystem::path& path) {
   return size;
 }
 
-void wait_for_disk(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-  if (file < 0) fail_by_system(path, "write");
-  const bool is_done = ::fsync(file) == 0;
-  ::close(file);
-  if (!is_done) fail_by_system(path, "write");
-}
-
 }  // namespace
 
 void seal(const std::filesystem::path& path) {
@@ -73,19 +69,19 @@ void seal(const std::filesystem::path& path) {
   file << mark << hash << '\n';
   file.close();
   if (!file) fail_by_system(path, "write");
-  wait_for_disk(path);
 }
 
 void require_sealed(const std::filesystem::path& path) {
   const auto size = size_of(path);
-  if (size < seal_length) fail(path, "torn, or no checkpoint of Breccia");
+  if (size < seal_length) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
   std::ifstream file(path, std::ios::binary);
   std::array<char, seal_length> end{};
   file.seekg(static_cast<std::streamoff>(size - seal_length));
   if (!file.read(end.data(), end.size())) fail_by_system(path, "read");
   const std::string_view line(end.data(), end.size());
-  if (!line.starts_with(mark) || !line.ends_with('\n')) fail(path, "torn, or no checkpoint of Breccia");
-  if (line.substr(mark.size(), digits) != hash_of(path, size - seal_length)) fail(path, "damaged: wrong checksum");
+  if (!line.starts_with(mark) || !line.ends_with('\n')) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
+  if (line.substr(mark.size(), digits) != hash_of(path, size - seal_length))
+    fail_as_damaged(path, "damaged: wrong checksum");
 }
 
 }  // namespace breccia

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 #include <xxhash.h>
@@ -26,6 +27,20 @@ std::string last_system_error() {
 
 }  // namespace
 
+namespace {
+
+/// Waits until the disk has a file or directory: a name must not survive a power cut without what it names.
+void wait_for_disk(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  // Some file systems know no fsync for directories.
+  const bool is_done = file >= 0 && (::fsync(file) == 0 || errno == EINVAL);
+  const auto reason = last_system_error();
+  if (file >= 0) ::close(file);
+  if (!is_done) throw FileError(fmt::format("{}: cannot write: {}", path.string(), reason));
+}
+
+}  // namespace
+
 AtomicFile::AtomicFile(std::filesystem::path path)
     : path_(std::move(path)), temporary_(fmt::format("{}.{}{}", path_.string(), ::getpid(), partial)) {}
 
@@ -38,10 +53,12 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::commit() {
+  wait_for_disk(temporary_);
   std::error_code error;
   std::filesystem::rename(temporary_, path_, error);
   if (error) throw FileError(fmt::format("{}: cannot write: {}", path_.string(), error.message()));
   temporary_.clear();
+  wait_for_disk(path_.has_parent_path() ? path_.parent_path() : std::filesystem::path("."));
 }
 
 std::string read_text(const std::filesystem::path& path) {

@@ -36,6 +36,7 @@ Checkpoint Checkpoints::open(const Stage& stage, const std::string& name) const 
 }
 
 bool is_checkpoint(std::string_view name) {
+  if (name.ends_with(".damaged")) name.remove_suffix(std::string_view(".damaged").size());
   return name.ends_with(".checkpoint.h5") || name.ends_with(".checkpoint.older.h5");
 }
 

@@ -43,7 +43,9 @@ double left_on_machine() {
 double left_in_control_group() {
   const auto most = number_after("/sys/fs/cgroup/memory.max", "");
   const auto used = number_after("/sys/fs/cgroup/memory.current", "");
-  return most && used ? *most - *used : unlimited;
+  // What of it is files the kernel gives back.
+  const auto files = number_after("/sys/fs/cgroup/memory.stat", "inactive_file");
+  return most && used ? *most - *used + files.value_or(0.0) : unlimited;
 }
 
 double left_of_address_space() {
@@ -77,15 +79,22 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
 
 }  // namespace
 
-double quasistatic_memory(const Study& study, int cells) {
+double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = 2.0 * cells * cells;
+  double steps = 0.0;
+  if (study.tests.quasistatic.solver == Solver::stepping) {
+    // A nodal vector for each term, of the fine run and the coarse one.
+    const auto matrix = expected_matrix(study, stage);
+    const auto terms = matrix.bulk.terms().size() + matrix.shear.terms().size();
+    steps = 2.0 * sizeof(double) * static_cast<double>(terms * loads_of(study, stage).size());
+  }
   if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
-    return unknowns * (640.0 + 60.0 * std::log2(unknowns));
+    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + steps);
   }
   // Substructures and a dozen of nodal vectors; fields take as much again.
   const double fields = study.tests.field_times.empty() ? 0.0 : 340.0;
-  return unknowns * (340.0 + fields);
+  return unknowns * (340.0 + fields + steps);
 }
 
 double available_memory() {
@@ -98,15 +107,16 @@ void require_memory(const Study& study, double available) {
     const int cells = stage.cells;
     for (const auto method : study.tests.methods) {
       const double bytes =
-          method == Method::quasistatic ? quasistatic_memory(study, cells) : dynamic_memory(study, stage, cells);
+          method == Method::quasistatic ? quasistatic_memory(study, stage, cells) : dynamic_memory(study, stage, cells);
       if (bytes <= available) continue;
       const double left = std::max(0.0, available);
+      const int fitting = static_cast<int>(cells * std::sqrt(left / bytes));
       mistakes += fmt::format(
-          "{}{}: {} x {} cells take about {:.2g} GB by the {} method, and {:.2g} GB are left; cells = {} would fit "
+          "{}{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{} "
           "(--no-memory-check runs them nevertheless)",
           mistakes.empty() ? "" : "\n", stage.name, cells, cells, bytes / 1e9,
           method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,
-          static_cast<int>(cells * std::sqrt(left / bytes)));
+          fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : "");
     }
   }
   if (!mistakes.empty()) throw InputError(mistakes);

@@ -93,6 +93,8 @@ TEST_F(CheckpointTest, ATornStateIsNamedAndTheOlderOneUsed) {
               ElementsAre(path_.string() + ": damaged: wrong checksum; the one before it is used"));
   ASSERT_NE(other.earlier(), nullptr);
   EXPECT_EQ(other.earlier()->number("/number"), 1.0);
+  other.save(state(3.0));
+  EXPECT_EQ(StateReader(older_state(path_)).number("/number"), 1.0) << "the good one stays the older one";
 }
 
 TEST_F(CheckpointTest, WithBothTornItBeginsAnew) {
@@ -102,8 +104,9 @@ TEST_F(CheckpointTest, WithBothTornItBeginsAnew) {
   damage(older_state(path_));
   write_text(path_, "of another program");
   auto other = opened();
-  EXPECT_THAT(other.look_for_earlier(), ElementsAre(HasSubstr("no checkpoint of Breccia; what it was for begins anew"),
-                                                    HasSubstr("damaged: wrong checksum; what it was for begins anew")));
+  EXPECT_THAT(other.look_for_earlier(),
+              ElementsAre(HasSubstr("no checkpoint of Breccia; this packing or test begins anew"),
+                          HasSubstr("damaged: wrong checksum; this packing or test begins anew")));
   EXPECT_EQ(other.earlier(), nullptr);
 }
 
