@@ -1,5 +1,6 @@
 #include "breccia/study/microstructures.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/size_distribution.hpp"
@@ -112,6 +114,14 @@ StageMicrostructure read_stage_microstructure(const StateReader& state) {
   const auto y = state.numbers("/y_m", x.size());
   const auto diameters = state.numbers("/diameter_m", x.size());
   for (std::size_t i = 0; i < x.size(); ++i) discs.push_back({{x[i], y[i]}, diameters[i]});
+  const auto is_in_box = [side = side](const Disc& disc) {
+    const auto is_within = [side](double value) { return value >= 0.0 && value <= side; };
+    return is_within(disc.centre[0]) && is_within(disc.centre[1]) && is_within(disc.diameter) && disc.diameter > 0.0;
+  };
+  const bool has_walls = walls == Walls::hard || walls == Walls::periodic;
+  if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(discs, is_in_box)) {
+    throw FileError("a checkpoint of a packing: expected discs in a box");
+  }
   if (state.has("/size_deviation")) result.size_deviation = state.number("/size_deviation");
   result.events = static_cast<std::uint64_t>(state.integer("/events"));
   result.seconds = state.number("/seconds");
