@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "breccia/error.hpp"
+
 #include "classical.hpp"
 
 namespace breccia::dynamics {
@@ -109,7 +111,10 @@ void Classical::restore_arrays(const StateReader& state, const std::string& grou
   std::vector<Point> restored;
   auto number = numbers.begin();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    auto point = *std::ranges::lower_bound(points_, static_cast<std::size_t>(places[i]), {}, &Point::lattice);
+    const auto place = static_cast<std::size_t>(places[i]);
+    const auto found = std::ranges::lower_bound(points_, place, {}, &Point::lattice);
+    if (found == points_.end() || found->lattice != place) throw FileError("a checkpoint: of other points");
+    auto point = *found;
     visit_numbers(point, [&](double& value) { value = *number++; });
     point.cell = static_cast<int>(cells[i]);
     restored.push_back(point);

@@ -72,7 +72,7 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
       }
     }
   } catch (const NumericalError&) {
-    return most;
+    // What was found until then is all there is to compare.
   }
   return most;
 }

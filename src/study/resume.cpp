@@ -46,7 +46,7 @@ std::string difference(const std::string& before, const std::string& now) {
 std::string difference(const Json& before, const Study& now) {
   const auto deck = difference(text_at(before, "deck_text"), now.deck_text);
   if (!deck.empty()) return fmt::format("{}: {}", now.deck.string(), deck);
-  const auto& overrides = before.find("overrides");
+  const auto overrides = before.find("overrides");
   if (overrides != before.end() && *overrides != Json(now.overrides)) {
     return fmt::format("the overrides were {}, are {}", overrides->dump(), Json(now.overrides).dump());
   }
