@@ -72,12 +72,13 @@ void run(const Case& entry) {
   std::string outcome;
   const auto start = std::chrono::steady_clock::now();
   try {
-    const auto packing = breccia::pack<2>(request, [&](const breccia::PackingProgress& progress) {
-      fraction = progress.fraction;
-      events = static_cast<double>(progress.events);
-      return true;
-    });
-    outcome = fmt::format("{:.4g}", packing.gap);
+    breccia::PackingRun<2> run(request);
+    while (!run.is_done()) {
+      run.advance();
+      fraction = run.progress().fraction;
+      events = static_cast<double>(run.progress().events);
+    }
+    outcome = fmt::format("{:.4g}", run.packing().gap);
   } catch (const breccia::NumericalError&) {
     outcome = "jammed";
   }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "breccia/checkpoint/state.hpp"
+#include "breccia/microstructure/packing.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/study/microstructures.hpp"
 
@@ -12,6 +13,7 @@
 #include "experiment/quasistatic_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
+#include "study/packing_state.hpp"
 
 namespace {
 
@@ -42,6 +44,16 @@ void write_state(const std::filesystem::path& path, std::string_view text) {
   state.commit();
 }
 
+/// Two discs grow on from the state.
+void go_on_packing(const StateReader& state) {
+  PackingRun<2> run({1e-3, Walls::hard, {1e-4, 2e-4}}, read_packing_state(state));
+  try {
+    run.advance();
+  } catch (const NumericalError&) {
+    // They may jam.
+  }
+}
+
 void read_all(const StateReader& state) {
   static const Discretisation two_cells({2, 1, 1e-3});
   const auto read = [](const auto& action) { fuzz::allow_refusal([&] { static_cast<void>(action()); }); };
@@ -51,6 +63,7 @@ void read_all(const StateReader& state) {
   read([&] { return read_domain(state, "/running"); });
   read([&] { return read_fields(state, "/fields", two_cells); });
   read([&] { return state.text("/field_file/0/file"); });
+  fuzz::allow_refusal([&] { go_on_packing(state); });
 }
 
 }  // namespace

@@ -20,7 +20,7 @@
 
 #include "breccia/io/text_file.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // NOLINT(*-naming)
 
 namespace {
 
@@ -46,6 +46,7 @@ std::vector<std::string> read_corpus(const std::filesystem::path& directory) {
   for (const auto& entry : std::filesystem::directory_iterator(directory)) files.push_back(entry.path());
   std::ranges::sort(files);  // the same on every machine
   std::vector<std::string> corpus;
+  corpus.reserve(files.size());
   for (const auto& file : files) corpus.push_back(breccia::read_text(file));
   return corpus;
 }

@@ -90,6 +90,7 @@ void run_bench(const BenchArguments& arguments) {
 
 std::vector<std::string> names_of(const std::vector<InstructionSet>& sets) {
   std::vector<std::string> names;
+  names.reserve(sets.size());
   for (const auto set : sets) names.emplace_back(name_of(set));
   return names;
 }

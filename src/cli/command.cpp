@@ -1,6 +1,28 @@
 #include "command.hpp"
 
+#include <chrono>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
+
+#include "interruption.hpp"
+
 namespace breccia::cli {
+namespace {
+
+/// A time [s] that an option gives. Throws InputError, naming the option.
+double seconds_of(const char* option, const std::string& text) {
+  try {
+    return parse_quantity(text, Dimension::time);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", option, error.what()));
+  }
+}
+
+}  // namespace
 
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
   command.add_option("DECK", arguments.deck, "the study, a TOML file")->required()->type_name("");
@@ -25,10 +47,33 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+  command.add_flag("--resume", arguments.resume,
+                   "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");
+  command
+      .add_option("--time-limit", arguments.time_limit,
+                  "leave a checkpoint and end with exit code 130 after this time, as in \"11 h\"")
+      ->type_name("TIME");
+  command
+      .add_option("--checkpoint-interval", arguments.checkpoint_interval,
+                  "time from one checkpoint to the next (default: \"10 min\")")
+      ->type_name("TIME");
 }
 
 std::filesystem::path RunArguments::results() const {
   return directory.empty() ? std::filesystem::path("results") / deck.deck.stem() : directory;
+}
+
+RunOptions RunArguments::options() const {
+  RunOptions options = {.threads = threads, .resume = resume, .checkpoints = {}, .ignore_memory = ignore_memory};
+  options.checkpoints.interval = seconds_of("--checkpoint-interval", checkpoint_interval);
+  options.checkpoints.stop = interruption_requested;
+  if (!time_limit.empty()) {
+    const std::chrono::duration<double> limit(seconds_of("--time-limit", time_limit));
+    options.checkpoints.stop = [end = std::chrono::steady_clock::now() + limit] {
+      return interruption_requested() || std::chrono::steady_clock::now() >= end;
+    };
+  }
+  return options;
 }
 
 }  // namespace breccia::cli

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "breccia/study/run.hpp"
 #include "breccia/study/sweep.hpp"
 
 namespace breccia::cli {
@@ -37,9 +38,12 @@ struct RunArguments {
 
   /// Where the results go.
   [[nodiscard]] std::filesystem::path results() const;
+  /// How the study is to be run; a limit of time counts from now. Throws InputError, naming the option.
+  [[nodiscard]] RunOptions options() const;
 };
 
-/// Adds DECK, --set, --sweep, --out, --threads and --quiet.
+/// Adds DECK, --set, --sweep, --out, --threads and --quiet, and what tells when states are left and taken up: --resume,
+/// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
 /// The subcommands: each adds itself to the application, and does its work in a callback.

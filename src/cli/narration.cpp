@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "interruption.hpp"
-
 namespace breccia::cli {
 namespace {
 
@@ -39,7 +37,6 @@ StudyObserver narrate(Progress& progress) {
   observer.packing = [&progress](const Stage& stage, const PackingProgress& packing) {
     progress.update(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
                     fmt::format("{} events", packing.events));
-    return !interruption_requested();
   };
   observer.packed = [&progress](const StageResult& stage) { progress.print(describe(stage)); };
   observer.progress = [&progress](const Stage& stage, const std::string& test, double share,

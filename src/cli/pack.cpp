@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/study/resume.hpp"
 #include "breccia/study/run.hpp"
 
 #include "command.hpp"
@@ -16,6 +17,7 @@ void add_pack(CLI::App& application) {
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
   command->callback([arguments] {
+    const auto options = arguments->options();
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     Progress progress(arguments->quiet);
@@ -23,7 +25,11 @@ void add_pack(CLI::App& application) {
       const auto& task = sweep.tasks[i];
       if (!task.name.empty()) progress.print(heading_of(sweep, i));
       const auto directory = task.directory_in(arguments->results());
-      const auto result = pack_study(task.study, directory, narrate(progress));
+      if (options.resume && take_over_complete_run(task.study, directory)) {
+        progress.print(fmt::format("The results in {} are complete", directory.string()));
+        continue;
+      }
+      const auto result = pack_study(task.study, directory, options, narrate(progress));
       for (const auto& stage : result.stages) {
         progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
       }

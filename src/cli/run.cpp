@@ -1,6 +1,5 @@
 #include "breccia/study/run.hpp"
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string_view>
@@ -8,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/resume.hpp"
 
@@ -23,31 +21,6 @@ namespace {
 
 std::string_view what_is(std::string_view file) {
   return file == "response.h5" ? "response" : "point fields";
-}
-
-/// A time [s] that an option gives. Throws InputError, naming the option.
-double seconds_of(const char* option, const std::string& text) {
-  try {
-    return parse_quantity(text, Dimension::time);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", option, error.what()));
-  }
-}
-
-RunOptions options_of(const RunArguments& arguments) {
-  RunOptions options = {.threads = arguments.threads,
-                        .resume = arguments.resume,
-                        .checkpoints = {},
-                        .ignore_memory = arguments.ignore_memory};
-  options.checkpoints.interval = seconds_of("--checkpoint-interval", arguments.checkpoint_interval);
-  options.checkpoints.stop = interruption_requested;
-  if (!arguments.time_limit.empty()) {
-    const std::chrono::duration<double> limit(seconds_of("--time-limit", arguments.time_limit));
-    options.checkpoints.stop = [end = std::chrono::steady_clock::now() + limit] {
-      return interruption_requested() || std::chrono::steady_clock::now() >= end;
-    };
-  }
-  return options;
 }
 
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
@@ -115,17 +88,7 @@ void add_run(CLI::App& application) {
   auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
-  command->add_flag("--resume", arguments->resume,
-                    "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");
   command->add_flag("--no-memory-check", arguments->ignore_memory, "begin even what will hardly fit into the memory");
-  command
-      ->add_option("--time-limit", arguments->time_limit,
-                   "leave a checkpoint and end with exit code 130 after this time, as in \"11 h\"")
-      ->type_name("TIME");
-  command
-      ->add_option("--checkpoint-interval", arguments->checkpoint_interval,
-                   "time from one checkpoint to the next (default: \"10 min\")")
-      ->type_name("TIME");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,
                    "of a sweep under mpirun: so many processes share a task, the others do other tasks beside")
@@ -136,7 +99,7 @@ void add_run(CLI::App& application) {
                    "options for PETSc, such as \"-quasistatic_ksp_monitor\" (docs/decks.md)")
       ->type_name("OPTIONS");
   command->callback([arguments] {
-    const auto options = options_of(*arguments);
+    const auto options = arguments->options();
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     if (arguments->processes_per_task > 0) {

@@ -12,10 +12,26 @@ namespace breccia {
 class EventQueue {
  public:
   explicit EventQueue(std::size_t balls) : heap_(balls), place_(balls) {
-    for (std::uint32_t ball = 0; ball < balls; ++ball) {
-      heap_[ball] = {never, ball};
-      place_[ball] = ball;
-    }
+    for (std::uint32_t ball = 0; ball < balls; ++ball) put(ball, {never, ball});
+  }
+  /// As another queue was: of each place in the heap the ball, each of them once, and its time.
+  EventQueue(const std::vector<std::uint32_t>& balls, const std::vector<double>& times)
+      : heap_(balls.size()), place_(balls.size()) {
+    for (std::size_t place = 0; place < balls.size(); ++place) put(place, {times[place], balls[place]});
+  }
+
+  /// Which of two balls with events at the same time is the first depends on where they are in the heap.
+  [[nodiscard]] std::vector<std::uint32_t> balls() const {
+    std::vector<std::uint32_t> all;
+    all.reserve(heap_.size());
+    for (const auto& item : heap_) all.push_back(item.ball);
+    return all;
+  }
+  [[nodiscard]] std::vector<double> times() const {
+    std::vector<double> all;
+    all.reserve(heap_.size());
+    for (const auto& item : heap_) all.push_back(item.time);
+    return all;
   }
 
   [[nodiscard]] std::uint32_t first() const noexcept { return heap_.front().ball; }

@@ -23,7 +23,7 @@ double uniform(std::mt19937_64& engine) {
 }  // namespace
 
 template <int dim>
-GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed)
+GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<double>& diameters)
     : side_(side),
       walls_(walls),
       images_(side),
@@ -32,14 +32,47 @@ GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<doub
       queue_(diameters.size()),
       lists_(side, walls, {}, {}),
       events_per_epoch_(events_per_ball_and_epoch * diameters.size()) {
-  std::mt19937_64 engine(seed);
   for (std::size_t ball = 0; ball < diameters.size(); ++ball) {
-    Body& body = bodies_[ball];
-    for (double& x : body.position) x = side * uniform(engine);
-    body.mass = diameters[ball];  // equal masses and mass ~ volume both need more events at wide size ranges
-    for (double& v : body.velocity) v = (2.0 * uniform(engine) - 1.0) / std::sqrt(body.mass);
-    body.radius = 0.5 * diameters[ball];
+    bodies_[ball].mass = diameters[ball];  // equal masses and mass ~ volume both need more events at wide size ranges
+    bodies_[ball].radius = 0.5 * diameters[ball];
   }
+}
+
+template <int dim>
+GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed)
+    : GrowingBalls(side, walls, diameters) {
+  std::mt19937_64 engine(seed);
+  for (Body& body : bodies_) {
+    for (double& x : body.position) x = side * uniform(engine);
+    for (double& v : body.velocity) v = (2.0 * uniform(engine) - 1.0) / std::sqrt(body.mass);
+  }
+}
+
+template <int dim>
+GrowingBalls<dim>::GrowingBalls(double side, Walls walls, const std::vector<double>& diameters,
+                                const PackingState<dim>& state)
+    : GrowingBalls(side, walls, diameters) {
+  for (std::size_t ball = 0; ball < diameters.size(); ++ball) {
+    bodies_[ball].position = state.positions[ball];
+    bodies_[ball].velocity = state.velocities[ball];
+  }
+  queue_ = EventQueue(state.queue, state.queue_times);
+  scale_ = state.scale;
+  events_ = state.events;
+}
+
+template <int dim>
+void GrowingBalls<dim>::describe(PackingState<dim>& state) const {
+  state.positions.clear();
+  state.velocities.clear();
+  for (const Body& body : bodies_) {
+    state.positions.push_back(body.position);
+    state.velocities.push_back(body.velocity);
+  }
+  state.queue = queue_.balls();
+  state.queue_times = queue_.times();
+  state.scale = scale_;
+  state.events = events_;
 }
 
 template <int dim>

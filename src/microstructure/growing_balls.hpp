@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/microstructure/packing.hpp"
 
 #include "event_queue.hpp"
 #include "neighbour_lists.hpp"
@@ -22,6 +23,8 @@ class GrowingBalls {
  public:
   /// Points at random places with random velocities. `diameters` are the final ones, at scale 1.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed);
+  /// As others were between two epochs.
+  GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, const PackingState<dim>& state);
 
   /// Present size of the balls, as a share of the final one.
   [[nodiscard]] double scale() const noexcept { return scale_; }
@@ -33,6 +36,9 @@ class GrowingBalls {
   void grow(double rate);
   /// Makes the balls smaller by a factor.
   void shrink(double factor) noexcept { scale_ *= factor; }
+
+  /// Between two epochs.
+  void describe(PackingState<dim>& state) const;
 
  private:
   using Image = typename PeriodicImages<dim>::Image;
@@ -56,6 +62,9 @@ class GrowingBalls {
     std::uint32_t partner = 0;  // ball or axis
     Image image = 0;            // in which the partner is seen
   };
+
+  /// Points at rest in a corner.
+  GrowingBalls(double side, Walls walls, const std::vector<double>& diameters);
 
   void cool();
   void make_lists(double largest_scale);

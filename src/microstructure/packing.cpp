@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -81,73 +83,144 @@ void require_possible(const PackingRequest& request) {
   }
 }
 
-/// Grows the balls to their final size. False if they jam before.
-template <int dim>
-bool grow_until_jammed(GrowingBalls<dim>& balls, double rate, double final_fraction, const PackingWatch& watch) {
-  while (balls.scale() < 1.0) {
-    const double before = balls.scale();
-    balls.grow(rate);
-    const double reached = final_fraction * std::pow(balls.scale(), dim);
-    if (watch && !watch({balls.events(), reached, final_fraction})) {
-      throw Interrupted(fmt::format("packing interrupted at a fraction of {:.4g} of {:.4g}", reached, final_fraction));
-    }
-    // Near jamming each epoch brings a constant part of the little way that is left, and collisions without number.
-    if (balls.scale() - before < 0.01 * rate * (1.0 - balls.scale())) return false;
-  }
-  return true;
+/// The unit of length of the growing balls [m]: their mean final diameter, with the gap.
+double unit_length(const PackingRequest& request) {
+  const auto count = static_cast<double>(request.diameters.size());
+  return std::accumulate(request.diameters.begin(), request.diameters.end(), 0.0) / count + request.minimum_gap;
 }
 
-/// Throws NumericalError if the balls jam at every growth rate.
-template <int dim>
-void grow(GrowingBalls<dim>& balls, const PackingRequest& request, const PackingWatch& watch) {
-  const double final_fraction = fraction<dim>(request, 0.0);
-  double largest_scale = 0.0;
-  for (const double share : growth_rate_shares) {
-    if (grow_until_jammed(balls, share * request.growth_rate, final_fraction, watch)) return;
-    largest_scale = std::max(largest_scale, balls.scale());
-    balls.shrink(shrinkage);
+/// Final diameters of the growing balls, with the gap, in their unit of length.
+std::vector<double> inflated_diameters(const PackingRequest& request) {
+  const double unit = unit_length(request);
+  std::vector<double> inflated;
+  inflated.reserve(request.diameters.size());
+  for (const double diameter : request.diameters) {
+    inflated.push_back((1.0 + margin) * (diameter + request.minimum_gap) / unit);
   }
-  throw NumericalError(fmt::format(
-      "packing: {} particles jam at {:.2f} % of their diameters, at a fraction of {:.4g} and a gap of {:.4g} m "
-      "instead of {:.4g} and {:.4g} m ({} events); ask for a smaller fraction or gap, or a wider range of sizes",
-      request.diameters.size(), 100.0 * largest_scale, final_fraction * std::pow(largest_scale, dim),
-      request.minimum_gap * largest_scale, final_fraction, request.minimum_gap, balls.events()));
+  return inflated;
+}
+
+template <int dim>
+void require_state_of(const PackingRequest& request, const PackingState<dim>& state) {
+  const auto count = request.diameters.size();
+  const double side = request.side / unit_length(request);
+  const double roundoff = 1e-9 * side;
+  const auto is_in_box = [&](const Vector<dim>& position) {
+    return std::ranges::all_of(position, [&](double x) { return x >= -roundoff && x <= side + roundoff; });
+  };
+  const auto is_finite = [](const Vector<dim>& velocity) {
+    return std::ranges::all_of(velocity, [](double v) { return std::isfinite(v); });
+  };
+  std::vector<bool> is_queued(count, false);
+  for (const auto ball : state.queue) {
+    if (ball < count) is_queued[ball] = true;
+  }
+  const bool has_all = state.positions.size() == count && state.velocities.size() == count &&
+                       state.queue.size() == count && state.queue_times.size() == count &&
+                       std::ranges::all_of(is_queued, [](bool is) { return is; });
+  const bool has_meaning = state.scale >= 0.0 && state.scale <= 1.0 && state.jams < growth_rate_shares.size();
+  if (!has_all || !has_meaning || !std::ranges::all_of(state.positions, is_in_box) ||
+      !std::ranges::all_of(state.velocities, is_finite)) {
+    throw InputError("packing: the state to go on from is not one of these particles in this box");
+  }
 }
 
 }  // namespace
 
 template <int dim>
-Packing<dim> pack(const PackingRequest& request, const PackingWatch& watch) {
-  require_meaning(request);
-  require_possible<dim>(request);
+PackingRun<dim>::PackingRun(PackingRequest request) : request_(std::move(request)) {
+  require_meaning(request_);
+  require_possible<dim>(request_);
+  balls_ = std::make_unique<GrowingBalls<dim>>(request_.side / unit_length(request_), request_.walls,
+                                               inflated_diameters(request_), request_.seed);
+}
 
-  const auto count = request.diameters.size();
-  const double mean_diameter =
-      std::accumulate(request.diameters.begin(), request.diameters.end(), 0.0) / static_cast<double>(count) +
-      request.minimum_gap;
-  std::vector<double> inflated;
-  for (const double diameter : request.diameters) {
-    inflated.push_back((1.0 + margin) * (diameter + request.minimum_gap) / mean_diameter);
+template <int dim>
+PackingRun<dim>::PackingRun(PackingRequest request, const PackingState<dim>& state)
+    : request_(std::move(request)), jams_(state.jams), largest_scale_(state.largest_scale) {
+  require_meaning(request_);
+  require_possible<dim>(request_);
+  require_state_of(request_, state);
+  balls_ = std::make_unique<GrowingBalls<dim>>(request_.side / unit_length(request_), request_.walls,
+                                               inflated_diameters(request_), state);
+}
+
+template <int dim>
+PackingRun<dim>::PackingRun(PackingRun&&) noexcept = default;
+template <int dim>
+PackingRun<dim>& PackingRun<dim>::operator=(PackingRun&&) noexcept = default;
+template <int dim>
+PackingRun<dim>::~PackingRun() = default;
+
+template <int dim>
+bool PackingRun<dim>::is_done() const noexcept {
+  return balls_->scale() >= 1.0;
+}
+
+template <int dim>
+void PackingRun<dim>::advance() {
+  const double rate = growth_rate_shares[jams_] * request_.growth_rate;
+  const double before = balls_->scale();
+  balls_->grow(rate);
+  const double scale = balls_->scale();
+  // Near jamming each epoch brings a constant part of the little way that is left, and collisions without number.
+  if (is_done() || scale - before >= 0.01 * rate * (1.0 - scale)) return;
+  largest_scale_ = std::max(largest_scale_, scale);
+  if (jams_ + 1 < growth_rate_shares.size()) {
+    ++jams_;
+    balls_->shrink(shrinkage);
+    return;
   }
-  const double side = request.side / mean_diameter;
-  GrowingBalls<dim> growing(side, request.walls, inflated, request.seed);
-  grow(growing, request, watch);
+  const double final_fraction = fraction<dim>(request_, 0.0);
+  throw NumericalError(fmt::format(
+      "packing: {} particles jam at {:.2f} % of their diameters, at a fraction of {:.4g} and a gap of {:.4g} m "
+      "instead of {:.4g} and {:.4g} m ({} events); ask for a smaller fraction or gap, or a wider range of sizes",
+      request_.diameters.size(), 100.0 * largest_scale_, final_fraction * std::pow(largest_scale_, dim),
+      request_.minimum_gap * largest_scale_, final_fraction, request_.minimum_gap, balls_->events()));
+}
 
+template <int dim>
+PackingProgress PackingRun<dim>::progress() const noexcept {
+  const double final_fraction = fraction<dim>(request_, 0.0);
+  return {balls_->events(), final_fraction * std::pow(balls_->scale(), dim), final_fraction};
+}
+
+template <int dim>
+PackingState<dim> PackingRun<dim>::state() const {
+  PackingState<dim> state;
+  state.jams = jams_;
+  state.largest_scale = largest_scale_;
+  balls_->describe(state);
+  return state;
+}
+
+template <int dim>
+Packing<dim> PackingRun<dim>::packing() const {
+  const double side = request_.side / unit_length(request_);
   Packing<dim> packing;
-  for (std::size_t ball = 0; ball < count; ++ball) {
-    packing.balls.push_back({growing.centre(ball), request.diameters[ball]});
-    for (double& x : packing.balls.back().centre) x = x / side * request.side;
+  for (std::size_t ball = 0; ball < request_.diameters.size(); ++ball) {
+    packing.balls.push_back({balls_->centre(ball), request_.diameters[ball]});
+    for (double& x : packing.balls.back().centre) x = x / side * request_.side;
   }
-  packing.fraction = fraction<dim>(request, 0.0);
-  packing.gap = smallest_gap<dim>(request.side, request.walls, packing.balls);
-  packing.events = growing.events();
-  if (packing.gap < request.minimum_gap) {
+  packing.fraction = fraction<dim>(request_, 0.0);
+  packing.gap = smallest_gap<dim>(request_.side, request_.walls, packing.balls);
+  packing.events = balls_->events();
+  if (packing.gap < request_.minimum_gap) {
     throw NumericalError(
-        fmt::format("packing: roundoff left a gap of {:.9g} m instead of {:.9g} m", packing.gap, request.minimum_gap));
+        fmt::format("packing: roundoff left a gap of {:.9g} m instead of {:.9g} m", packing.gap, request_.minimum_gap));
   }
   return packing;
 }
 
-template Packing<2> pack<2>(const PackingRequest&, const PackingWatch&);
+template class PackingRun<2>;
+
+template <int dim>
+Packing<dim> pack(const PackingRequest& request) {
+  PackingRun<dim> run(request);
+  while (!run.is_done()) run.advance();
+  return run.packing();
+}
+
+template Packing<2> pack<2>(const PackingRequest&);
 
 }  // namespace breccia

@@ -17,6 +17,7 @@
 
 #include "filler_sizes.hpp"
 #include "named_errors.hpp"
+#include "packing_state.hpp"
 
 namespace breccia {
 namespace {
@@ -28,7 +29,45 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
 
-Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, const PackingWatch& watch,
+/// A packing from its beginning, or from where an earlier run has left it, to its end.
+class StagePacking {
+ public:
+  StagePacking(const PackingFollower& follow, Checkpoint* checkpoint)
+      : follow_(follow),
+        checkpoint_(checkpoint),
+        earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
+        seconds_before_(earlier_ != nullptr ? earlier_->number(seconds_name) : 0.0) {}
+
+  Packing<2> run(const PackingRequest& request) {
+    auto packing = earlier_ != nullptr ? PackingRun<2>(request, read_packing_state(*earlier_)) : PackingRun<2>(request);
+    while (!packing.is_done()) {
+      packing.advance();
+      if (follow_) follow_(packing.progress());
+      if (checkpoint_ == nullptr || !checkpoint_->is_due()) continue;
+      checkpoint_->save([&](StateWriter& state) {
+        save(state, packing.state());
+        state.write(seconds_name, seconds());
+      });
+    }
+    return packing.packing();
+  }
+
+  /// Wall time, that of earlier runs included.
+  [[nodiscard]] double seconds() const {
+    return seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  static constexpr auto seconds_name = "/seconds";
+
+  const PackingFollower& follow_;
+  Checkpoint* checkpoint_;
+  const StateReader* earlier_;
+  double seconds_before_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
                               StageMicrostructure& result) {
   const auto& filler = *stage.filler;
   PackingRequest request;
@@ -44,18 +83,18 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
   }
-  auto packing = pack<2>(request, watch);
-  result.events = packing.events;
-  for (auto& ball : packing.balls) {
+  auto packed = packing.run(request);
+  result.events = packed.events;
+  for (auto& ball : packed.balls) {
     for (auto& coordinate : ball.centre) coordinate += inset;
   }
-  return {stage.side, method.walls, std::move(packing.balls)};
+  return {stage.side, method.walls, std::move(packed.balls)};
 }
 
-Microstructure place_particles(const Stage& stage, const PackingWatch& watch, StageMicrostructure& result) {
+Microstructure place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
   if (!stage.filler) return {stage.side, Walls::hard, {}};
   return std::visit(Overloaded{[&](const LubachevskyStillingerPacking& method) {
-                                 return pack_at_random(stage, method, watch, result);
+                                 return pack_at_random(stage, method, packing, result);
                                },
                                [&](const RegularPacking& array) {
                                  const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
@@ -78,11 +117,13 @@ void describe(StageMicrostructure& result) {
 
 }  // namespace
 
-StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch) {
+StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow, Checkpoint* checkpoint) {
+  if (checkpoint != nullptr && checkpoint->is_finished()) return read_stage_microstructure(*checkpoint->earlier());
   StageMicrostructure result;
-  const auto start = std::chrono::steady_clock::now();
-  result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, watch, result); });
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  StagePacking packing(follow, checkpoint);
+  result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, packing, result); });
+  result.seconds = packing.seconds();
+  if (checkpoint != nullptr) checkpoint->finish([&](StateWriter& state) { save(state, result); });
   describe(result);
   return result;
 }

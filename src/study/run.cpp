@@ -103,24 +103,15 @@ StageResult describe(const Study& study, const Stage& stage, StageMicrostructure
   return result;
 }
 
-StageMicrostructure pack(const Stage& stage, const StudyObserver& observer, const CheckpointSchedule& schedule) {
-  return make_microstructure(stage, [&](const PackingProgress& progress) {
-    if (schedule.stop && schedule.stop()) return false;
-    return !observer.packing || observer.packing(stage, progress);
-  });
-}
-
-/// Packs a stage where no earlier run has, and writes it.
-StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& directory, const RunOptions& options,
+/// Packs a stage as far as no earlier run has, and writes it.
+StageResult pack_stage(const Study& study, const Stage& stage, const fs::path& directory,
                        const Checkpoints& checkpoints, const StudyObserver& observer) {
   write_once([&] { make_directory(directory); });
   auto checkpoint = checkpoints.of_packing(stage);
-  if (checkpoint.is_finished()) {
-    return describe(study, stage, read_stage_microstructure(*checkpoint.earlier()), directory, observer);
-  }
-  auto microstructure = pack(stage, observer, options.checkpoints);
-  checkpoint.finish([&](StateWriter& state) { save(state, microstructure); });
-  return describe(study, stage, std::move(microstructure), directory, observer);
+  const auto follow = [&](const PackingProgress& progress) {
+    if (observer.packing) observer.packing(stage, progress);
+  };
+  return describe(study, stage, make_microstructure(stage, follow, &checkpoint), directory, observer);
 }
 
 /// The tests of a stage, each written as soon as it is done.
@@ -226,14 +217,17 @@ std::vector<int> grids_of(const Stage& stage) {
   return grids;
 }
 
-StudyResult pack_study(const Study& study, const fs::path& directory, const StudyObserver& observer) {
-  make_way(study, directory, false);
+StudyResult pack_study(const Study& study, const fs::path& directory, const RunOptions& options,
+                       const StudyObserver& observer) {
+  if (options.resume) require_same_study(study, directory);
+  write_once([&] { make_way(study, directory, options.resume); });
   const UnlessEmpty kept(directory);
+  const Checkpoints checkpoints(study, directory, options, observer);
   StudyResult result;
   for (const auto& stage : study.stages) {
-    const auto of_stage = directory / stage.name;
-    result.stages.push_back(describe(study, stage, pack(stage, observer, {}), of_stage, observer));
-    write_provenance(directory, study, result);
+    const UnlessEmpty kept_stage(directory / stage.name);
+    result.stages.push_back(pack_stage(study, stage, directory / stage.name, checkpoints, observer));
+    write_once([&] { write_provenance(directory, study, result); });
   }
   return result;
 }
@@ -251,7 +245,7 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   StudyResult result;
   for (const auto& stage : study.stages) {
     const UnlessEmpty kept_stage(directory / stage.name);
-    result.stages.push_back(pack_stage(study, stage, directory / stage.name, options, checkpoints, observer));
+    result.stages.push_back(pack_stage(study, stage, directory / stage.name, checkpoints, observer));
     write_once([&] { write_provenance(directory, study, result); });
     StageRun(study, stage, directory, options.threads, checkpoints, observer, result).run();
     write_once([&] { write_study_report(directory); });

@@ -221,7 +221,8 @@ TEST(PackResults, AreTheMicrostructureAlone) {
   ASSERT_EQ(pack.exit_code, 0) << pack.errors;
   EXPECT_THAT(pack.output, HasSubstr("warning: A: the smallest gap between particles"));
   EXPECT_THAT(pack.output, HasSubstr("out/A/microstructure.svg"));
-  EXPECT_THAT(study.results(), ElementsAre("A/microstructure.csv", "A/microstructure.svg", "study.json"));
+  EXPECT_THAT(study.results(),
+              ElementsAre("A/microstructure.csv", "A/microstructure.svg", "A/packing.checkpoint.h5", "study.json"));
   const auto json = Json::parse(read_text(study.result("study.json")));
   const auto& stage = json["stages"][0];
   EXPECT_EQ(stage["microstructure"]["seed"], 1);

@@ -3,6 +3,7 @@
 
 #include "breccia/io/text_file.hpp"
 
+#include "good_deck.hpp"
 #include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"
@@ -48,6 +49,32 @@ TEST_F(Resume, EndsWithTheBytesOfARunInOneGo) {
 TEST_F(Resume, WhereNothingWasLeftARunBegins) {
   const auto outcome = study_.breccia("run", {"--resume", "--set", "tests.method=quasistatic"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
+TEST_F(Resume, PackingsGoOnToTheSameDiscsAndRunsFromThere) {
+  // So many particles that a packing takes a few parts.
+  const std::string deck = test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"0.1 mm\"");
+  const std::vector<std::string> options = {"--set", "stages.A.filler.gap=1 um", "--set", "tests.method=quasistatic"};
+  const auto and_resume = [&] {
+    auto all = options;
+    all.insert(all.end(), {"--resume", "--time-limit", "1 us"});
+    return all;
+  }();
+  const StudyDirectory whole(deck), parts(deck);
+  ASSERT_EQ(whole.breccia("pack", options).exit_code, 0);
+  int interruptions = 0;
+  for (; parts.breccia("pack", and_resume).exit_code == 130; ++interruptions) ASSERT_LT(interruptions, 1000);
+  EXPECT_GT(interruptions, 3);
+  EXPECT_EQ(read_text(parts.result("A/microstructure.csv")), read_text(whole.result("A/microstructure.csv")));
+  auto and_go_on = options;
+  and_go_on.emplace_back("--resume");
+  const auto run = parts.breccia("run", and_go_on);
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(read_text(parts.result("A/microstructure.csv")), read_text(whole.result("A/microstructure.csv")));
+  const auto complete = parts.results();
+  const auto pack = parts.breccia("pack", and_go_on);
+  EXPECT_THAT(pack.output, HasSubstr("The results in out are complete"));
+  EXPECT_EQ(parts.results(), complete);
 }
 
 TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {

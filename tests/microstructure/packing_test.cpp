@@ -16,6 +16,7 @@
 #include "breccia/microstructure/validity.hpp"
 
 #include "expect_error.hpp"
+#include "messages.hpp"
 
 namespace breccia {
 namespace {
@@ -132,21 +133,61 @@ TEST(Packing, DiscsSpreadEvenlyOverTheBox) {
 }
 
 TEST(Packing, ReportsProgress) {
+  PackingRun<2> run(hb1());
   double last = -1.0;
-  double to_reach = 0.0;
-  const auto packing = pack<2>(hb1(), [&](const PackingProgress& progress) {
-    EXPECT_GE(progress.fraction, last);
-    last = progress.fraction;
-    to_reach = progress.fraction_to_reach;
-    return true;
-  });
-  EXPECT_DOUBLE_EQ(last, packing.fraction);
-  EXPECT_DOUBLE_EQ(to_reach, packing.fraction);
+  while (!run.is_done()) {
+    run.advance();
+    EXPECT_GE(run.progress().fraction, last);
+    last = run.progress().fraction;
+  }
+  EXPECT_DOUBLE_EQ(last, run.packing().fraction);
+  EXPECT_DOUBLE_EQ(run.progress().fraction_to_reach, run.packing().fraction);
 }
 
-TEST(Packing, StopsWhenTold) {
-  expect_error<Interrupted>([] { return pack<2>(hb1(), [](const PackingProgress&) { return false; }); },
-                            "packing interrupted");
+/// Begun anew from its state after every step.
+Packing<2> pack_in_parts(const PackingRequest& request) {
+  PackingRun<2> run(request);
+  while (!run.is_done()) {
+    run.advance();
+    run = PackingRun<2>(request, run.state());
+  }
+  return run.packing();
+}
+
+TEST(Packing, GoesOnFromItsStateToTheSameBits) {
+  for (const auto& request : {hb1(), equal(300, 0.84, Walls::periodic), equal(1, 0.7, Walls::hard)}) {
+    const auto whole = pack<2>(request), in_parts = pack_in_parts(request);
+    EXPECT_EQ(in_parts.balls, whole.balls);
+    EXPECT_EQ(in_parts.events, whole.events);
+  }
+}
+
+TEST(Packing, JamsFromItsStateAsItDoesInOneGo) {
+  const auto request = equal(100, 0.905, Walls::hard);
+  EXPECT_EQ(test::message_of<NumericalError>([&] { return pack_in_parts(request); }),
+            test::message_of<NumericalError>([&] { return pack<2>(request); }));
+}
+
+TEST(Packing, RefusesTheStateOfAnother) {
+  const auto request = equal(10, 0.5, Walls::hard);
+  PackingRun<2> run(request);
+  run.advance();
+  const auto refuse = [&](const auto& spoil) {
+    auto state = run.state();
+    spoil(state);
+    expect_error<InputError>([&] { return PackingRun<2>(request, state); }, "not one of these particles in this box");
+  };
+  EXPECT_NO_THROW(PackingRun<2>(request, run.state()));
+  refuse([](PackingState<2>& state) { state.positions.pop_back(); });
+  refuse([](PackingState<2>& state) { state.velocities.pop_back(); });
+  refuse([](PackingState<2>& state) { state.queue_times.pop_back(); });
+  refuse([](PackingState<2>& state) { state.queue[0] = state.queue[1]; });
+  refuse([](PackingState<2>& state) { state.queue[0] = 10; });
+  refuse([](PackingState<2>& state) { state.positions[3][1] = 1e3; });
+  refuse([](PackingState<2>& state) { state.positions[3][1] = std::numeric_limits<double>::quiet_NaN(); });
+  refuse([](PackingState<2>& state) { state.velocities[3][0] = std::numeric_limits<double>::infinity(); });
+  refuse([](PackingState<2>& state) { state.scale = 1.5; });
+  refuse([](PackingState<2>& state) { state.jams = 3; });
 }
 
 TEST(Packing, RefusesWhatIsKnownToBeImpossible) {

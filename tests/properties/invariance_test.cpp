@@ -61,8 +61,9 @@ Composite mirrored(const Composite& composite) {
 }
 
 Composite in_another_order(Composite composite) {
-  std::ranges::reverse(composite.box.discs);
-  std::ranges::rotate(composite.box.discs, composite.box.discs.begin() + 1);
+  auto& discs = composite.box.discs;
+  std::ranges::reverse(discs);
+  std::rotate(discs.begin(), discs.begin() + 1, discs.end());
   return composite;
 }
 

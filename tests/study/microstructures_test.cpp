@@ -11,6 +11,7 @@
 #include "breccia/error.hpp"
 
 #include "messages.hpp"
+#include "temporary_directory.hpp"
 
 namespace breccia {
 namespace {
@@ -144,10 +145,43 @@ TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
   EXPECT_THAT(message, HasSubstr("cannot keep a gap of 0.00015 m"));
 }
 
-TEST(MakeMicrostructure, MayBeInterrupted) {
-  EXPECT_THROW(
-      static_cast<void>(make_microstructure(box(random(SingleSize{1e-3}, 0.5)), [](const auto&) { return false; })),
-      Interrupted);
+/// As a run makes it that is cut off after every part of it. Counts the interruptions.
+StageMicrostructure make_bit_by_bit(const Stage& stage, int& interruptions) {
+  const test::TemporaryDirectory directory;
+  const CheckpointSchedule always_ending = {.stop = [] { return true; }};
+  for (interruptions = 0;; ++interruptions) {
+    Checkpoint checkpoint(directory.path() / "packing.checkpoint.h5", {"deck", "1.0"}, always_ending);
+    EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
+    try {
+      return make_microstructure(stage, {}, &checkpoint);
+    } catch (const Interrupted&) {
+      EXPECT_THROW(read_stage_microstructure(StateReader(directory.path() / "packing.checkpoint.h5")), FileError)
+          << "no discs before the packing is done";
+    }
+  }
+}
+
+TEST(MakeMicrostructure, GoesOnWhereItWasInterrupted) {
+  const auto stage = box(random(SingleSize{1e-3}, 0.5));
+  const auto whole = make_microstructure(stage);
+  int interruptions = 0;
+  const auto packed = make_bit_by_bit(stage, interruptions);
+  EXPECT_GT(interruptions, 3);
+  EXPECT_EQ(packed.microstructure.discs, whole.microstructure.discs);
+  EXPECT_EQ(packed.events, whole.events);
+  EXPECT_EQ(packed.size_deviation, whole.size_deviation);
+}
+
+TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
+  const test::TemporaryDirectory directory;
+  Checkpoint checkpoint(directory.path() / "packing.checkpoint.h5", {"deck", "1.0"}, {});
+  const auto stage = box(random(SingleSize{1e-3}, 0.5));
+  const auto packed = make_microstructure(stage, {}, &checkpoint);
+  EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
+  const auto again = make_microstructure(
+      stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
+  EXPECT_EQ(again.microstructure.discs, packed.microstructure.discs);
+  EXPECT_EQ(again.gap, packed.gap);
 }
 
 }  // namespace

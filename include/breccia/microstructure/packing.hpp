@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <vector>
 
 #include "breccia/microstructure/microstructure.hpp"
@@ -26,8 +27,18 @@ struct PackingProgress {
   double fraction;           ///< volume fraction of the particles at their present size; falls when a jam is loosened
   double fraction_to_reach;  ///< and at their final size
 };
-/// Called now and then; packing goes on while it returns true.
-using PackingWatch = std::function<bool(const PackingProgress&)>;
+/// A packing on its way: with the request, all that it takes to go on to the same bits.
+template <int dim>
+struct PackingState {
+  std::size_t jams = 0;        ///< that were loosened
+  double largest_scale = 0.0;  ///< at which it has jammed, as a share of the final size [-]
+  double scale = 0.0;          ///< present size of the particles, as a share of the final one [-]
+  std::uint64_t events = 0;
+  std::vector<Vector<dim>> positions;   ///< in mean final diameters, with the gap
+  std::vector<Vector<dim>> velocities;  ///< in those a unit of time
+  std::vector<std::uint32_t> queue;     ///< the particles in the order in which the queue of their events has them
+  std::vector<double> queue_times;      ///< of those events
+};
 
 template <int dim>
 struct Packing {
@@ -37,13 +48,47 @@ struct Packing {
   std::uint64_t events = 0;      ///< that led there
 };
 
-/// Places balls at random by the method of Lubachevsky and Stillinger (1990): points with random places and velocities
-/// grow, and collide, until they have the diameters asked for.
-/// Throws InputError on arguments without meaning, NumericalError if the packing is impossible or jams before the
-/// diameters are reached (the message says how far it came), Interrupted if `watch` returns false.
 template <int dim>
-[[nodiscard]] Packing<dim> pack(const PackingRequest& request, const PackingWatch& watch = {});
+class GrowingBalls;
 
-extern template Packing<2> pack<2>(const PackingRequest&, const PackingWatch&);
+/// Places balls at random by the method of Lubachevsky and Stillinger (1990): points with random places and velocities
+/// grow, and collide, until they have the diameters asked for. Step by step, so that it can be followed and
+/// interrupted.
+template <int dim>
+class PackingRun {
+ public:
+  /// Throws InputError on arguments without meaning, NumericalError if the packing is impossible.
+  explicit PackingRun(PackingRequest request);
+  /// Goes on from where another run with this request was. Throws InputError, too, if the state is of no such run.
+  PackingRun(PackingRequest request, const PackingState<dim>& state);
+  PackingRun(PackingRun&&) noexcept;
+  PackingRun& operator=(PackingRun&&) noexcept;
+  PackingRun(const PackingRun&) = delete;
+  PackingRun& operator=(const PackingRun&) = delete;
+  ~PackingRun();
+
+  [[nodiscard]] bool is_done() const noexcept;
+  /// About twenty events for each ball. Throws NumericalError if they jam at every growth rate before they have the
+  /// diameters asked for (the message says how far it came).
+  void advance();
+  [[nodiscard]] PackingProgress progress() const noexcept;
+  [[nodiscard]] PackingState<dim> state() const;
+  /// Once it is done. Throws NumericalError if roundoff has spoilt the gap.
+  [[nodiscard]] Packing<dim> packing() const;
+
+ private:
+  PackingRequest request_;
+  std::unique_ptr<GrowingBalls<dim>> balls_;
+  std::size_t jams_ = 0;
+  double largest_scale_ = 0.0;
+};
+
+extern template class PackingRun<2>;
+
+/// A packing in one go. Throws as the members of PackingRun do.
+template <int dim>
+[[nodiscard]] Packing<dim> pack(const PackingRequest& request);
+
+extern template Packing<2> pack<2>(const PackingRequest&);
 
 }  // namespace breccia

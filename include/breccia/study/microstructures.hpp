@@ -1,9 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
-#include <string>
-#include <vector>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/study.hpp"
@@ -22,10 +22,15 @@ struct StageMicrostructure {
   double seconds = 0.0;                  ///< wall time of the packing
 };
 
-/// Packs, arranges or takes over the particles of a stage.
+/// Told now and then how far a packing has come.
+using PackingFollower = std::function<void(const PackingProgress&)>;
+
+/// Packs, arranges or takes over the particles of a stage. With a checkpoint it goes on from there, leaves its state
+/// there, and in the end its result.
 /// Throws InputError when the particles cannot be where the deck puts them, NumericalError when the packing is
-/// impossible, Interrupted when `watch` returns false.
-StageMicrostructure make_microstructure(const Stage& stage, const PackingWatch& watch = {});
+/// impossible, Interrupted when the checkpoint says that the run is to end.
+StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
+                                        Checkpoint* checkpoint = nullptr);
 
 /// Leaves a microstructure in a state, and takes it up.
 void save(StateWriter& state, const StageMicrostructure& microstructure);

@@ -98,7 +98,7 @@ struct StudyResult {
 
 /// Those who follow a running study. What they throw ends it.
 struct StudyObserver {
-  std::function<bool(const Stage&, const PackingProgress&)> packing = {};
+  std::function<void(const Stage&, const PackingProgress&)> packing = {};
   std::function<void(const StageResult&)> packed = {};
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
@@ -121,8 +121,10 @@ struct RunOptions {
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
                       const StudyObserver& observer = {});
 
-/// Packs the microstructures of a study alone and writes them.
-StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const StudyObserver& observer = {});
+/// Packs the microstructures of a study alone and writes them, and checkpoints from which run_study goes on. Throws as
+/// run_study does.
+StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
+                       const StudyObserver& observer = {});
 
 /// A stage with its matrix and its microstructure on a grid, ready to be tested.
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,

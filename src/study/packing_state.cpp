@@ -1,0 +1,70 @@
+#include "packing_state.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+void save(StateWriter& state, const std::string& name, const std::vector<Vector<2>>& vectors) {
+  std::vector<double> x, y;
+  x.reserve(vectors.size());
+  y.reserve(vectors.size());
+  for (const auto& vector : vectors) {
+    x.push_back(vector[0]);
+    y.push_back(vector[1]);
+  }
+  state.write(name + "_x", x);
+  state.write(name + "_y", y);
+}
+
+std::vector<Vector<2>> read_vectors(const StateReader& state, const std::string& name) {
+  const auto x = state.numbers(name + "_x");
+  const auto y = state.numbers(name + "_y", x.size());
+  std::vector<Vector<2>> vectors;
+  vectors.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y[i]});
+  return vectors;
+}
+
+/// Throws FileError where a number is not one that counts or numbers particles.
+std::uint32_t particle(double number) {
+  const bool is_one = number >= 0.0 && number < 4294967296.0;
+  const auto counted = is_one ? static_cast<std::uint32_t>(number) : 0;
+  if (!is_one || static_cast<double>(counted) != number) {
+    throw FileError("a checkpoint of a packing: expected the numbers of its particles");
+  }
+  return counted;
+}
+
+}  // namespace
+
+void save(StateWriter& state, const PackingState<2>& packing) {
+  state.write("/jams", static_cast<std::int64_t>(packing.jams));
+  state.write("/largest_scale", packing.largest_scale);
+  state.write("/scale", packing.scale);
+  state.write("/events", static_cast<std::int64_t>(packing.events));
+  save(state, "/position", packing.positions);
+  save(state, "/velocity", packing.velocities);
+  state.write("/queue", std::vector<double>(packing.queue.begin(), packing.queue.end()));
+  state.write("/queue_time", packing.queue_times);
+}
+
+PackingState<2> read_packing_state(const StateReader& state) {
+  PackingState<2> packing;
+  packing.jams = static_cast<std::size_t>(state.integer("/jams"));
+  packing.largest_scale = state.number("/largest_scale");
+  packing.scale = state.number("/scale");
+  packing.events = static_cast<std::uint64_t>(state.integer("/events"));
+  packing.positions = read_vectors(state, "/position");
+  packing.velocities = read_vectors(state, "/velocity");
+  for (const double number : state.numbers("/queue")) packing.queue.push_back(particle(number));
+  packing.queue_times = state.numbers("/queue_time");
+  return packing;
+}
+
+}  // namespace breccia
