@@ -9,8 +9,10 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/study/memory.hpp"
 #include "breccia/study/resume.hpp"
 
+#include "named_errors.hpp"
 #include "results.hpp"
 #include "sweep_results.hpp"
 
@@ -27,6 +29,9 @@ class SweepRun {
 
   SweepResult run() {
     if (options_.resume) take_over();
+    if (!options_.ignore_memory && parallel::ranks() == 1) refuse_too_large();
+    make_way();
+    if (options_.resume) write();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
       if (result_[task].state == TaskState::done) {
@@ -49,19 +54,33 @@ class SweepRun {
     return sweep_.tasks[task].directory_in(directory_);
   }
 
-  /// Of all tasks before any runs, so that several processes find the same.
-  void take_over() {
-    refuse_others();
-    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
-    write();
+  void make_way() const {
+    if (!parallel::is_first()) return;
+    make_directory(directory_);
+    remove_files(directory_, sweep_files());
   }
 
-  /// Results of other studies in the directories of the tasks, all at once.
-  void refuse_others() const {
+  /// Of all tasks before any runs, so that several processes find the same.
+  void take_over() {
+    refuse_each([&](std::size_t task) { require_same_study(sweep_.tasks[task].study, directory_of(task)); });
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
+  }
+
+  void refuse_too_large() const {
+    const double available = available_memory();
+    refuse_each([&](std::size_t task) {
+      if (result_[task].state == TaskState::done) return;
+      name_errors(sweep_.tasks[task].name, [&] { require_memory(sweep_.tasks[task].study, available); });
+    });
+  }
+
+  /// Throws one InputError of all those that `require` throws of the tasks.
+  template <class Require>
+  void refuse_each(const Require& require) const {
     std::string mistakes;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       try {
-        require_same_study(sweep_.tasks[task].study, directory_of(task));
+        require(task);
       } catch (const InputError& error) {
         mistakes += fmt::format("{}{}", mistakes.empty() ? "" : "\n", error.what());
       }
@@ -141,10 +160,6 @@ class SweepRun {
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {
   require_gnuplot();
-  if (parallel::is_first()) {
-    make_directory(directory);
-    remove_files(directory, sweep_files());
-  }
   return SweepRun(sweep, directory, options, observer).run();
 }
 

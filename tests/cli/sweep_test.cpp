@@ -54,6 +54,15 @@ TEST(Sweep, RunsEveryTaskLikeADeckWithOverrides) {
   EXPECT_EQ(read_text(study.result("seed-2/curves.csv")), read_text(single.result("curves.csv")));
 }
 
+TEST(Sweep, ThatWillNotFitIsRefusedBeforeAnyTaskRuns) {
+  const StudyDirectory study(test::good_deck);
+  const auto run = study.breccia("run", {"--sweep", "stages.A.cells=[12, 30000, 40000]"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors, AllOf(HasSubstr("cells-30000: A: 30000 x 30000 cells take about "),
+                                HasSubstr("cells-40000: A: 40000 x 40000 cells take about "), HasSubstr("would fit")));
+  EXPECT_THAT(study.results(), testing::IsEmpty());
+}
+
 TEST(Sweep, CanBeNarrowedOnTheCommandLine) {
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--set", R"(sweep."stages.*.packing.seed"=[2])"});

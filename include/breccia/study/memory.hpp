@@ -9,7 +9,7 @@ namespace breccia {
 /// Memory [B] that a quasi-static test takes, about: from experience, with all that it keeps.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 
-/// Memory [B] that this process may still take: what the machine has left, the limit of its control group and that of
+/// Memory [B] that this process may still take: what the machine has left, the limits of its control groups and that of
 /// `ulimit -v`, whichever is least; infinite where none can be read.
 double available_memory();
 
