@@ -107,80 +107,112 @@ void convert_creep(DynamicTestResult& result) {
   for (auto& [time, modulus] : result.curve) modulus = series.at(time);
 }
 
-/// Shows the sequence what a domain has seen already. False when the domain has seen enough.
-bool show(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain,
-          DomainSequence& sequence) {
-  return std::ranges::all_of(domain.history,
-                             [&](const Sample& sample) { return goes_on(test, bounds, domain, sample, sequence); });
-}
+/// The time domains of a test, one after the other, each run anew or taken over from an earlier run.
+class DynamicRun {
+ public:
+  DynamicRun(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint)
+      : test_(test),
+        observer_(observer),
+        checkpoint_(checkpoint),
+        earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
+        rules_(rules_of(test)),
+        bounds_(test.discretisation, test.materials),
+        sequence_(rules_, bounds_.lower(test.times.begin)),
+        furthest_(test.times.begin) {
+    if (earlier_ == nullptr) return;
+    past_ = read_domains(*earlier_);
+    result_.fields = read_fields(*earlier_, "/fields", test.discretisation);
+  }
+
+  DynamicTestResult run() {
+    for (;;) {
+      auto prepared = prepare(test_, rules_, bounds_, sequence_);
+      const bool is_past = result_.domains.size() < past_.size();
+      result_.domains.push_back(is_past ? take_over(past_[result_.domains.size()]) : run(std::move(prepared)));
+      if (observer_.finished) observer_.finished(result_.domains.back());
+      if (sequence_.is_complete()) return std::move(result_);
+      sequence_.advance();
+    }
+  }
+
+ private:
+  TimeDomain take_over(TimeDomain& past) {
+    static_cast<void>(show(past));
+    return std::move(past);
+  }
+
+  TimeDomain run(PreparedDomain prepared) {
+    const auto field_times = std::span(test_.field_times).subspan(result_.fields.size());
+    DomainRun domain(test_, std::move(prepared), field_times);
+    bool is_over = false;
+    if (earlier_ != nullptr && result_.domains.size() == past_.size() && earlier_->has("/running")) {
+      domain.restore(*earlier_);
+      is_over = !show(domain.domain());
+    }
+    while (!is_over) {
+      const auto sample = domain.take_sample(sequence_.expected_begin());
+      is_over = !goes_on(test_, bounds_, domain.domain(), sample, sequence_);
+      tell(domain.domain(), sample.time);
+      if (!is_over) save_if_due(domain);
+    }
+    domain.domain().window = window_wanted(sequence_);
+    keep_fields(domain, field_times);
+    return std::move(domain.domain());
+  }
+
+  /// Shows the sequence what a domain has seen already. False when the domain has seen enough.
+  bool show(const TimeDomain& domain) {
+    return std::ranges::all_of(
+        domain.history, [&](const Sample& sample) { return goes_on(test_, bounds_, domain, sample, sequence_); });
+  }
+
+  void tell(const TimeDomain& running, double time) {
+    if (!observer_.progress) return;
+    furthest_ = std::max(furthest_, time);
+    const auto points = static_cast<double>(test_.discretisation.points());
+    const double log_range = std::log(test_.times.end / test_.times.begin);
+    const double done = std::log(furthest_ / test_.times.begin);
+    observer_.progress({.domain = result_.domains.size(),
+                        .density_factor = running.density_factor,
+                        .time = time,
+                        .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
+                        .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+  }
+
+  void save_if_due(const DomainRun& domain) {
+    if (checkpoint_ == nullptr || !checkpoint_->is_due()) return;
+    checkpoint_->save([&](StateWriter& state) {
+      save_domains(state, result_.domains);
+      save(state, "/fields", result_.fields);
+      domain.save(state);
+    });
+  }
+
+  /// The first domain that is valid at a time tells its fields: the lightest.
+  void keep_fields(DomainRun& domain, std::span<const double> times) {
+    auto& fields = domain.fields();
+    for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {
+      result_.fields.push_back(std::move(fields[i]));
+    }
+  }
+
+  const DynamicTest& test_;
+  const DynamicObserver& observer_;
+  Checkpoint* checkpoint_;
+  const StateReader* earlier_;
+  DomainRules rules_;
+  ShearModulusBounds bounds_;
+  DomainSequence sequence_;
+  double furthest_;               // time that any domain has reached [s]
+  std::vector<TimeDomain> past_;  // that the earlier run has completed
+  DynamicTestResult result_;
+};
 
 }  // namespace
 
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint) {
   require_complete(test);
-  const auto rules = rules_of(test);
-  const ShearModulusBounds bounds(test.discretisation, test.materials);
-  DomainSequence sequence(rules, bounds.lower(test.times.begin));
-  const auto points = static_cast<double>(test.discretisation.points());
-  const double log_range = std::log(test.times.end / test.times.begin);
-  double furthest = test.times.begin;
-  DynamicTestResult result;
-
-  const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr;
-  auto past = earlier != nullptr ? read_domains(*earlier) : std::vector<TimeDomain>();
-  if (earlier != nullptr) result.fields = read_fields(*earlier, "/fields", test.discretisation);
-
-  const auto tell = [&](const TimeDomain& running, double time) {
-    if (!observer.progress) return;
-    furthest = std::max(furthest, time);
-    const double done = std::log(furthest / test.times.begin);
-    observer.progress({.domain = result.domains.size(),
-                       .density_factor = running.density_factor,
-                       .time = time,
-                       .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
-                       .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
-  };
-  const auto run = [&](PreparedDomain prepared) {
-    const auto field_times = std::span(test.field_times).subspan(result.fields.size());
-    DomainRun domain(test, std::move(prepared), field_times);
-    bool is_over = false;
-    if (earlier != nullptr && result.domains.size() == past.size() && earlier->has("/running")) {
-      domain.restore(*earlier);
-      is_over = !show(test, bounds, domain.domain(), sequence);
-    }
-    while (!is_over) {
-      const auto sample = domain.take_sample(sequence.expected_begin());
-      is_over = !goes_on(test, bounds, domain.domain(), sample, sequence);
-      tell(domain.domain(), sample.time);
-      if (is_over || checkpoint == nullptr || !checkpoint->is_due()) continue;
-      checkpoint->save([&](StateWriter& state) {
-        save_domains(state, result.domains);
-        save(state, "/fields", result.fields);
-        domain.save(state);
-      });
-    }
-    domain.domain().window = window_wanted(sequence);
-    // The first domain that is valid at a time tells its fields: the lightest.
-    auto& fields = domain.fields();
-    for (std::size_t i = 0; i < fields.size() && field_times[i] <= domain.domain().window.end; ++i) {
-      result.fields.push_back(std::move(fields[i]));
-    }
-    return std::move(domain.domain());
-  };
-
-  for (;;) {
-    auto prepared = prepare(test, rules, bounds, sequence);
-    if (result.domains.size() < past.size()) {
-      auto& done = past[result.domains.size()];
-      static_cast<void>(show(test, bounds, done, sequence));
-      result.domains.push_back(std::move(done));
-    } else {
-      result.domains.push_back(run(std::move(prepared)));
-    }
-    if (observer.finished) observer.finished(result.domains.back());
-    if (sequence.is_complete()) break;
-    sequence.advance();
-  }
+  auto result = DynamicRun(test, observer, checkpoint).run();
   result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);

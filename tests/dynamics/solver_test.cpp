@@ -131,15 +131,16 @@ TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
 }
 
 TEST_P(BothFormulations, StopWithStepAndPlaceWhenTheyAreUnstable) {
+  const bool lagrangian = std::get<Formulation>(GetParam()) == Formulation::total_lagrangian;
   DynamicProblem problem{Discretisation({4, 4, 0.25}), {soft}};
   problem.boundary = Boundary::traction;
   const auto run = solver(problem);
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{x[0] > 0.5 ? 1e308 : -1e308, 0.0}; });
   std::vector<Averages> averages;
-  EXPECT_THAT(
-      test::message_of<NumericalError>([&] { run->advance(100, averages); }),
-      testing::AnyOf(testing::ContainsRegex("unstable at step [0-9]+, .* s after the load.* motion at .* m; likely "),
-                     testing::ContainsRegex("the point .* m left the grid at step [0-9]+; likely cause: ")));
+  // Material points of the classical formulation move, and are gone before a number overflows.
+  const auto* const expected = lagrangian ? "unstable at step [0-9]+, .* s after the load.* motion at .* m; likely "
+                                          : "the point .* m left the grid at step [0-9]+; likely cause: ";
+  EXPECT_THAT(test::message_of<NumericalError>([&] { run->advance(100, averages); }), testing::ContainsRegex(expected));
 }
 
 TEST_P(BothFormulations, GiveNoEnergyOfRelaxingMaterials) {
