@@ -98,6 +98,7 @@ std::string closing_table(const Sweep& sweep, const SweepResult& result) {
   const auto shown = last_stage_of(result);
   const auto spreads = spread_over_seeds(sweep, shown);
   std::vector<Column> columns;
+  columns.reserve(spreads.size());
   for (const auto& spread : spreads) {
     columns.push_back(column_of(name_without_seeds(sweep, sweep.tasks[spread.first_task]), spread));
   }

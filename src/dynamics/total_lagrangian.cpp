@@ -82,7 +82,7 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, Instructio
                       ForceRow(stride_), ForceRow(stride_), ForceRow(stride_), ForceRow(stride_)});
   }
   progress_ = std::vector<Progress>(bands_.size());
-  row_sums_.resize(static_cast<std::size_t>((grid.rows + 1) * chunk_));
+  row_sums_.resize((static_cast<std::size_t>(grid.rows) + 1) * static_cast<std::size_t>(chunk_));
 }
 
 void TotalLagrangian::set_velocities(const VelocityField& velocity) {

@@ -90,7 +90,8 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] PlaneStrain boundary_strain(int row) const;
   [[nodiscard]] Averages averages(std::int64_t step, int place) const;
   [[nodiscard]] RowSums& sums_of(int row, int done) noexcept {
-    return row_sums_[static_cast<std::size_t>(row * chunk_ + done % chunk_)];
+    const int place = row * chunk_ + done % chunk_;
+    return row_sums_[static_cast<std::size_t>(place)];
   }
 
   [[nodiscard]] Row displacement(int row) noexcept { return {field(row, 0), field(row, 1)}; }

@@ -142,7 +142,7 @@ std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, 
   const auto steps = split_path(setting.path);
   if (!steps) {
     mistakes.push_back(
-        {setting.path_place, fmt::format("expected a key such as \"tests.volumetric\", got \"{}\"", setting.path)});
+        {setting.path_place, fmt::format(R"(expected a key such as "tests.volumetric", got "{}")", setting.path)});
     return {};
   }
   const auto value = std::visit(

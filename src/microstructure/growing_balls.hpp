@@ -80,8 +80,8 @@ class GrowingBalls {
   void predict_walls(const Body& body, Event& event, double& time) const noexcept;
   void schedule(std::uint32_t ball, const Event& event, double time);
 
-  double side_;
-  Walls walls_;
+  double side_ = 0.0;
+  Walls walls_ = Walls::hard;
   PeriodicImages<dim> images_;
   std::vector<Body> bodies_;
   std::vector<Event> next_;
@@ -92,7 +92,7 @@ class GrowingBalls {
   double scale_ = 0.0;  // at time 0
   double rate_ = 0.0;   // of the scale
   std::uint64_t events_ = 0;
-  std::uint64_t events_per_epoch_;
+  std::uint64_t events_per_epoch_ = 0;
 };
 
 }  // namespace breccia

@@ -131,14 +131,13 @@ void Balancing::number_constraints() {
 }
 
 void Balancing::apply(const std::vector<double>& residual, std::vector<double>& result) {
-  const auto vertices = static_cast<std::size_t>(2 * blocks_->grid().vertices());
+  const auto vertices = 2 * static_cast<std::size_t>(blocks_->grid().vertices());
   std::fill(coarse_right_.begin(), coarse_right_.end(), 0.0);
   std::copy_n(residual.begin(), vertices, coarse_right_.begin());
   const auto for_each_block = [&](const auto& work) {
     for (const auto& colour : blocks_->grid().colours()) {
 #pragma omp parallel for num_threads(threads_)
-      for (std::size_t i = 0; i < colour.size(); ++i) {
-        const int b = colour[i];
+      for (const int b : colour) {
         work(blocks_->unknowns_of(b), answers_[static_cast<std::size_t>(blocks_->surrounded_of(b))],
              coarse_of_[static_cast<std::size_t>(b)]);
       }

@@ -8,8 +8,11 @@ namespace {
 
 /// Numbers of the nodes of a block, row by row: those inside from 0, those of its boundary from -1 down.
 std::vector<int> numbers_of_nodes(const Block& shape) {
-  std::vector<int> numbers(static_cast<std::size_t>((shape.columns + 1) * (shape.rows + 1)), 0);
-  const auto at = [&](int x, int y) -> int& { return numbers[static_cast<std::size_t>(y * (shape.columns + 1) + x)]; };
+  const auto width = static_cast<std::size_t>(shape.columns) + 1, height = static_cast<std::size_t>(shape.rows) + 1;
+  std::vector<int> numbers(width * height, 0);
+  const auto at = [&](int x, int y) -> int& {
+    return numbers[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)];
+  };
   int count = 0;
   for (int y = 1; y < shape.rows; ++y) {
     for (int x = 1; x < shape.columns; ++x) at(x, y) = count++;
@@ -46,7 +49,8 @@ BlockStiffness::BlockStiffness(const BlockKind& kind, double stiffness_of_held)
     const int x = cell % kind.shape.columns, y = cell / kind.shape.columns;
     std::array<int, 4> nodes{};
     for (int a = 0; a < 4; ++a) {
-      nodes[static_cast<std::size_t>(a)] = numbers[static_cast<std::size_t>((y + a / 2) * width + x + a % 2)];
+      const int node = (y + a / 2) * width + x + a % 2;
+      nodes[static_cast<std::size_t>(a)] = numbers[static_cast<std::size_t>(node)];
     }
     const auto& stiffness = *kind.cells[static_cast<std::size_t>(cell)];
     for (int a = 0; a < cell_dofs; ++a) {
@@ -111,7 +115,7 @@ Eigen::VectorXd BlockStiffness::carried_by_boundary(Eigen::VectorXd forces_insid
 
 Eigen::VectorXd BlockStiffness::displacement_inside(Eigen::VectorXd forces_inside,
                                                     const Eigen::VectorXd& boundary) const {
-  forces_inside.noalias() -= inside_boundary_ * boundary;
+  forces_inside -= inside_boundary_ * boundary;
   solve_lower(forces_inside);
   solve_upper(forces_inside);
   return forces_inside;

@@ -223,6 +223,7 @@ Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field&
   const CellVector affine = displacement.affine() * affine_motion(unit_strain(load));
   // Forces conjugate to the affine motion, from the stiffness that is symmetric.
   std::vector<CellVector> conjugate;
+  conjugate.reserve(by_kind.size());
   for (const auto& stiffness : by_kind) conjugate.emplace_back(stiffness * affine_motion(unit_strain(load)));
   const auto local = local_copy(grid_.get(), displacement.rest());
   const Values values(local.get());

@@ -48,7 +48,7 @@ void save(StateWriter& state, const std::string& group, const Field& field) {
     check(VecScatterBegin(to_first.get(), field.rest(), whole.get(), INSERT_VALUES, SCATTER_FORWARD), what);
     check(VecScatterEnd(to_first.get(), field.rest(), whole.get(), INSERT_VALUES, SCATTER_FORWARD), what);
   }
-  const Vec all = parallel::ranks() > 1 ? whole.get() : field.rest();
+  Vec all = parallel::ranks() > 1 ? whole.get() : field.rest();
   PetscInt size = 0;
   const double* values = nullptr;
   check(VecGetLocalSize(all, &size), what);

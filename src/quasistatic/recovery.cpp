@@ -58,6 +58,7 @@ PointFields recover_fields(const ElasticBox& box, const Discretisation& discreti
   const auto& grid = discretisation.grid();
   const NodalDisplacement moved(box, grid, load, displacement);
   std::vector<AppliedToNodes> by_material;
+  by_material.reserve(applied.size());
   for (const auto& [bulk, shear] : applied) {
     by_material.push_back({NodalDisplacement(box, grid, load, bulk), NodalDisplacement(box, grid, load, shear)});
   }

@@ -112,6 +112,7 @@ void ReducedBasis::extend_residual_products() {
     }
   }
   std::vector<Field> newest;
+  newest.reserve(parts.size());
   for (const auto* part : parts) newest.push_back(box_->forces(*part, load_, vectors_.back()));
   const auto multiply = [&](Eigen::Index i, const Field& forces) {
     for (Eigen::Index part = 0; part < count; ++part) {

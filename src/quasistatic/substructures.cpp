@@ -20,7 +20,7 @@ Substructures::Substructures(const ElasticBox& box)
     : box_(&box), grid_(box.columns(), box.rows(), box.boundary() == Boundary::periodic) {
   const auto count = static_cast<std::size_t>(grid_.blocks());
   first_unknown_ = {0};
-  vertex_is_held_.assign(static_cast<std::size_t>(2 * grid_.vertices()), false);
+  vertex_is_held_.assign(2 * static_cast<std::size_t>(grid_.vertices()), false);
   std::unordered_map<std::string, int> known_blocks;
   kind_of_.reserve(count);
   for (int b = 0; b < grid_.blocks(); ++b) {

@@ -151,9 +151,9 @@ void SubstructuringSolver::multiply(const std::vector<double>& x, std::vector<do
   std::fill(y.begin(), y.end(), 0.0);
   for (const auto& colour : blocks_.grid().colours()) {
 #pragma omp parallel for num_threads(threads_)
-    for (std::size_t i = 0; i < colour.size(); ++i) {
-      const int* unknowns = blocks_.unknowns_of(colour[i]);
-      const auto& stiffness = condensed_[static_cast<std::size_t>(blocks_.kind_of(colour[i]))];
+    for (const int b : colour) {
+      const int* unknowns = blocks_.unknowns_of(b);
+      const auto& stiffness = condensed_[static_cast<std::size_t>(blocks_.kind_of(b))];
       Eigen::VectorXd forces;
       stiffness.multiply(gather(unknowns, stiffness.size(), x), forces);
       for (Eigen::Index k = 0; k < forces.size(); ++k) {

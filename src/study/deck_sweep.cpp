@@ -16,6 +16,7 @@ namespace {
 
 std::vector<SweptKey> swept_keys(const std::vector<KeyValues>& keys, std::vector<Mistake>& mistakes) {
   std::vector<std::string> paths;
+  paths.reserve(keys.size());
   for (const auto& key : keys) paths.push_back(key.path);
   const auto labels = labels_of_keys(paths);
   std::vector<SweptKey> swept;

@@ -53,6 +53,7 @@ bool are_good(const std::vector<std::string>& labels) {
 
 std::vector<std::string> labels_of_keys(const std::vector<std::string>& paths) {
   std::vector<std::vector<std::string>> all_steps;
+  all_steps.reserve(paths.size());
   for (const auto& path : paths) all_steps.push_back(split_path(path).value_or(std::vector{path}));
   std::vector<std::string> labels;
   for (const auto& steps : all_steps) {

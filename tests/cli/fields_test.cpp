@@ -35,9 +35,10 @@ std::vector<std::string> with(const std::vector<std::string>& more) {
 double mean_shear(const Hdf5Reader& fields, const std::string& name) {
   const auto values = fields.read_numbers("/VTKHDF/CellData/" + name);
   constexpr std::size_t xy = 3, components = 6;
+  const auto tensors = values.size() / components;
   double sum = 0.0;
-  for (std::size_t i = xy; i < values.size(); i += components) sum += values[i];
-  return sum / static_cast<double>(values.size() / components);
+  for (std::size_t i = 0; i < tensors; ++i) sum += values[components * i + xy];
+  return sum / static_cast<double>(tensors);
 }
 
 /// The value of a table for the first test under a boundary at a time.

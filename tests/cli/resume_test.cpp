@@ -98,7 +98,7 @@ TEST_F(Resume, OtherOverridesAreRefused) {
 TEST_F(Resume, AnotherVersionIsRefused) {
   interrupt();
   write_text(study_.result("study.json"),
-             test::replaced(read_text(study_.result("study.json")), "\"version\": \"", "\"version\": \"9"));
+             test::replaced(read_text(study_.result("study.json")), R"("version": ")", R"("version": "9)"));
   const auto refused = study_.breccia("run", {"--resume"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("of version 9"));

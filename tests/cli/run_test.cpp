@@ -129,10 +129,9 @@ TEST(Examples, ModelCompositeAgreesWithTheQuasiStaticLimit) {
 
 TEST(Examples, Pbx9501StiffensFromStageToStage) {
   const test::TemporaryDirectory directory;
-  std::vector<std::string> arguments = {"run",   BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-quick.toml",
-                                        "--out", ".",
-                                        "--set", "tests.method=quasistatic",
-                                        "--set", "tests.bounds=[\"lower\"]"};
+  const std::string deck = BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-quick.toml";
+  std::vector<std::string> arguments = {
+      "run", deck, "--out", ".", "--set", "tests.method=quasistatic", "--set", R"(tests.bounds=["lower"])"};
   for (const auto* stage : {"HB-1", "HB-2", "PBX-9501"}) {
     arguments.insert(arguments.end(), {"--set", std::string("stages.") + stage + ".cells=40"});
   }

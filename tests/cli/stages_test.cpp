@@ -184,9 +184,9 @@ shear = { prony = "none.csv", curve = "falling.csv" }
   const auto check = study.breccia("check");
   EXPECT_EQ(check.exit_code, 2);
   for (const auto* mistake :
-       {"measurements.x.stage: unknown stage \"a\", did you mean \"A\"?",
+       {R"(measurements.x.stage: unknown stage "a", did you mean "A"?)",
         "falling.csv:3: expected rising positive times", "falling.csv:4: expected a positive modulus, got -1",
-        "expected two rising times", "another measurement is called \"x\"", "expected exactly one of prony, curve"}) {
+        "expected two rising times", R"(another measurement is called "x")", "expected exactly one of prony, curve"}) {
     EXPECT_THAT(check.errors, HasSubstr(mistake));
   }
 }

@@ -180,7 +180,7 @@ TEST(Sweep, PackPacksEveryTask) {
 
 TEST(Sweep, NothingRunsBeforeAllMistakesAreMended) {
   const StudyDirectory study(deck);
-  const auto run = study.breccia("run", {"--sweep", "tests.volumetric=[\"averaged\", \"norm\"]"});
+  const auto run = study.breccia("run", {"--sweep", R"(tests.volumetric=["averaged", "norm"])"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.errors, HasSubstr("tests.volumetric: expected one of \"averaged\", \"standard\", got \"norm\""));
   EXPECT_THAT(study.results(), testing::IsEmpty());
