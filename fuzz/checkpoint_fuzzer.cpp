@@ -3,9 +3,11 @@
 // must be refused before the HDF5 library sees them, which is known to crash on hostile files.
 
 #include <sstream>
+#include <stdexcept>
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/microstructure/packing.hpp"
+#include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/study/microstructures.hpp"
 
@@ -44,13 +46,16 @@ void write_state(const std::filesystem::path& path, std::string_view text) {
   state.commit();
 }
 
-/// Two discs grow on from the state.
-void go_on_packing(const StateReader& state) {
-  PackingRun<2> run({1e-3, Walls::hard, {1e-4, 2e-4}}, read_packing_state(state));
+/// Two discs grow on from the state, and are where discs can be if they come to their size.
+void go_on_packing(const StateReader& state, Walls walls) {
+  PackingRun<2> run({1e-3, walls, {1e-4, 2e-4}}, read_packing_state(state));
   try {
-    run.advance();
+    for (int epoch = 0; epoch < 20 && !run.is_done(); ++epoch) run.advance();
+    if (run.is_done()) require_valid({1e-3, walls, run.packing().balls});
   } catch (const NumericalError&) {
     // They may jam.
+  } catch (const InputError& error) {
+    throw std::logic_error(error.what());
   }
 }
 
@@ -63,7 +68,8 @@ void read_all(const StateReader& state) {
   read([&] { return read_domain(state, "/running"); });
   read([&] { return read_fields(state, "/fields", two_cells); });
   read([&] { return state.text("/field_file/0/file"); });
-  fuzz::allow_refusal([&] { go_on_packing(state); });
+  fuzz::allow_refusal([&] { go_on_packing(state, Walls::hard); });
+  fuzz::allow_refusal([&] { go_on_packing(state, Walls::periodic); });
 }
 
 }  // namespace

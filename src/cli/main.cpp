@@ -94,7 +94,7 @@ void end_all(const Outcome& outcome) {
     const int process = parallel::group() * parallel::ranks() + parallel::rank();
     fmt::print(stderr, "{}{}\n", process > 0 ? fmt::format("process {}: ", process) : "", outcome.failure);
   }
-  if (parallel::ranks() * parallel::groups() > 1) parallel::abort(static_cast<int>(outcome.exit_code));
+  if (!parallel::is_alone()) parallel::abort(static_cast<int>(outcome.exit_code));
 }
 
 }  // namespace

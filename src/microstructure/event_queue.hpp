@@ -34,6 +34,9 @@ class EventQueue {
     return all;
   }
 
+  /// The place above another in the heap; the first is above itself.
+  [[nodiscard]] static std::size_t above(std::size_t place) noexcept { return place > 0 ? (place - 1) / arity : 0; }
+
   [[nodiscard]] std::uint32_t first() const noexcept { return heap_.front().ball; }
 
   void set(std::uint32_t ball, double time) noexcept {
@@ -59,7 +62,7 @@ class EventQueue {
 
   void rise(std::size_t place, const Item& item) noexcept {
     while (place > 0) {
-      const std::size_t parent = (place - 1) / arity;
+      const std::size_t parent = above(place);
       if (!(item.time < heap_[parent].time)) break;
       put(place, heap_[parent]);
       place = parent;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "breccia/error.hpp"
 
 #include "close_pairs.hpp"
+#include "event_queue.hpp"
 #include "growing_balls.hpp"
 
 namespace breccia {
@@ -100,8 +103,39 @@ std::vector<double> inflated_diameters(const PackingRequest& request) {
   return inflated;
 }
 
+/// A queue of events holds every ball once, and none before the one above it.
+bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, const std::vector<double>& times) {
+  if (balls.size() != count || times.size() != count) return false;
+  std::vector<bool> is_there(count, false);
+  for (std::size_t place = 0; place < count; ++place) {
+    if (balls[place] >= count || is_there[balls[place]]) return false;
+    is_there[balls[place]] = true;
+    if (!(times[place] >= times[EventQueue::above(place)])) return false;
+  }
+  return true;
+}
+
+/// Do balls of their present size overlap, each other or hard walls? In a box of the same unit of length.
 template <int dim>
-void require_state_of(const PackingRequest& request, const PackingState<dim>& state) {
+bool overlap(double side, Walls walls, const PackingState<dim>& state, const std::vector<double>& diameters) {
+  constexpr double roundoff = 1e-6;
+  if (state.scale == 0.0) return false;
+  std::vector<Ball<dim>> balls;
+  balls.reserve(diameters.size());
+  for (std::size_t ball = 0; ball < diameters.size(); ++ball) {
+    balls.push_back({state.positions[ball], state.scale * diameters[ball]});
+  }
+  const auto is_across_wall = [side](const Ball<dim>& ball) {
+    const double least = 0.5 * ball.diameter - roundoff;
+    return std::ranges::any_of(ball.centre, [&](double x) { return x < least || side - x < least; });
+  };
+  if (walls == Walls::hard && std::ranges::any_of(balls, is_across_wall)) return true;
+  return smallest_gap<dim>(side, walls, balls) < -roundoff;
+}
+
+/// Returns the state, if it is one that a run with this request may have left. Throws InputError otherwise.
+template <int dim>
+const PackingState<dim>& sound(const PackingState<dim>& state, const PackingRequest& request) {
   const auto count = request.diameters.size();
   const double side = request.side / unit_length(request);
   const double roundoff = 1e-9 * side;
@@ -111,39 +145,38 @@ void require_state_of(const PackingRequest& request, const PackingState<dim>& st
   const auto is_finite = [](const Vector<dim>& velocity) {
     return std::ranges::all_of(velocity, [](double v) { return std::isfinite(v); });
   };
-  std::vector<bool> is_queued(count, false);
-  for (const auto ball : state.queue) {
-    if (ball < count) is_queued[ball] = true;
-  }
-  const bool has_all = state.positions.size() == count && state.velocities.size() == count &&
-                       state.queue.size() == count && state.queue_times.size() == count &&
-                       std::ranges::all_of(is_queued, [](bool is) { return is; });
+  const bool is_of_these = state.positions.size() == count && state.velocities.size() == count &&
+                           is_queue_of(count, state.queue, state.queue_times);
   const bool has_meaning = state.scale >= 0.0 && state.scale <= 1.0 && state.jams < growth_rate_shares.size();
-  if (!has_all || !has_meaning || !std::ranges::all_of(state.positions, is_in_box) ||
-      !std::ranges::all_of(state.velocities, is_finite)) {
+  if (!is_of_these || !has_meaning || !std::ranges::all_of(state.positions, is_in_box) ||
+      !std::ranges::all_of(state.velocities, is_finite) ||
+      overlap(side, request.walls, state, inflated_diameters(request))) {
     throw InputError("packing: the state to go on from is not one of these particles in this box");
   }
+  return state;
+}
+
+/// Balls in their first state, or in a later one.
+template <int dim, class Start>
+std::unique_ptr<GrowingBalls<dim>> growing_balls(const PackingRequest& request, const Start& start) {
+  require_meaning(request);
+  require_possible<dim>(request);
+  return std::make_unique<GrowingBalls<dim>>(request.side / unit_length(request), request.walls,
+                                             inflated_diameters(request), start);
 }
 
 }  // namespace
 
 template <int dim>
-PackingRun<dim>::PackingRun(PackingRequest request) : request_(std::move(request)) {
-  require_meaning(request_);
-  require_possible<dim>(request_);
-  balls_ = std::make_unique<GrowingBalls<dim>>(request_.side / unit_length(request_), request_.walls,
-                                               inflated_diameters(request_), request_.seed);
-}
+PackingRun<dim>::PackingRun(PackingRequest request)
+    : request_(std::move(request)), balls_(growing_balls<dim>(request_, request_.seed)) {}
 
 template <int dim>
 PackingRun<dim>::PackingRun(PackingRequest request, const PackingState<dim>& state)
-    : request_(std::move(request)), jams_(state.jams), largest_scale_(state.largest_scale) {
-  require_meaning(request_);
-  require_possible<dim>(request_);
-  require_state_of(request_, state);
-  balls_ = std::make_unique<GrowingBalls<dim>>(request_.side / unit_length(request_), request_.walls,
-                                               inflated_diameters(request_), state);
-}
+    : request_(std::move(request)),
+      balls_(growing_balls<dim>(request_, sound(state, request_))),
+      jams_(state.jams),
+      largest_scale_(state.largest_scale) {}
 
 template <int dim>
 PackingRun<dim>::PackingRun(PackingRun&&) noexcept = default;
@@ -196,6 +229,7 @@ PackingState<dim> PackingRun<dim>::state() const {
 
 template <int dim>
 Packing<dim> PackingRun<dim>::packing() const {
+  if (!is_done()) throw InputError("packing: the particles have not reached their size");
   const double side = request_.side / unit_length(request_);
   Packing<dim> packing;
   for (std::size_t ball = 0; ball < request_.diameters.size(); ++ball) {
@@ -205,7 +239,7 @@ Packing<dim> PackingRun<dim>::packing() const {
   packing.fraction = fraction<dim>(request_, 0.0);
   packing.gap = smallest_gap<dim>(request_.side, request_.walls, packing.balls);
   packing.events = balls_->events();
-  if (packing.gap < request_.minimum_gap) {
+  if (!(packing.gap >= request_.minimum_gap)) {
     throw NumericalError(
         fmt::format("packing: roundoff left a gap of {:.9g} m instead of {:.9g} m", packing.gap, request_.minimum_gap));
   }

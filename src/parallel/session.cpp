@@ -132,12 +132,16 @@ int groups() noexcept {
   return division().groups;
 }
 
+bool is_alone() noexcept {
+  return ranks() * groups() == 1;
+}
+
 bool is_first() noexcept {
   return rank() == 0 && group() == 0;
 }
 
 std::vector<std::string> gather(const std::string& text_of_group) {
-  if (ranks() * groups() == 1) return {text_of_group};
+  if (is_alone()) return {text_of_group};
   // The first process of a group tells the text, the others nothing.
   const std::string told = rank() == 0 ? text_of_group : "";
   const auto processes = static_cast<std::size_t>(ranks()) * static_cast<std::size_t>(groups());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,8 +53,8 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   return unknowns * (340.0 + fields + steps);
 }
 
-void require_memory(const Study& study, double available) {
-  std::string mistakes;
+std::vector<std::string> lacking_memory(const Study& study, double available) {
+  std::vector<std::string> lines;
   for (const auto& stage : study.stages) {
     const int cells = stage.cells;
     for (const auto method : study.tests.methods) {
@@ -62,15 +63,19 @@ void require_memory(const Study& study, double available) {
       if (bytes <= available) continue;
       const double left = std::max(0.0, available);
       const int fitting = static_cast<int>(cells * std::sqrt(left / bytes));
-      mistakes += fmt::format(
-          "{}{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{} "
-          "(--no-memory-check runs them nevertheless)",
-          mistakes.empty() ? "" : "\n", stage.name, cells, cells, bytes / 1e9,
-          method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,
-          fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : "");
+      lines.push_back(
+          fmt::format("{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{} "
+                      "(--no-memory-check runs them nevertheless)",
+                      stage.name, cells, cells, bytes / 1e9, method == Method::quasistatic ? "quasi-static" : "dynamic",
+                      left / 1e9, fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : ""));
     }
   }
-  if (!mistakes.empty()) throw InputError(mistakes);
+  return lines;
+}
+
+void require_memory(const Study& study, double available) {
+  const auto lines = lacking_memory(study, available);
+  if (!lines.empty()) throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
 }
 
 }  // namespace breccia

@@ -29,7 +29,10 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
 
-/// A packing from its beginning, or from where an earlier run has left it, to its end.
+constexpr auto seconds_name = "/seconds";
+
+/// Packs the particles of a stage, if it has any to pack, from the beginning or from where an earlier run has left it,
+/// and counts the time.
 class StagePacking {
  public:
   StagePacking(const PackingFollower& follow, Checkpoint* checkpoint)
@@ -39,7 +42,7 @@ class StagePacking {
         seconds_before_(earlier_ != nullptr ? earlier_->number(seconds_name) : 0.0) {}
 
   Packing<2> run(const PackingRequest& request) {
-    auto packing = earlier_ != nullptr ? PackingRun<2>(request, read_packing_state(*earlier_)) : PackingRun<2>(request);
+    auto packing = earlier_ != nullptr ? go_on(request) : PackingRun<2>(request);
     while (!packing.is_done()) {
       packing.advance();
       if (follow_) follow_(packing.progress());
@@ -58,7 +61,13 @@ class StagePacking {
   }
 
  private:
-  static constexpr auto seconds_name = "/seconds";
+  [[nodiscard]] PackingRun<2> go_on(const PackingRequest& request) const {
+    try {
+      return {request, read_packing_state(*earlier_)};
+    } catch (const InputError& error) {
+      throw FileError(fmt::format("{}: {}; run without --resume, which begins anew", earlier_->path(), error.what()));
+    }
+  }
 
   const PackingFollower& follow_;
   Checkpoint* checkpoint_;
@@ -143,7 +152,7 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
   state.write("/diameter_m", diameters);
   if (microstructure.size_deviation) state.write("/size_deviation", *microstructure.size_deviation);
   state.write("/events", static_cast<std::int64_t>(microstructure.events));
-  state.write("/seconds", microstructure.seconds);
+  state.write(seconds_name, microstructure.seconds);
 }
 
 StageMicrostructure read_stage_microstructure(const StateReader& state) {
@@ -165,7 +174,7 @@ StageMicrostructure read_stage_microstructure(const StateReader& state) {
   }
   if (state.has("/size_deviation")) result.size_deviation = state.number("/size_deviation");
   result.events = static_cast<std::uint64_t>(state.integer("/events"));
-  result.seconds = state.number("/seconds");
+  result.seconds = state.number(seconds_name);
   describe(result);
   return result;
 }

@@ -1,9 +1,13 @@
 #include "packing_state.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
@@ -31,14 +35,19 @@ std::vector<Vector<2>> read_vectors(const StateReader& state, const std::string&
   return vectors;
 }
 
-/// Throws FileError where a number is not one that counts or numbers particles.
+/// Throws FileError where a number is not that of a particle.
 std::uint32_t particle(double number) {
-  const bool is_one = number >= 0.0 && number < 4294967296.0;
-  const auto counted = is_one ? static_cast<std::uint32_t>(number) : 0;
-  if (!is_one || static_cast<double>(counted) != number) {
-    throw FileError("a checkpoint of a packing: expected the numbers of its particles");
-  }
-  return counted;
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  const bool is_one = number >= 0.0 && number <= most && std::floor(number) == number;
+  if (!is_one) throw FileError("a checkpoint of a packing: expected the numbers of its particles");
+  return static_cast<std::uint32_t>(number);
+}
+
+/// Throws FileError where a number counts nothing.
+std::uint64_t count(const StateReader& state, const std::string& name) {
+  const auto counted = state.integer(name);
+  if (counted < 0) throw FileError(fmt::format("a checkpoint of a packing: {}: expected a count", name));
+  return static_cast<std::uint64_t>(counted);
 }
 
 }  // namespace
@@ -56,10 +65,10 @@ void save(StateWriter& state, const PackingState<2>& packing) {
 
 PackingState<2> read_packing_state(const StateReader& state) {
   PackingState<2> packing;
-  packing.jams = static_cast<std::size_t>(state.integer("/jams"));
+  packing.jams = count(state, "/jams");
   packing.largest_scale = state.number("/largest_scale");
   packing.scale = state.number("/scale");
-  packing.events = static_cast<std::uint64_t>(state.integer("/events"));
+  packing.events = count(state, "/events");
   packing.positions = read_vectors(state, "/position");
   packing.velocities = read_vectors(state, "/velocity");
   for (const double number : state.numbers("/queue")) packing.queue.push_back(particle(number));

@@ -1,5 +1,6 @@
 #include "breccia/study/resume.hpp"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -62,6 +63,14 @@ std::optional<double> take_over_complete_run(const Study& study, const std::file
   if (!is_this_run || !json.contains("wall_time_s") || !json["wall_time_s"].is_number()) return std::nullopt;
   if (parallel::rank() == 0 && remove_checkpoints(study, directory)) write_study_report(directory);
   return json["wall_time_s"].get<double>();
+}
+
+bool holds_tests(const std::filesystem::path& directory) {
+  const auto json = provenance_in(directory);
+  const auto stages = json.find("stages");
+  return stages != json.end() && std::ranges::any_of(*stages, [](const Json& stage) {
+           return stage.is_object() && stage.contains("tests") && !stage["tests"].empty();
+         });
 }
 
 void require_same_study(const Study& study, const std::filesystem::path& directory) {

@@ -72,7 +72,11 @@ class UnlessEmpty {
   UnlessEmpty& operator=(UnlessEmpty&&) = delete;
   ~UnlessEmpty() {
     std::error_code is_not_empty;
-    if (parallel::rank() == 0) fs::remove(directory_, is_not_empty);
+    if (parallel::rank() != 0) return;
+    // Alone it tells of no result.
+    const auto entries = std::distance(fs::directory_iterator(directory_, is_not_empty), fs::directory_iterator());
+    if (entries == 1) fs::remove(directory_ / "study.json", is_not_empty);
+    fs::remove(directory_, is_not_empty);
   }
 
  private:
@@ -83,6 +87,13 @@ class UnlessEmpty {
 template <class Write>
 void write_once(const Write& write) {
   if (parallel::rank() == 0) write();
+}
+
+/// Leaves the deck in `study.json`, so that whoever goes on from the first packing can be told what differs.
+void announce(const Study& study, const fs::path& directory) {
+  write_once([&] {
+    if (!fs::exists(directory / "study.json")) write_provenance(directory, study, {});
+  });
 }
 
 StageResult describe(const Study& study, const Stage& stage, StageMicrostructure microstructure,
@@ -223,11 +234,14 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const RunO
   write_once([&] { make_way(study, directory, options.resume); });
   const UnlessEmpty kept(directory);
   const Checkpoints checkpoints(study, directory, options, observer);
+  announce(study, directory);
+  // A run that is to go on has told more than packings.
+  const bool is_told = holds_tests(directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     const UnlessEmpty kept_stage(directory / stage.name);
     result.stages.push_back(pack_stage(study, stage, directory / stage.name, checkpoints, observer));
-    write_once([&] { write_provenance(directory, study, result); });
+    if (!is_told) write_once([&] { write_provenance(directory, study, result); });
   }
   return result;
 }
@@ -238,10 +252,11 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
   // Not after an hour of work.
   require_gnuplot();
   if (options.resume) require_same_study(study, directory);
-  if (!options.ignore_memory && parallel::ranks() == 1) require_memory(study, available_memory());
+  if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
   write_once([&] { make_way(study, directory, options.resume); });
   const UnlessEmpty kept(directory);
   const Checkpoints checkpoints(study, directory, options, observer);
+  announce(study, directory);
   StudyResult result;
   for (const auto& stage : study.stages) {
     const UnlessEmpty kept_stage(directory / stage.name);

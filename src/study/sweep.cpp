@@ -1,6 +1,9 @@
 #include "breccia/study/sweep.hpp"
 
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +15,6 @@
 #include "breccia/study/memory.hpp"
 #include "breccia/study/resume.hpp"
 
-#include "named_errors.hpp"
 #include "results.hpp"
 #include "sweep_results.hpp"
 
@@ -29,7 +31,7 @@ class SweepRun {
 
   SweepResult run() {
     if (options_.resume) take_over();
-    if (!options_.ignore_memory && parallel::ranks() == 1) refuse_too_large();
+    if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
     if (options_.resume) write();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
@@ -62,30 +64,39 @@ class SweepRun {
 
   /// Of all tasks before any runs, so that several processes find the same.
   void take_over() {
-    refuse_each([&](std::size_t task) { require_same_study(sweep_.tasks[task].study, directory_of(task)); });
+    refuse_others();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
   }
 
-  void refuse_too_large() const {
-    const double available = available_memory();
-    refuse_each([&](std::size_t task) {
-      if (result_[task].state == TaskState::done) return;
-      name_errors(sweep_.tasks[task].name, [&] { require_memory(sweep_.tasks[task].study, available); });
-    });
-  }
-
-  /// Throws one InputError of all those that `require` throws of the tasks.
-  template <class Require>
-  void refuse_each(const Require& require) const {
-    std::string mistakes;
+  /// Results of other studies in the directories of the tasks, all at once.
+  void refuse_others() const {
+    std::vector<std::string> mistakes;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       try {
-        require(task);
+        require_same_study(sweep_.tasks[task].study, directory_of(task));
       } catch (const InputError& error) {
-        mistakes += fmt::format("{}{}", mistakes.empty() ? "" : "\n", error.what());
+        mistakes.emplace_back(error.what());
       }
     }
-    if (!mistakes.empty()) throw InputError(mistakes);
+    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  }
+
+  /// Tasks that will hardly fit into the memory: of those that lack the same the first, and how many more.
+  void refuse_too_large() const {
+    const double available = available_memory();
+    std::map<std::string, std::vector<std::string>> tasks_of;
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (result_[task].state == TaskState::done) continue;
+      for (const auto& line : lacking_memory(sweep_.tasks[task].study, available)) {
+        tasks_of[line].push_back(sweep_.tasks[task].name);
+      }
+    }
+    std::vector<std::string> mistakes;
+    for (const auto& [line, tasks] : tasks_of) {
+      const auto more = tasks.size() > 1 ? fmt::format(" and {} more", tasks.size() - 1) : "";
+      mistakes.push_back(fmt::format("{}{}: {}", tasks.front(), more, line));
+    }
+    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   }
 
   void take_over(std::size_t task) {

@@ -47,7 +47,7 @@ TEST_P(Interruption, KeepsAPackingOnItsWay) {
   const auto outcome = pack.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
-  EXPECT_THAT(study.results(), testing::ElementsAre("A/packing.checkpoint.h5"));
+  EXPECT_THAT(study.results(), testing::ElementsAre("A/packing.checkpoint.h5", "study.json"));
 }
 
 TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "breccia/io/text_file.hpp"
 
@@ -17,6 +18,7 @@ using testing::Contains;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
+using Json = nlohmann::json;
 
 /// A study that ends at the first moment at which it can, time and again, until it is done.
 class Resume : public testing::Test {
@@ -51,6 +53,21 @@ TEST_F(Resume, WhereNothingWasLeftARunBegins) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 
+double wall_time_of_packing(const StudyDirectory& study) {
+  const auto json = Json::parse(read_text(study.result("study.json")));
+  return json["stages"][0]["microstructure"]["wall_time_s"];
+}
+
+TEST_F(Resume, PackingLeavesWhatARunHasToldAlone) {
+  // Until the second of two tests has left its state.
+  while (study_.breccia("run", {"--resume", "--time-limit", "50 ms"}).exit_code == 130 &&
+         Json::parse(read_text(study_.result("study.json")))["stages"][0]["tests"].empty()) {
+  }
+  const auto before = read_text(study_.result("study.json"));
+  EXPECT_EQ(study_.breccia("pack", {"--resume"}).exit_code, 0);
+  EXPECT_EQ(read_text(study_.result("study.json")), before);
+}
+
 TEST_F(Resume, PackingsGoOnToTheSameDiscsAndRunsFromThere) {
   // So many particles that a packing takes a few parts.
   const std::string deck = test::replaced(std::string(test::good_deck), "\"1 mm\"", "\"0.1 mm\"");
@@ -68,9 +85,10 @@ TEST_F(Resume, PackingsGoOnToTheSameDiscsAndRunsFromThere) {
   EXPECT_EQ(read_text(parts.result("A/microstructure.csv")), read_text(whole.result("A/microstructure.csv")));
   auto and_go_on = options;
   and_go_on.emplace_back("--resume");
+  const auto packing_time = wall_time_of_packing(parts);
   const auto run = parts.breccia("run", and_go_on);
   EXPECT_EQ(run.exit_code, 0) << run.errors;
-  EXPECT_EQ(read_text(parts.result("A/microstructure.csv")), read_text(whole.result("A/microstructure.csv")));
+  EXPECT_EQ(wall_time_of_packing(parts), packing_time) << "packed once more";
   const auto complete = parts.results();
   const auto pack = parts.breccia("pack", and_go_on);
   EXPECT_THAT(pack.output, HasSubstr("The results in out are complete"));

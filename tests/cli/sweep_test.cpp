@@ -55,11 +55,14 @@ TEST(Sweep, RunsEveryTaskLikeADeckWithOverrides) {
 }
 
 TEST(Sweep, ThatWillNotFitIsRefusedBeforeAnyTaskRuns) {
+  // 5 and 20 TB.
   const StudyDirectory study(test::good_deck);
-  const auto run = study.breccia("run", {"--sweep", "stages.A.cells=[12, 30000, 40000]"});
+  const auto run = study.breccia("run", {"--sweep", "stages.A.cells=[12, 90000, 180000]", "--sweep",
+                                         "stages.A.packing.seed=[1, 2, 3]", "--set", "tests.method=quasistatic"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_THAT(run.errors, AllOf(HasSubstr("cells-30000: A: 30000 x 30000 cells take about "),
-                                HasSubstr("cells-40000: A: 40000 x 40000 cells take about "), HasSubstr("would fit")));
+  EXPECT_THAT(run.errors, AllOf(HasSubstr("cells-90000_seed-1 and 2 more: A: 90000 x 90000 cells take about "),
+                                HasSubstr("cells-180000_seed-1 and 2 more: A: 180000 x 180000 cells take about "),
+                                HasSubstr("would fit")));
   EXPECT_THAT(study.results(), testing::IsEmpty());
 }
 

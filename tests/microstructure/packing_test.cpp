@@ -168,6 +168,14 @@ TEST(Packing, JamsFromItsStateAsItDoesInOneGo) {
             test::message_of<NumericalError>([&] { return pack<2>(request); }));
 }
 
+TEST(Packing, BeginsAnewFromItsFirstState) {
+  const auto request = hb1();
+  PackingRun<2> run(request, PackingRun<2>(request).state());
+  expect_error<InputError>([&] { return run.packing(); }, "have not reached their size");
+  while (!run.is_done()) run.advance();
+  EXPECT_EQ(run.packing().balls, pack<2>(request).balls);
+}
+
 TEST(Packing, RefusesTheStateOfAnother) {
   const auto request = equal(10, 0.5, Walls::hard);
   PackingRun<2> run(request);
@@ -183,6 +191,10 @@ TEST(Packing, RefusesTheStateOfAnother) {
   refuse([](PackingState<2>& state) { state.queue_times.pop_back(); });
   refuse([](PackingState<2>& state) { state.queue[0] = state.queue[1]; });
   refuse([](PackingState<2>& state) { state.queue[0] = 10; });
+  refuse([](PackingState<2>& state) { state.queue_times[9] = -1.0; });
+  refuse([](PackingState<2>& state) { state.queue_times[0] = std::numeric_limits<double>::quiet_NaN(); });
+  refuse([](PackingState<2>& state) { state.positions[3] = state.positions[4]; });
+  refuse([](PackingState<2>& state) { state.positions[3][1] = 0.0; });
   refuse([](PackingState<2>& state) { state.positions[3][1] = 1e3; });
   refuse([](PackingState<2>& state) { state.positions[3][1] = std::numeric_limits<double>::quiet_NaN(); });
   refuse([](PackingState<2>& state) { state.velocities[3][0] = std::numeric_limits<double>::infinity(); });

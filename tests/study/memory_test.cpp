@@ -68,6 +68,11 @@ TEST_F(ControlGroups, OfVersion2LeaveTheLeastOnTheWayUp) {
   EXPECT_EQ(left("0::/\n"), std::numeric_limits<double>::infinity());
 }
 
+TEST_F(ControlGroups, OfAContainerAreTheRoot) {
+  group(".", "memory.max", "2000000000", "memory.current", "500000000", "inactive_file 100000000\n");
+  EXPECT_EQ(left("0::/\n"), 1.6e9);
+}
+
 TEST_F(ControlGroups, OfVersion1AreFoundAmongTheOthers) {
   group("memory/job", "memory.limit_in_bytes", "3000000000", "memory.usage_in_bytes", "1000000000",
         "inactive_file 7\ntotal_inactive_file 500000000\n");

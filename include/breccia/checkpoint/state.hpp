@@ -44,6 +44,7 @@ class StateReader {
   /// Throws FileError when there is no such file, or when it is torn or damaged or none of Breccia.
   explicit StateReader(const std::filesystem::path& path);
 
+  [[nodiscard]] const std::string& path() const noexcept { return path_; }
   [[nodiscard]] const StateOwner& owner() const noexcept { return owner_; }
   [[nodiscard]] bool has(const std::string& name) const { return file_.has(name); }
   [[nodiscard]] double number(const std::string& name) const;

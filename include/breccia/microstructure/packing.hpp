@@ -27,17 +27,21 @@ struct PackingProgress {
   double fraction;           ///< volume fraction of the particles at their present size; falls when a jam is loosened
   double fraction_to_reach;  ///< and at their final size
 };
-/// A packing on its way: with the request, all that it takes to go on to the same bits.
+
+/// A packing on its way: with the request, all that it takes to go on to the same bits. Lengths are in mean final
+/// diameters with the gap; of time there is no unit but the one that makes the mean speed of order one.
 template <int dim>
 struct PackingState {
-  std::size_t jams = 0;        ///< that were loosened
-  double largest_scale = 0.0;  ///< at which it has jammed, as a share of the final size [-]
-  double scale = 0.0;          ///< present size of the particles, as a share of the final one [-]
-  std::uint64_t events = 0;
-  std::vector<Vector<dim>> positions;   ///< in mean final diameters, with the gap
-  std::vector<Vector<dim>> velocities;  ///< in those a unit of time
-  std::vector<std::uint32_t> queue;     ///< the particles in the order in which the queue of their events has them
-  std::vector<double> queue_times;      ///< of those events
+  std::size_t jams = 0;                 ///< that were loosened
+  double largest_scale = 0.0;           ///< at which it has jammed, as a share of the final size [-]
+  double scale = 0.0;                   ///< present size of the particles, as a share of the final one [-]
+  std::uint64_t events = 0;             ///< so far
+  std::vector<Vector<dim>> positions;   ///< of the particles
+  std::vector<Vector<dim>> velocities;  ///< of the particles
+  /// The particles as the heap of their events has them. Which of two that meet is moved first, and so the last digit,
+  /// depends on it.
+  std::vector<std::uint32_t> queue;
+  std::vector<double> queue_times;  ///< of the event of each particle of `queue`
 };
 
 template <int dim>
@@ -68,12 +72,12 @@ class PackingRun {
   ~PackingRun();
 
   [[nodiscard]] bool is_done() const noexcept;
-  /// About twenty events for each ball. Throws NumericalError if they jam at every growth rate before they have the
-  /// diameters asked for (the message says how far it came).
+  /// As far as the particles grow by a tenth, or twenty events come to each. Throws NumericalError if they jam at every
+  /// growth rate before they have the diameters asked for (the message says how far it came).
   void advance();
   [[nodiscard]] PackingProgress progress() const noexcept;
   [[nodiscard]] PackingState<dim> state() const;
-  /// Once it is done. Throws NumericalError if roundoff has spoilt the gap.
+  /// Throws InputError if it is not done, NumericalError if roundoff has spoilt the gap.
   [[nodiscard]] Packing<dim> packing() const;
 
  private:

@@ -35,6 +35,9 @@ int ranks() noexcept;
 int group() noexcept;
 int groups() noexcept;
 
+/// Whether there is no other process, of this group or another.
+bool is_alone() noexcept;
+
 /// Whether this is the first process of the first group, which speaks for all.
 bool is_first() noexcept;
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "breccia/study/study.hpp"
 
@@ -13,8 +14,11 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 /// `ulimit -v`, whichever is least; infinite where none can be read.
 double available_memory();
 
-/// Throws InputError, for all stages at once, where a test will take more memory than there is, with the number of
-/// cells that would fit. Of a process alone; several may be on several machines.
+/// A line for every stage and method that will take more memory [B] than there is, with the number of cells that would
+/// fit. Of a process alone; several may be on several machines.
+std::vector<std::string> lacking_memory(const Study& study, double available);
+
+/// Throws InputError with those lines, if there are any.
 void require_memory(const Study& study, double available);
 
 }  // namespace breccia
