@@ -57,8 +57,9 @@ BlockGrid::BlockGrid(int columns, int rows, bool wraps) : columns_(cut(columns, 
   const int more = wraps ? 0 : 1;
   vertex_columns_ = across() + more;
   vertex_rows_ = up() + more;
-  const int horizontal = across() * vertex_rows_, upright = vertex_columns_ * up();
-  edges_.resize(static_cast<std::size_t>(horizontal + upright));
+  const int horizontal = across() * vertex_rows_;
+  const int edges = horizontal + vertex_columns_ * up();
+  edges_.resize(static_cast<std::size_t>(edges));
   std::vector<int> sizes(edges_.size(), 0);
   for (int b = 0; b < blocks(); ++b) {
     const auto [bottom_edge, top_edge, left_edge, right_edge] = edges_of(b);

@@ -108,7 +108,7 @@ TEST(RandomComposites, MayExceedTheMeanModulusInTime) {
       {{"matrix", 1000.0, PronySeries(0.0, {{0.01, 300e6}}), PronySeries(0.0, {{0.01, 100e6}})},
        {"filler", 1000.0, PronySeries(3e6), PronySeries(1e6)}}};
   const auto test = quasistatic_test(composite, Boundary::displacement);
-  const auto& series = run_quasistatic_test(test).responses[0].series;
+  const auto series = run_quasistatic_test(test).responses[0].series;
   const auto fractions = test.discretisation.fractions(2);
   constexpr double late = 0.1;
   const double mean = fractions[0] * test.materials[0].shear.at(late) + fractions[1] * test.materials[1].shear.at(late);
