@@ -57,7 +57,14 @@ bool is_distribution(const Sizes& sizes) {
 
 /// `from` and `to`, which cut a distribution of sizes. A table ends by itself; a lognormal distribution needs them.
 void read_cuts(const Section& section, Filler& filler) {
-  if (!filler.sizes || !is_distribution(*filler.sizes)) {
+  if (!filler.sizes) {
+    // Why there are none has been told.
+    for (const auto* key : {"from", "to"}) {
+      if (section.has(key)) static_cast<void>(section.quantity(key, Dimension::length, Range::positive()));
+    }
+    return;
+  }
+  if (!is_distribution(*filler.sizes)) {
     section.refuse({"from", "to"}, "only a distribution of sizes (a file or lognormal) is cut");
     return;
   }

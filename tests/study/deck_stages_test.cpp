@@ -199,6 +199,9 @@ TEST_F(DeckStages, MistakesInTheSizes) {
   EXPECT_THAT(mistakes(test::join(lognormal, "from = \"2 mm\""), random_packing), HasSubstr("filler.to: missing"));
   EXPECT_THAT(mistakes("from = \"1 um\", sizes = { diameter = \"1 mm\" }", regular_packing),
               HasSubstr("filler.from: only a distribution"));
+  EXPECT_THAT(mistakes("from = \"1 um\", to = \"1 kg\", sizes = \"none.csv\"", random_packing),
+              AllOf(HasSubstr("filler.sizes: no such file"), Not(HasSubstr("filler.from")),
+                    HasSubstr("filler.to: expected a length")));
   EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }", regular_packing), HasSubstr("a regular packing takes"));
   EXPECT_THAT(mistakes("sizes = { diameter = \"3.5 mm\" }", regular_packing),
               HasSubstr("particles of 3.5 mm touch at a regular spacing of 3 mm"));
