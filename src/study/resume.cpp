@@ -56,13 +56,21 @@ std::string difference(const Json& before, const Study& now) {
 
 }  // namespace
 
-std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
+std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory) {
   const auto json = provenance_in(directory);
   const auto has = [&](const char* key, const Json& value) { return json.contains(key) && json[key] == value; };
   const bool is_this_run = has("complete", true) && has("hash", study.hash) && has("version", BRECCIA_VERSION);
   if (!is_this_run || !json.contains("wall_time_s") || !json["wall_time_s"].is_number()) return std::nullopt;
-  if (parallel::rank() == 0 && remove_checkpoints(study, directory)) write_study_report(directory);
   return json["wall_time_s"].get<double>();
+}
+
+std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
+  const auto seconds = time_of_complete_run(study, directory);
+  if (!seconds || !parallel::is_first()) return seconds;
+  remove_partial_files(directory);
+  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+  if (remove_checkpoints(study, directory)) write_study_report(directory);
+  return seconds;
 }
 
 bool holds_tests(const std::filesystem::path& directory) {

@@ -1,6 +1,7 @@
 #include "breccia/study/sweep.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,12 +61,17 @@ class SweepRun {
     if (!parallel::is_first()) return;
     make_directory(directory_);
     remove_files(directory_, sweep_files());
+    remove_partial_files(directory_);
   }
 
   /// Of all tasks before any runs, so that several processes find the same.
   void take_over() {
     refuse_others();
-    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) take_over(task);
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
+    }
+    // Nobody begins before all have looked.
+    static_cast<void>(parallel::gather({}));
   }
 
   /// Results of other studies in the directories of the tasks, all at once.
@@ -99,8 +105,7 @@ class SweepRun {
     if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   }
 
-  void take_over(std::size_t task) {
-    const auto seconds = take_over_complete_run(sweep_.tasks[task].study, directory_of(task));
+  void keep_if_done(std::size_t task, std::optional<double> seconds) {
     if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
   }
 
@@ -131,7 +136,7 @@ class SweepRun {
   void look_at_others() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
-      take_over(task);
+      keep_if_done(task, time_of_complete_run(sweep_.tasks[task].study, directory_of(task)));
     }
   }
 

@@ -49,7 +49,8 @@ TEST(Bench, TenTermsTakeLessThan300BytesAPoint) {
   const auto outcome =
       bench({"--json", "--terms", "10", "--threads", "1", "--seconds", "0.01", "--rounds", "1", "--points", "99856"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  for (const auto& kernel : nlohmann::json::parse(outcome.output).at("kernels")) {
+  const auto json = nlohmann::json::parse(outcome.output);
+  for (const auto& kernel : json.at("kernels")) {
     EXPECT_LT(kernel.at("bytes_per_point"), 300.0) << kernel;
   }
 }

@@ -147,6 +147,10 @@ TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
   write_text(study_.result("A/modulus.svg.123.partial"), "half");
   ASSERT_EQ(study_.breccia("run", {"--resume"}).exit_code, 0);
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
+  // Also of one that was killed when only its page was still to be written.
+  write_text(study_.result("report.html.124.partial"), "half");
+  ASSERT_EQ(study_.breccia("run", {"--resume"}).exit_code, 0);
+  EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
 }
 
 TEST_F(Resume, ATimeThatIsNoneIsRefused) {
