@@ -12,14 +12,6 @@
 #include "sweep_summary.hpp"
 
 namespace breccia::cli {
-namespace {
-
-/// Before anything is packed.
-void refuse_others(const Sweep& sweep, const std::filesystem::path& results) {
-  for (const auto& task : sweep.tasks) require_same_study(task.study, task.directory_in(results));
-}
-
-}  // namespace
 
 void add_pack(CLI::App& application) {
   auto* command = application.add_subcommand("pack", "make the microstructures of a study alone");
@@ -30,7 +22,7 @@ void add_pack(CLI::App& application) {
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     Progress progress(arguments->quiet || !parallel::is_first());
-    if (options.resume) refuse_others(sweep, arguments->results());
+    if (options.resume) require_same_studies(sweep, arguments->results());
     for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
       const auto& task = sweep.tasks[i];
       if (!task.name.empty()) progress.print(heading_of(sweep, i));

@@ -55,6 +55,11 @@ bool remove_checkpoints(const Study& study, const std::filesystem::path& directo
   return were_any;
 }
 
+void remove_partial_files(const Study& study, const std::filesystem::path& directory) {
+  remove_partial_files(directory);
+  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+}
+
 void save(StateWriter& state, const std::vector<FieldRecord>& fields) {
   state.write("/field_files", static_cast<std::int64_t>(fields.size()));
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -35,6 +35,9 @@ bool is_checkpoint(std::string_view name);
 /// Removes all checkpoints of a study, once it is done. Returns whether there were any.
 bool remove_checkpoints(const Study& study, const std::filesystem::path& directory);
 
+/// Removes what a killed run was writing.
+void remove_partial_files(const Study& study, const std::filesystem::path& directory);
+
 /// Leaves the names of field files in a state, and takes them up.
 void save(StateWriter& state, const std::vector<FieldRecord>& fields);
 std::vector<FieldRecord> read_field_records(const StateReader& state);

@@ -67,8 +67,7 @@ std::optional<double> time_of_complete_run(const Study& study, const std::filesy
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
   const auto seconds = time_of_complete_run(study, directory);
   if (!seconds || !parallel::is_first()) return seconds;
-  remove_partial_files(directory);
-  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+  remove_partial_files(study, directory);
   if (remove_checkpoints(study, directory)) write_study_report(directory);
   return seconds;
 }

@@ -58,8 +58,7 @@ void make_way(const Study& study, const fs::path& directory, bool resume) {
   refuse_to_replace(directory, names, study.inputs);
   make_directory(directory);
   if (!resume) remove_files(directory, names);
-  remove_partial_files(directory);
-  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+  remove_partial_files(study, directory);
 }
 
 /// Takes a directory of results away again where a run has ended before any.

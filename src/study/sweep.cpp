@@ -66,25 +66,12 @@ class SweepRun {
 
   /// Of all tasks before any runs, so that several processes find the same.
   void take_over() {
-    refuse_others();
+    require_same_studies(sweep_, directory_);
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
     }
     // Nobody begins before all have looked.
     static_cast<void>(parallel::gather({}));
-  }
-
-  /// Results of other studies in the directories of the tasks, all at once.
-  void refuse_others() const {
-    std::vector<std::string> mistakes;
-    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      try {
-        require_same_study(sweep_.tasks[task].study, directory_of(task));
-      } catch (const InputError& error) {
-        mistakes.emplace_back(error.what());
-      }
-    }
-    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   }
 
   /// Tasks that will hardly fit into the memory: of those that lack the same the first, and how many more.
@@ -172,6 +159,18 @@ class SweepRun {
 };
 
 }  // namespace
+
+void require_same_studies(const Sweep& sweep, const std::filesystem::path& directory) {
+  std::vector<std::string> mistakes;
+  for (const auto& task : sweep.tasks) {
+    try {
+      require_same_study(task.study, task.directory_in(directory));
+    } catch (const InputError& error) {
+      mistakes.emplace_back(error.what());
+    }
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
 
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {

@@ -112,4 +112,7 @@ SweepResult last_stage_of(const SweepResult& result);
 /// "upper bound", "lower bound" or "periodic".
 std::string bound_of(const TaskCurve& curve);
 
+/// Throws InputError, for all tasks at once, where the directory of one holds results of another study or version.
+void require_same_studies(const Sweep& sweep, const std::filesystem::path& directory);
+
 }  // namespace breccia
