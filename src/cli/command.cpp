@@ -64,7 +64,8 @@ std::filesystem::path RunArguments::results() const {
 }
 
 RunOptions RunArguments::options() const {
-  RunOptions options = {.threads = threads, .resume = resume, .checkpoints = {}, .ignore_memory = ignore_memory};
+  RunOptions options = {
+      .threads = threads, .resume = resume, .overwrite = overwrite, .checkpoints = {}, .ignore_memory = ignore_memory};
   options.checkpoints.interval = seconds_of("--checkpoint-interval", checkpoint_interval);
   options.checkpoints.stop = interruption_requested;
   if (!time_limit.empty()) {

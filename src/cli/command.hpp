@@ -30,6 +30,7 @@ struct RunArguments {
   int threads = 0;                  ///< 0: all
   bool quiet = false;
   bool resume = false;
+  bool overwrite = false;
   bool ignore_memory = false;
   int processes_per_task = 0;                  ///< of a sweep; 0: all
   std::string petsc_options;                   ///< as on a command line of PETSc

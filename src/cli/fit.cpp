@@ -29,6 +29,7 @@ struct FitArguments {
   std::string ramp;
   std::string reference_temperature;
   std::filesystem::path directory;  ///< empty: results/<name of the file>-fit
+  bool overwrite = false;
   bool quiet = false;
 };
 
@@ -210,7 +211,7 @@ void fit(const FitArguments& arguments) {
   const auto result = std::visit(Fitter(arguments), data);
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
-  const auto files = write_fit(directory, arguments.file, data, result, kind);
+  const auto files = write_fit({directory, arguments.file, arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result.modulus));
   if (result.quality) fmt::print("{}", quality(result));
@@ -245,6 +246,7 @@ void add_fit(CLI::App& application) {
       ->type_name("TEMPERATURE");
   command->add_option("--out", arguments->directory, "where the results go (default: results/<name of the file>-fit)")
       ->type_name("DIR");
+  command->add_flag("--overwrite", arguments->overwrite, "replace the fit of another file that is in the directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { fit(*arguments); });
 }

@@ -10,6 +10,7 @@
 #include "breccia/experiment/curve.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/io/whole_results.hpp"
 #include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/prony_file.hpp"
 
@@ -189,34 +190,40 @@ std::vector<CsvColumn> shift_columns(const FitResult& result) {
 /// Files of a directory, and the names of those written.
 class Writer {
  public:
-  /// Makes way for all that a fit may leave, so that no old file stands beside a new one.
-  Writer(std::filesystem::path directory, const std::filesystem::path& source) : directory_(std::move(directory)) {
-    const std::vector<std::string> all = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
-                                          "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
-                                          "relaxation.svg", "creep.svg",       "dynamic.svg"};
-    refuse_to_replace(directory_, all, {&source, 1});
-    if (std::filesystem::exists(directory_ / "study.json")) {
-      throw InputError(fmt::format("{}: here are the results of a study; take another directory", directory_.string()));
-    }
-    make_directory(directory_);
-    remove_files(directory_, all);
-  }
+  explicit Writer(const FitDestination& destination) : results_(destination.directory, origin_of(destination)) {}
   void table(const std::string& name, const std::vector<CsvColumn>& columns, const std::string& comment) {
-    write_csv(directory_ / name, columns, comment);
+    write_csv(results_.place() / name, columns, comment);
     names_.push_back(name);
   }
   void series(const std::string& name, const PronySeries& series, const std::string& comment) {
-    write_prony_file(directory_ / name, series, comment);
+    write_prony_file(results_.place() / name, series, comment);
     names_.push_back(name);
   }
   void picture(const std::string& name, const ModulusPlot& plot) {
-    write_text(directory_ / name, modulus_plot(plot));
+    write_text(results_.place() / name, modulus_plot(plot));
     names_.push_back(name);
   }
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  /// Puts the files into the directory and returns their names.
+  std::vector<std::string> commit() {
+    results_.commit();
+    return std::move(names_);
+  }
 
  private:
-  std::filesystem::path directory_;
+  static ResultsOrigin origin_of(const FitDestination& destination) {
+    const auto& [directory, source, overwrite] = destination;
+    const std::vector<std::string> files = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
+                                            "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
+                                            "relaxation.svg", "creep.svg",       "dynamic.svg"};
+    refuse_to_replace(directory, files, {&source, 1});
+    return {.command = "fit",
+            .source = source.string(),
+            .identity = content_hash(std::filesystem::weakly_canonical(source).string()),
+            .files = files,
+            .overwrite = overwrite};
+  }
+
+  WholeResults results_;
   std::vector<std::string> names_;
 };
 
@@ -240,9 +247,10 @@ ConvertedCurve converted(const FitResult& result, CurveKind kind, int per_decade
   return curve;
 }
 
-std::vector<std::string> write_fit(const std::filesystem::path& directory, const std::filesystem::path& source,
-                                   const FitData& data, const FitResult& result, CurveKind kind) {
-  Writer writer(directory, source);
+std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
+                                   CurveKind kind) {
+  Writer writer(destination);
+  const auto& source = destination.source;
   const auto title = source.filename().string();
   auto origin = fmt::format("From {} by breccia {}.", title, BRECCIA_VERSION);
   if (result.master_curve) origin += fmt::format(" At {:.6g} K.", result.master_curve->reference_temperature);
@@ -276,7 +284,7 @@ std::vector<std::string> write_fit(const std::filesystem::path& directory, const
     draw(plot, kind, curve);
     writer.picture(file_stem(kind) + ".svg", plot);
   }
-  return writer.names();
+  return writer.commit();
 }
 
 }  // namespace breccia::cli

@@ -35,8 +35,16 @@ struct ConvertedCurve {
 };
 ConvertedCurve converted(const FitResult& result, CurveKind kind, int points_per_decade);
 
-/// Writes all files of a fit to a directory, which is made, and returns their names. Throws FileError.
-std::vector<std::string> write_fit(const std::filesystem::path& directory, const std::filesystem::path& source,
-                                   const FitData& data, const FitResult& result, CurveKind kind);
+/// Where the files of a fit go.
+struct FitDestination {
+  std::filesystem::path directory;
+  std::filesystem::path source;  ///< the file of the data
+  bool overwrite;                ///< may the fit of another file be replaced?
+};
+
+/// Writes all files of a fit to a directory, which is made, and returns their names. Throws InputError where files
+/// would be replaced that are not of an earlier fit of the same data, and FileError.
+std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
+                                   CurveKind kind);
 
 }  // namespace breccia::cli

@@ -1,5 +1,6 @@
 #include "narration.hpp"
 
+#include <filesystem>
 #include <variant>
 
 #include <fmt/format.h>
@@ -53,6 +54,12 @@ StudyObserver narrate(Progress& progress) {
         "points x steps/s",
         stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin, domain.window.end,
         domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
+  };
+  observer.writes_beside = [&progress](const std::filesystem::path& place) {
+    progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));
+  };
+  observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
+    progress.print(fmt::format("{}: the same as in {}", stage.name, directory.string()));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

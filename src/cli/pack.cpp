@@ -22,12 +22,12 @@ void add_pack(CLI::App& application) {
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     Progress progress(arguments->quiet || !parallel::is_first());
-    if (options.resume) require_same_studies(sweep, arguments->results());
+    refuse_objections(sweep, arguments->results(), options);
     for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
       const auto& task = sweep.tasks[i];
       if (!task.name.empty()) progress.print(heading_of(sweep, i));
       const auto directory = task.directory_in(arguments->results());
-      if (options.resume && take_over_complete_run(task.study, directory)) {
+      if (take_over_complete_run(task.study, directory)) {
         progress.print(fmt::format("The results in {} are complete", directory.string()));
         continue;
       }

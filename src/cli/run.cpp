@@ -88,6 +88,10 @@ void add_run(CLI::App& application) {
   auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
+  command
+      ->add_flag("--overwrite", arguments->overwrite,
+                 "replace results of other studies that are in the directory, once the new ones are whole")
+      ->excludes("--resume");
   command->add_flag("--no-memory-check", arguments->ignore_memory, "begin even what will hardly fit into the memory");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,

@@ -1,5 +1,6 @@
 #include "breccia/io/deck.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -77,6 +78,19 @@ const std::filesystem::path& Deck::path() const noexcept {
 std::string Deck::content_without(std::string_view key) const {
   auto root = state_->root;
   std::erase_if(root.entries, [&](const detail::DeckEntry& entry) { return entry.key == key; });
+  return detail::content_of({{}, std::move(root)});
+}
+
+std::string Deck::content_with_first(std::size_t count, std::string_view array,
+                                     std::span<const std::string_view> left_out) const {
+  auto root = state_->root;
+  std::erase_if(root.entries, [&](const detail::DeckEntry& entry) {
+    return std::ranges::find(left_out, entry.key) != left_out.end();
+  });
+  if (auto* found = detail::find(root, array)) {
+    auto* elements = std::get_if<detail::DeckArray>(&found->content);
+    if (elements != nullptr && elements->values.size() > count) elements->values.resize(count);
+  }
   return detail::content_of({{}, std::move(root)});
 }
 

@@ -81,6 +81,16 @@ void write_text(const std::filesystem::path& path, std::string_view text) {
   file.commit();
 }
 
+void copy_result(const std::filesystem::path& from, const std::filesystem::path& to) {
+  AtomicFile file(to);
+  std::error_code error;
+  std::filesystem::copy_file(from, file.temporary(), error);
+  if (error) {
+    throw FileError(fmt::format("{}: cannot copy it to {}: {}", from.string(), to.string(), error.message()));
+  }
+  file.commit();
+}
+
 void make_directory(const std::filesystem::path& directory) {
   std::error_code error;
   std::filesystem::create_directories(directory, error);
@@ -115,7 +125,8 @@ void remove_partial_files(const std::filesystem::path& directory) {
   std::error_code is_missing;
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(directory, is_missing)) {
-    if (entry.path().extension() == partial) names.push_back(entry.path().filename().string());
+    if (entry.path().extension() == partial && entry.is_regular_file())
+      names.push_back(entry.path().filename().string());
   }
   remove_files(directory, names);
 }

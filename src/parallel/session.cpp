@@ -158,6 +158,16 @@ std::vector<std::string> gather(const std::string& text_of_group) {
   return texts;
 }
 
+std::string text_of_first(const std::string& text) {
+  if (ranks() == 1) return text;
+  auto length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, 0, PETSC_COMM_WORLD);
+  auto shared = text;
+  shared.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(shared.data(), length, MPI_CHAR, 0, PETSC_COMM_WORLD);
+  return shared;
+}
+
 void check(int petsc_error, const char* what) {
   if (petsc_error == 0) return;
   if (petsc_error == PETSC_ERR_MEM) throw std::bad_alloc();

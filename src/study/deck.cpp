@@ -1,9 +1,12 @@
 #include "breccia/study/deck.hpp"
 
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "breccia/io/deck.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/run.hpp"
 
 #include "deck_sections.hpp"
 
@@ -29,10 +32,32 @@ Study resolve(const Deck& document) {
   return study;
 }
 
+namespace {
+
+/// A hash for each data file: what moves from the end of one file to the beginning of the next changes them.
+std::string file_hashes_of(const Deck& document) {
+  std::string hashes;
+  for (const auto& file : document.files()) hashes += content_hash(read_text(file));
+  return hashes;
+}
+
+}  // namespace
+
 std::string hash_of(const Deck& document) {
-  auto content = document.content_without("sweep");
-  for (const auto& file : document.files()) content += read_text(file);
-  return content_hash(content);
+  return content_hash(document.content_without("sweep") + file_hashes_of(document));
+}
+
+std::vector<std::string> stage_hashes_of(const Deck& document, const Study& study) {
+  constexpr std::array<std::string_view, 3> left_out = {"title", "measurements", "sweep"};
+  const auto files = file_hashes_of(document);
+  std::vector<std::string> hashes;
+  for (const auto& stage : study.stages) {
+    auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
+    // A later stage that builds on this one adds loads to it.
+    for (const auto load : loads_of(study, stage)) content += name_of(load);
+    hashes.push_back(content_hash(content));
+  }
+  return hashes;
 }
 
 Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
@@ -41,6 +66,7 @@ Study read_study(const std::filesystem::path& deck, const std::vector<std::strin
   document.finish();
   study.overrides = overrides;
   study.hash = hash_of(document);
+  study.stage_hashes = stage_hashes_of(document, study);
   return study;
 }
 

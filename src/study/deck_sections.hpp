@@ -16,6 +16,9 @@ Study resolve(const Deck& document);
 /// task remains the same when its sweep grows.
 std::string hash_of(const Deck& document);
 
+/// Hashes of its stages (Study::stage_hashes).
+std::vector<std::string> stage_hashes_of(const Deck& document, const Study& study);
+
 /// The materials of a deck, and by name the temperature shifts that are in them.
 struct DeckMaterials {
   std::vector<Material> materials;

@@ -87,7 +87,10 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
     task.name = fmt::format("{}", fmt::join(task.labels, "_"));
     const auto mistakes_of_task = task_deck.mistakes();
     mistakes.insert(mistakes.end(), mistakes_of_task.begin(), mistakes_of_task.end());
-    if (mistakes.empty()) task.study.hash = hash_of(task_deck);
+    if (mistakes.empty()) {
+      task.study.hash = hash_of(task_deck);
+      task.study.stage_hashes = stage_hashes_of(task_deck, task.study);
+    }
     sweep.tasks.push_back(std::move(task));
   }
   refuse_mistakes(deck, mistakes);

@@ -112,6 +112,14 @@ std::vector<FieldRecord> write_fields(const StageGrid& grid, Boundary boundary, 
   return records;
 }
 
+void copy_fields(const fs::path& from, const fs::path& to, const std::vector<TestResult>& tests) {
+  for (const auto& test : tests) {
+    for (const auto& [time, file, stress, strain] : test.fields) {
+      for (const auto& name : {file, stress, strain}) copy_result(from / name, to / name);
+    }
+  }
+}
+
 bool is_of_fields(std::string_view name) {
   return name.starts_with("fields") &&
          (name.ends_with(".vtkhdf") || name.ends_with("-stress.svg") || name.ends_with("-strain.svg"));

@@ -18,6 +18,10 @@ std::vector<double> field_times_of(const Study& study, const Stage& stage, const
 std::vector<FieldRecord> write_fields(const StageGrid& grid, Boundary boundary, Method method,
                                       const std::vector<TimedFields>& fields);
 
+/// Copies the files of the fields of tests from one directory to another. Throws FileError.
+void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to,
+                 const std::vector<TestResult>& tests);
+
 /// Is this the name of one of these files?
 bool is_of_fields(std::string_view name);
 

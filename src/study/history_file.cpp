@@ -28,6 +28,10 @@ std::string history_file(std::string_view load, std::string_view boundary, int c
   return fmt::format("{}-{}-dynamic-{}-{}.h5", load, boundary, cells, number);
 }
 
+bool is_history(std::string_view name) {
+  return name.find("-dynamic-") != std::string_view::npos && name.ends_with(".h5");
+}
+
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                    const HistoryName& name, const TimeDomain& domain) {
   std::vector<double> times, moduli;
@@ -58,6 +62,18 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
       {"reduction_error", domain.reduction_error}};
   for (const auto& [attribute, value] : attributes) file.write_attribute("/history", attribute, value);
   file.commit();
+}
+
+void write_histories(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                     const std::vector<TestResult>& tests) {
+  for (const auto& test : tests) {
+    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+    if (dynamic == nullptr) continue;
+    std::size_t number = 0;
+    for (const auto& domain : dynamic->domains) {
+      write_history(directory, study, stage, {test.boundary, test.load, test.cells, ++number}, domain);
+    }
+  }
 }
 
 StoredHistory read_history(const std::filesystem::path& path) {

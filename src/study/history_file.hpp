@@ -21,9 +21,16 @@ struct HistoryName {
 /// `<load>-<boundary>-dynamic-<cells>-<number>.h5`, the name of the file of a history.
 std::string history_file(std::string_view load, std::string_view boundary, int cells, std::size_t number);
 
+/// Is this the name of such a file?
+bool is_history(std::string_view name);
+
 /// Writes the history of one time domain to the directory of its stage (docs/results.md).
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                    const HistoryName& name, const TimeDomain& domain);
+
+/// Writes the histories of all dynamic tests of a stage.
+void write_histories(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                     const std::vector<TestResult>& tests);
 
 /// A history as it was written.
 struct StoredHistory {

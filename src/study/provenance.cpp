@@ -183,7 +183,8 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
 }  // namespace
 
 void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result) {
-  Json materials = Json::array(), stages = Json::array();
+  Json materials = Json::array(), stages = Json::array(), stage_names = Json::array();
+  for (const auto& stage : study.stages) stage_names.push_back(stage.name);
   for (const auto& material : study.materials) {
     materials.push_back(json_of(material));
     const auto shift = study.temperature_shifts.find(material.name);
@@ -203,6 +204,7 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"deck_text", study.deck_text},
                      {"times_s", {study.tests.first_time, study.tests.last_time}},
                      {"materials", std::move(materials)},
+                     {"stage_names", std::move(stage_names)},
                      {"stages", std::move(stages)}};
   write_text(directory / "study.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

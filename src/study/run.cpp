@@ -19,62 +19,45 @@
 #include "checkpoints.hpp"
 #include "comparison.hpp"
 #include "field_files.hpp"
+#include "history_file.hpp"
 #include "response_file.hpp"
+#include "result_directory.hpp"
 #include "results.hpp"
+#include "shared_stages.hpp"
 #include "stage_extrapolation.hpp"
 #include "stage_materials.hpp"
 #include "stage_plot.hpp"
 #include "stage_tests.hpp"
-#include "sweep_results.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The names of all that a run of a study may have left, so that no old number stands beside a new one.
-std::vector<std::string> old_results(const Study& study, const fs::path& directory) {
-  auto names = curve_files();
-  names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
-  std::ranges::copy(sweep_files(), std::back_inserter(names));
-  for (const auto& stage : study.stages) {
-    for (const auto* name :
-         {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5"}) {
-      names.push_back(stage.name + "/" + name);
-    }
-    if (!fs::is_directory(directory / stage.name)) continue;
-    for (const auto& entry : fs::directory_iterator(directory / stage.name)) {
-      const auto name = entry.path().filename().string();
-      if (name.find("-dynamic-") != std::string::npos || is_of_fields(name) || is_checkpoint(name))
-        names.push_back(fmt::format("{}/{}", stage.name, name));
-    }
+/// The number of entries of a directory; 0 where it cannot be read.
+std::size_t count_entries(const fs::path& directory) noexcept {
+  std::size_t count = 0;
+  std::error_code error;
+  for (fs::directory_iterator entry(directory, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    ++count;
   }
-  return names;
+  return error ? 0 : count;
 }
 
-/// Removes what an earlier run has left, or of one that goes on only what it could not finish writing.
-void make_way(const Study& study, const fs::path& directory, bool resume) {
-  const auto names = old_results(study, directory);
-  refuse_to_replace(directory, names, study.inputs);
-  make_directory(directory);
-  if (!resume) remove_files(directory, names);
-  remove_partial_files(study, directory);
-}
-
-/// Takes a directory of results away again where a run has ended before any.
-class UnlessEmpty {
+/// Removes a directory at the end of a run that has left no result in it.
+class RemoveIfEmpty {
  public:
-  explicit UnlessEmpty(fs::path directory) : directory_(std::move(directory)) {}
-  UnlessEmpty(const UnlessEmpty&) = delete;
-  UnlessEmpty& operator=(const UnlessEmpty&) = delete;
-  UnlessEmpty(UnlessEmpty&&) = delete;
-  UnlessEmpty& operator=(UnlessEmpty&&) = delete;
-  ~UnlessEmpty() {
-    std::error_code is_not_empty;
+  explicit RemoveIfEmpty(fs::path directory) : directory_(std::move(directory)) {}
+  RemoveIfEmpty(const RemoveIfEmpty&) = delete;
+  RemoveIfEmpty& operator=(const RemoveIfEmpty&) = delete;
+  RemoveIfEmpty(RemoveIfEmpty&&) = delete;
+  RemoveIfEmpty& operator=(RemoveIfEmpty&&) = delete;
+  ~RemoveIfEmpty() {
     if (parallel::rank() != 0) return;
-    // Alone it tells of no result.
-    const auto entries = std::distance(fs::directory_iterator(directory_, is_not_empty), fs::directory_iterator());
-    if (entries == 1) fs::remove(directory_ / "study.json", is_not_empty);
+    std::error_code is_not_empty;
+    // A record alone tells of no result.
+    if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_not_empty);
     fs::remove(directory_, is_not_empty);
   }
 
@@ -86,6 +69,12 @@ class UnlessEmpty {
 template <class Write>
 void write_once(const Write& write) {
   if (parallel::rank() == 0) write();
+}
+
+/// The directory that the first process of a group chooses, for all of them.
+template <class Choose>
+fs::path chosen_by_first(const Choose& choose) {
+  return parallel::text_of_first(parallel::rank() == 0 ? choose().string() : std::string());
 }
 
 /// Leaves the deck in `study.json`, so that whoever goes on from the first packing can be told what differs.
@@ -148,10 +137,29 @@ class StageRun {
       }
     }
     for (auto& test : extrapolate_tests(stage_, done_.tests)) keep(std::move(test));
-    done_.comparisons = compare(study_, stage_, done_.tests);
     if (serves_as_matrix(study_, stage_)) {
       done_.materials = materials_from(study_, stage_, result_.stages, done_);
     }
+    finish();
+  }
+
+  /// The same with the tests that another task of a sweep has made of the same stage; their fields are in its files.
+  void take_over(const fs::path& files) {
+    write_once([&] {
+      const auto directory = directory_ / stage_.name;
+      make_directory(directory);
+      write_microstructure(directory, stage_, done_.microstructure);
+      write_responses(directory, study_, stage_, done_);
+      write_histories(directory, study_, stage_, done_.tests);
+      copy_fields(files, directory, done_.tests);
+      write_curves(directory_, result_);
+    });
+    finish();
+  }
+
+ private:
+  void finish() {
+    done_.comparisons = compare(study_, stage_, done_.tests);
     write_once([&] {
       write_comparisons(directory_, result_);
       write_provenance(directory_, study_, result_);
@@ -159,7 +167,6 @@ class StageRun {
     write_once([&] { write_plots(directory_ / stage_.name, study_, stage_, done_, references()); });
   }
 
- private:
   void run(const StageGrid& grid, Boundary boundary, Method method) {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
@@ -229,47 +236,69 @@ std::vector<int> grids_of(const Stage& stage) {
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const RunOptions& options,
                        const StudyObserver& observer) {
-  if (options.resume) require_same_study(study, directory);
-  write_once([&] { make_way(study, directory, options.resume); });
-  const UnlessEmpty kept(directory);
-  const Checkpoints checkpoints(study, directory, options, observer);
-  announce(study, directory);
-  // A run that is to go on has told more than packings.
-  const bool is_told = holds_tests(directory);
+  const auto place = chosen_by_first([&] { return directory_to_pack_in(study, directory, options); });
+  const RemoveIfEmpty kept(directory), kept_place(place);
+  // A run has written more than packings already, and is to go on.
+  const bool is_told = holds_tests(place);
+  auto how = options;
+  how.resume = options.resume || is_told;
+  const Checkpoints checkpoints(study, place, how, observer);
+  announce(study, place);
   StudyResult result;
   for (const auto& stage : study.stages) {
-    const UnlessEmpty kept_stage(directory / stage.name);
-    result.stages.push_back(pack_stage(study, stage, directory / stage.name, checkpoints, observer));
-    if (!is_told) write_once([&] { write_provenance(directory, study, result); });
+    const RemoveIfEmpty kept_stage(place / stage.name);
+    result.stages.push_back(pack_stage(study, stage, place / stage.name, checkpoints, observer));
+    if (!is_told) write_once([&] { write_provenance(place, study, result); });
   }
+  write_once([&] { put_in_place(study, place, directory); });
   return result;
 }
 
 StudyResult run_study(const Study& study, const fs::path& directory, const RunOptions& options,
                       const StudyObserver& observer) {
+  SharedStages nothing;
+  return run_study(study, directory, options, observer, nothing);
+}
+
+StudyResult run_study(const Study& study, const fs::path& directory, const RunOptions& options,
+                      const StudyObserver& observer, SharedStages& shared) {
   const auto begin = std::chrono::steady_clock::now();
   // Not after an hour of work.
   require_gnuplot();
-  if (options.resume) require_same_study(study, directory);
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
-  write_once([&] { make_way(study, directory, options.resume); });
-  const UnlessEmpty kept(directory);
-  const Checkpoints checkpoints(study, directory, options, observer);
-  announce(study, directory);
+  const auto place = chosen_by_first([&] { return directory_to_run_in(study, directory, options); });
+  const RemoveIfEmpty kept(directory), kept_place(place);
+  if (place != directory && observer.writes_beside) observer.writes_beside(place);
+  const Checkpoints checkpoints(study, place, options, observer);
+  announce(study, place);
   StudyResult result;
-  for (const auto& stage : study.stages) {
-    const UnlessEmpty kept_stage(directory / stage.name);
-    result.stages.push_back(pack_stage(study, stage, directory / stage.name, checkpoints, observer));
-    write_once([&] { write_provenance(directory, study, result); });
-    StageRun(study, stage, directory, options.threads, checkpoints, observer, result).run();
-    write_once([&] { write_study_report(directory); });
+  for (std::size_t i = 0; i < study.stages.size(); ++i) {
+    const auto& stage = study.stages[i];
+    const auto hash = i < study.stage_hashes.size() ? study.stage_hashes[i] : std::string();
+    const RemoveIfEmpty kept_stage(place / stage.name);
+    if (const auto* known = shared.find(hash)) {
+      if (known->failure) std::rethrow_exception(known->failure);
+      result.stages.push_back(known->result);
+      if (observer.taken_over) observer.taken_over(known->result, known->directory);
+      StageRun(study, stage, place, options.threads, checkpoints, observer, result).take_over(known->directory);
+    } else {
+      shared.keep_failure_of(hash, [&] {
+        result.stages.push_back(pack_stage(study, stage, place / stage.name, checkpoints, observer));
+        write_once([&] { write_provenance(place, study, result); });
+        StageRun(study, stage, place, options.threads, checkpoints, observer, result).run();
+      });
+      shared.keep(hash, {result.stages.back(), place / stage.name});
+    }
+    write_once([&] { write_study_report(place); });
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_once([&] {
-    write_provenance(directory, study, result);
-    write_study_report(directory);
-    remove_checkpoints(study, directory);
+    write_provenance(place, study, result);
+    write_study_report(place);
+    remove_checkpoints(study, place);
+    put_in_place(study, place, directory);
   });
+  shared.move_files(place, directory);
   return result;
 }
 

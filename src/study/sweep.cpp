@@ -17,6 +17,7 @@
 #include "breccia/study/resume.hpp"
 
 #include "results.hpp"
+#include "shared_stages.hpp"
 #include "sweep_results.hpp"
 
 namespace breccia {
@@ -28,16 +29,22 @@ class SweepRun {
  public:
   SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
            const SweepObserver& observer)
-      : sweep_(sweep), directory_(directory), options_(options), observer_(observer), result_(sweep.tasks.size()) {}
+      : sweep_(sweep),
+        directory_(directory),
+        options_(options),
+        observer_(observer),
+        shared_(sweep),
+        result_(sweep.tasks.size()) {}
 
   SweepResult run() {
-    if (options_.resume) take_over();
+    refuse_objections(sweep_, directory_, options_);
+    find_complete_tasks();
     if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
     if (options_.resume) write();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
-      if (result_[task].state == TaskState::done) {
+      if (options_.resume && result_[task].state == TaskState::done) {
         if (observer_.skipped) observer_.skipped(task);
         continue;
       }
@@ -60,13 +67,12 @@ class SweepRun {
   void make_way() const {
     if (!parallel::is_first()) return;
     make_directory(directory_);
-    remove_files(directory_, sweep_files());
     remove_partial_files(directory_);
   }
 
-  /// Of all tasks before any runs, so that several processes find the same.
-  void take_over() {
-    require_same_studies(sweep_, directory_);
+  /// Before any task runs, so that several processes find the same. Without `resume` they run once more; until then the
+  /// tables hold their earlier results.
+  void find_complete_tasks() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
     }
@@ -79,7 +85,7 @@ class SweepRun {
     const double available = available_memory();
     std::map<std::string, std::vector<std::string>> tasks_of;
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
-      if (result_[task].state == TaskState::done) continue;
+      if (options_.resume && result_[task].state == TaskState::done) continue;
       for (const auto& line : lacking_memory(sweep_.tasks[task].study, available)) {
         tasks_of[line].push_back(sweep_.tasks[task].name);
       }
@@ -129,7 +135,7 @@ class SweepRun {
 
   void run(std::size_t task) {
     try {
-      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_, observer_.study);
+      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_, observer_.study, shared_);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);
@@ -155,22 +161,11 @@ class SweepRun {
   const std::filesystem::path& directory_;
   const RunOptions& options_;
   const SweepObserver& observer_;
+  SharedStages shared_;
   SweepResult result_;
 };
 
 }  // namespace
-
-void require_same_studies(const Sweep& sweep, const std::filesystem::path& directory) {
-  std::vector<std::string> mistakes;
-  for (const auto& task : sweep.tasks) {
-    try {
-      require_same_study(task.study, task.directory_in(directory));
-    } catch (const InputError& error) {
-      mistakes.emplace_back(error.what());
-    }
-  }
-  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-}
 
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {

@@ -61,7 +61,7 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
       plot.title = fmt::format("{}: {}", sweep.tasks[task].study.title, curve.stage);
     }
   }
-  if (plot.curves.empty()) return;
+  if (plot.curves.empty()) return remove_files(directory, std::vector<std::string>{"sweep.svg"});
   if (has_lower_bound) plot.title += ", lower bound dashed";
   write_text(directory / "sweep.svg", modulus_plot(plot));
 }

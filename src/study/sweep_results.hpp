@@ -13,10 +13,7 @@ std::vector<TaskCurve> curves_of(const StudyResult& result);
 /// The curves that an earlier run has left in a directory. Throws FileError or InputError when they cannot be read.
 std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 
-/// Names of the files that a sweep writes beside the directories of its tasks.
-std::vector<std::string> sweep_files();
-
-/// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`.
+/// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`; a table without rows is removed.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
 /// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done.

@@ -74,7 +74,7 @@ void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, con
       }
     }
   }
-  if (times.empty()) return;
+  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
   std::vector<CsvColumn> table{{"task", tasks}};
   keys.append_to(table);
   curves.append_to(table);
@@ -98,7 +98,7 @@ void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const 
       largest.push_back(spread.largest);
     }
   }
-  if (times.empty()) return;
+  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
   std::vector<CsvColumn> table;
   keys.append_to(table);
   tests.append_to(table);
@@ -150,10 +150,6 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
 }
 
 }  // namespace
-
-std::vector<std::string> sweep_files() {
-  return {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg", "report.html"};
-}
 
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
   write_all_curves(directory / "sweep.csv", sweep, result);

@@ -38,8 +38,9 @@ TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
   const StudyDirectory study(model_deck);
   fs::create_directories(study.result("curves.csv/in-the-way"));
   const auto run = study.breccia("run", {"--set", "stages.A.cells=8"});
-  EXPECT_EQ(run.exit_code, 4);
-  EXPECT_THAT(run.errors, HasSubstr("out/curves.csv: cannot remove this file: "));
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors,
+              HasSubstr("out/curves.csv: the results would replace this file, which Breccia did not write"));
   EXPECT_THAT(study.results(), Not(Contains(HasSubstr("partial"))));
 }
 

@@ -101,8 +101,9 @@ TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {
   study_.write("deck.toml", test::replaced(std::string(test::model_deck), "1.5 g/cm^3", "1.6 g/cm^3"));
   const auto refused = study_.breccia("run", {"--resume"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("out: cannot go on from these results: deck.toml: line 9 was"),
-                                    HasSubstr("1.5 g/cm^3"), HasSubstr("1.6 g/cm^3"), HasSubstr("--out")));
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("out: cannot go on from these results: deck.toml: line 9 was"), HasSubstr("1.5 g/cm^3"),
+                    HasSubstr("1.6 g/cm^3"), HasSubstr("--out"), HasSubstr("--overwrite")));
   EXPECT_EQ(study_.results(), before) << "nothing is lost";
 }
 

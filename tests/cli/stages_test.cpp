@@ -12,6 +12,7 @@
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 
+#include "messages.hpp"
 #include "model_deck.hpp"
 #include "study_directory.hpp"
 
@@ -55,6 +56,37 @@ double worst_difference(const StudyDirectory& study, const std::string& boundary
     worst = std::max(worst, std::abs(second[i] / first[i] - 1.0));
   }
   return worst;
+}
+
+/// A stage of few discs by both methods, and another that builds on it.
+const std::string chain =
+    test::replaced(test::replaced(passing_on, "method     = \"dynamic\"", "method = [\"quasistatic\", \"dynamic\"]"),
+                   "cells   = 24", "cells   = 12");
+
+TEST(Stages, OfASweepAreComputedOnceWhereTheyAreTheSame) {
+  const StudyDirectory sweep(chain), single(chain);
+  const auto run = sweep.breccia("run", {"--sweep", "stages.B.cells=[8, 6]"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("\nA: the same as in out/cells-8/A\n"));
+  ASSERT_EQ(single.breccia("run", {"--set", "stages.B.cells=6"}).exit_code, 0);
+  for (const auto& name : single.results()) {
+    EXPECT_TRUE(std::filesystem::exists(sweep.result("cells-6/" + name))) << name;
+  }
+  for (const auto* file : {"curves.csv", "prony.csv", "A/microstructure.csv", "A/fields.vtkhdf", "A/fields-strain.svg",
+                           "A/modulus.svg", "B/modulus.svg"}) {
+    EXPECT_EQ(read_text(sweep.result(std::string("cells-6/") + file)), read_text(single.result(file))) << file;
+  }
+  EXPECT_EQ(test::run_breccia(sweep.path(), {"report", "out/cells-6"}).exit_code, 0) << "all of one study";
+}
+
+TEST(Stages, OfASweepThatCannotBeAreTriedOnce) {
+  auto deck = test::replaced(chain, "sizes = { diameter = \"2 mm\" }",
+                             "fraction = 0.85, gap = \"0 m\", sizes = { diameter = \"0.5 mm\" }");
+  deck = test::replaced(deck, "method = \"regular\", columns = 2, rows = 2", "method = \"lubachevsky-stillinger\"");
+  const StudyDirectory study(deck);
+  const auto run = study.breccia("run", {"--sweep", "stages.B.cells=[8, 6]"});
+  EXPECT_EQ(run.exit_code, 3);
+  EXPECT_THAT(run.errors, testing::AllOf(HasSubstr("cells-8: A: "), HasSubstr("cells-6: A: ")));
 }
 
 TEST(Stages, AStagePassesOnWhatItBecameUnderEachBoundary) {

@@ -100,11 +100,11 @@ TEST(Sweep, ResumingRunsWhatIsNotDone) {
   const StudyDirectory study(deck);
   ASSERT_EQ(study.breccia("run").exit_code, 0);
   const auto table = read_text(study.result("sweep.csv"));
-  // One task is incomplete, one is of another deck, one is done.
-  const auto incomplete =
-      test::replaced(read_text(study.result("seed-1/study.json")), "\"complete\": true", "\"complete\": false");
-  write_text(study.result("seed-1/study.json"), incomplete);
-  write_text(study.result("seed-2/study.json"), "not even JSON");
+  // Two tasks are incomplete, one is done.
+  for (const auto* task : {"seed-1/study.json", "seed-2/study.json"}) {
+    write_text(study.result(task),
+               test::replaced(read_text(study.result(task)), "\"complete\": true", "\"complete\": false"));
+  }
   const auto resumed = study.breccia("run", {"--resume"});
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
   EXPECT_THAT(resumed.output,
@@ -115,7 +115,13 @@ TEST(Sweep, ResumingRunsWhatIsNotDone) {
   const auto other = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
   EXPECT_EQ(other.exit_code, 2);
   EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot go on from these results"), HasSubstr("out/seed-3")));
-  EXPECT_THAT(study.breccia("run", {"--set", "stages.A.cells=10"}).output, Not(HasSubstr("complete already")));
+  const auto instead = study.breccia("run", {"--overwrite", "--set", "stages.A.cells=10"});
+  EXPECT_EQ(instead.exit_code, 0) << instead.errors;
+  EXPECT_THAT(instead.output, Not(HasSubstr("complete already")));
+
+  write_text(study.result("seed-2/study.json"), "not even JSON");
+  const auto foreign = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
+  EXPECT_THAT(foreign.errors, HasSubstr("out/seed-2/study.json: the results would replace this file"));
 }
 
 TEST(Sweep, ResumingAGrownSweepRunsTheNewTasks) {

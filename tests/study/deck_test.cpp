@@ -43,6 +43,41 @@ TEST(StudyDeck, TheHashKnowsNoCommentsAndNoSweep) {
             directory.study(text).hash);
 }
 
+TEST(StudyDeck, TheHashTellsWhichFileALineIsIn) {
+  const test::DeckDirectory directory;
+  const auto bulk = test::replaced(test::join(test::materials, test::stage, test::tests), "bulk = \"3.6 GPa\"",
+                                   "bulk = { prony = \"a.csv\" }");
+  const auto text = test::replaced(bulk, "shear = \"1 MPa\"", "shear = { prony = \"b.csv\" }");
+  const std::string table = "relaxation_time_s,modulus_Pa\ninf,1e9\n";
+  directory.write("a.csv", table + "# a note\n");
+  directory.write("b.csv", table);
+  const auto hash = directory.study(text).hash;
+  directory.write("a.csv", table);
+  directory.write("b.csv", "# a note\n" + table);
+  EXPECT_NE(directory.study(text).hash, hash);
+}
+
+TEST(StudyDeck, HashesOfStagesKnowWhatTheirResultsDependOn) {
+  const test::DeckDirectory directory;
+  auto second = test::replaced(std::string(test::stage), "name = \"HB-1\"", "name = \"HB-2\"");
+  const auto text = test::join(test::materials, test::stage, second, test::tests);
+  const auto hashes = directory.study(text).stage_hashes;
+  ASSERT_EQ(hashes.size(), 2U);
+  const auto after = [&](const std::string& override_text) {
+    return directory.study(text, {override_text}).stage_hashes;
+  };
+  EXPECT_EQ(after("title=\"B\""), hashes);
+  const auto later = after("stages.HB-2.cells=100");
+  EXPECT_EQ(later[0], hashes[0]);
+  EXPECT_NE(later[1], hashes[1]);
+  for (const auto* override_text :
+       {"stages.HB-1.cells=100", "tests.points_per_decade=10", "materials.binder.bulk=4 GPa"}) {
+    EXPECT_NE(after(override_text)[0], hashes[0]) << override_text;
+    EXPECT_NE(after(override_text)[1], hashes[1]) << override_text;
+  }
+  EXPECT_NE(after("stages.HB-2.matrix=HB-1")[0], hashes[0]) << "is tested in bulk, too";
+}
+
 TEST(StudyDeck, AnEmptyDeckLacksItsThreeParts) {
   const test::DeckDirectory directory;
   EXPECT_EQ(directory.mistakes(""),

@@ -169,6 +169,9 @@ class Deck {
   /// What the deck says, overrides included, but for one key of its top: the same for decks that differ in their
   /// comments and spaces alone.
   [[nodiscard]] std::string content_without(std::string_view key) const;
+  /// The same without several keys of its top, and with no more than the first elements of one of its arrays.
+  [[nodiscard]] std::string content_with_first(std::size_t count, std::string_view array,
+                                               std::span<const std::string_view> left_out) const;
   /// The top of the deck. Sections live as long as the deck.
   [[nodiscard]] Section root() const;
   /// All mistakes found so far, unknown keys of the tables that were looked into included.

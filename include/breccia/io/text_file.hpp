@@ -35,6 +35,9 @@ std::string read_text(const std::filesystem::path& path);
 /// Writes a file atomically; its directory must exist. Throws FileError.
 void write_text(const std::filesystem::path& path, std::string_view text);
 
+/// Copies a file atomically. Throws FileError.
+void copy_result(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Makes a directory, and those above it. Throws FileError.
 void make_directory(const std::filesystem::path& directory);
 

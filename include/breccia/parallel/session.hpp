@@ -44,6 +44,9 @@ bool is_first() noexcept;
 /// A text from each group, in their order, for every process. Waits for all.
 std::vector<std::string> gather(const std::string& text_of_group);
 
+/// A text from the first process of the group, for all of its processes. Waits for all.
+std::string text_of_first(const std::string& text);
+
 /// Throws NumericalError when a PETSc function has failed, naming what was tried.
 void check(int petsc_error, const char* what);
 

@@ -18,8 +18,4 @@ std::optional<double> take_over_complete_run(const Study& study, const std::file
 /// Whether an earlier run has left results of tests, complete or not, in a directory.
 bool holds_tests(const std::filesystem::path& directory);
 
-/// Throws InputError, telling what differs, when a directory holds results, complete or not, of another study or
-/// version of Breccia. A `study.json` that cannot be understood tells nothing.
-void require_same_study(const Study& study, const std::filesystem::path& directory);
-
 }  // namespace breccia

@@ -103,6 +103,10 @@ struct StudyObserver {
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
   std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};
+  /// Told where results are written that take the place of earlier ones only when they are whole.
+  std::function<void(const std::filesystem::path&)> writes_beside = {};
+  /// Told of a stage that another task of a sweep has computed already, and where its files are.
+  std::function<void(const StageResult&, const std::filesystem::path&)> taken_over = {};
   std::function<void(const std::string&)> noted = {};  ///< what a user should know of files that were found
 };
 
@@ -110,14 +114,17 @@ struct StudyObserver {
 struct RunOptions {
   int threads = 0;                      ///< 0: all
   bool resume = false;                  ///< go on from the checkpoints of an earlier run
+  bool overwrite = false;               ///< replace results of other studies, once the new ones are whole
   CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early
   bool ignore_memory = false;           ///< begin even what will hardly fit
 };
 
 /// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every
-/// file appears whole or not at all; what is done when the run ends early stays, and with it checkpoints, from which
-/// another run goes on to the same bits. Throws InputError, which is also where it is to go on from the results of
-/// another study or version, NumericalError, FileError or Interrupted.
+/// file appears whole or not at all. Where earlier results are in the directory, they stay until the new ones are
+/// whole, which are written to its subdirectory `unfinished` meanwhile. What is done when the run ends early stays, and
+/// with it checkpoints, from which another run goes on to the same bits. Throws InputError, also where it would replace
+/// or go on from results of another study or version and is not to overwrite them, NumericalError, FileError or
+/// Interrupted.
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
                       const StudyObserver& observer = {});
 

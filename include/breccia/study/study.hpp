@@ -147,7 +147,10 @@ struct Study {
   std::vector<std::filesystem::path> inputs;  ///< the deck, and the data files that it names
   std::vector<std::string> overrides;         ///< `key.path=value`
   std::string hash;                           ///< of what the deck says, overrides included, and the data files
-  std::vector<Material> materials;            ///< in the order of the deck
+  /// Of each stage the hash of all that its results may depend on: the deck up to this stage, but for title and
+  /// measurements, the data files, and the loads that the stage is tested under.
+  std::vector<std::string> stage_hashes;
+  std::vector<Material> materials;  ///< in the order of the deck
   /// By the names of the materials that have one; their relaxation times are shifted already.
   std::map<std::string, TemperatureShift> temperature_shifts;
   std::vector<Stage> stages;

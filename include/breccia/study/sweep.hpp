@@ -77,7 +77,7 @@ struct SweepObserver {
 /// the directory of its name, and writes `sweep.csv`, `sweep.json`, `sweep.svg` and, where seeds are swept,
 /// `spread.csv` (docs/results.md) anew after each of them. A task that fails for its numbers or its microstructure does
 /// not end the others. One that resumes leaves alone the tasks that are complete, and goes on with the others from
-/// their checkpoints. Throws FileError or Interrupted, and InputError where it is to resume results of other tasks.
+/// their checkpoints. Throws FileError or Interrupted, and InputError as refuse_objections does.
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
 
@@ -112,7 +112,8 @@ SweepResult last_stage_of(const SweepResult& result);
 /// "upper bound", "lower bound" or "periodic".
 std::string bound_of(const TaskCurve& curve);
 
-/// Throws InputError, for all tasks at once, where the directory of one holds results of another study or version.
-void require_same_studies(const Sweep& sweep, const std::filesystem::path& directory);
+/// Throws InputError, for all tasks at once, where a run would replace or go on from results of another study, sweep or
+/// version and is not to overwrite them, or replace files that Breccia did not write.
+void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace breccia {
+
+/// Results that take the place of earlier ones are written beside them, to this subdirectory of theirs. Only when they
+/// are whole are the earlier files removed and the new ones moved into their place. So a run that fails, is killed or
+/// fills the disk leaves the earlier results as they were.
+inline constexpr std::string_view unfinished_directory = "unfinished";
+
+/// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are named relative to the
+/// directory; those that are missing do not matter. `record` is the file by which the results are known: the old one is
+/// removed first, the new one is moved last. A process that is killed on the way leaves a list from which
+/// finish_replacement goes on. Throws FileError, with nothing touched, where a new file would replace one that is not
+/// among the old ones; and where a file cannot be removed or moved.
+void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
+                     const std::string& record);
+
+/// Brings a replacement to its end that was cut off; does nothing where there is none. Nobody else may be at work in
+/// the directory. Throws FileError.
+void finish_replacement(const std::filesystem::path& directory);
+
+/// Removes directories if they are empty.
+void remove_if_empty(std::span<const std::filesystem::path> directories);
+
+}  // namespace breccia

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace breccia {
+
+/// Results that a command makes in one go, with a record of what they come from.
+struct ResultsOrigin {
+  std::string command;             ///< "fit": the record is `fit.json`
+  std::string source;              ///< what they come from, in words: the name of a file, say
+  std::string identity;            ///< what tells one source from another
+  std::vector<std::string> files;  ///< names of all files that the command may write
+  bool overwrite = false;          ///< may results from another source be replaced?
+};
+
+/// Results of a command on their way to a directory. They are written to `place` and put into the directory by commit,
+/// in the place of what the command has written there before; without commit nothing of them is left.
+class WholeResults {
+ public:
+  /// Throws InputError where the directory holds the results of a study or a sweep, files of these names that Breccia
+  /// did not write, or results from another source that are not to be overwritten. Throws FileError.
+  WholeResults(std::filesystem::path directory, ResultsOrigin origin);
+  WholeResults(const WholeResults&) = delete;
+  WholeResults& operator=(const WholeResults&) = delete;
+  WholeResults(WholeResults&&) = delete;
+  WholeResults& operator=(WholeResults&&) = delete;
+  ~WholeResults();
+
+  /// Where the files are to be written.
+  [[nodiscard]] const std::filesystem::path& place() const noexcept { return place_; }
+
+  /// Throws FileError.
+  void commit();
+
+ private:
+  [[nodiscard]] std::string record_name() const { return origin_.command + ".json"; }
+  void refuse_others() const;
+
+  std::filesystem::path directory_;
+  ResultsOrigin origin_;
+  std::filesystem::path place_;
+  bool made_directory_ = false;
+};
+
+}  // namespace breccia

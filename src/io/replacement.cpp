@@ -1,0 +1,132 @@
+#include "breccia/io/replacement.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In `unfinished` while old files are removed, and then while new files are moved: the record, and in the first the
+/// old files, one a line.
+constexpr auto removing_list = "removing.list";
+constexpr auto moving_list = "moving.list";
+
+std::vector<std::string> lines_of(const fs::path& file) {
+  std::istringstream text(read_text(file));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  return lines;
+}
+
+void rename_file(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw FileError(fmt::format("{}: cannot move it to {}: {}", from.string(), to.string(), error.message()));
+}
+
+/// All files below a directory, relative to it, but for the lists.
+std::vector<std::string> files_below(const fs::path& directory) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_directory()) continue;
+    auto name = fs::relative(entry.path(), directory).string();
+    if (name != removing_list && name != moving_list) names.push_back(std::move(name));
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// All directories below a directory, each after those within it.
+std::vector<fs::path> directories_below(const fs::path& directory) {
+  std::set<fs::path, std::greater<>> found;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.is_directory()) found.insert(entry.path());
+  }
+  return {found.begin(), found.end()};
+}
+
+/// The directories in which the files are, each after those within it.
+std::vector<fs::path> parents_of(const fs::path& directory, std::span<const std::string> files) {
+  std::set<fs::path, std::greater<>> parents;
+  for (const auto& name : files) {
+    for (auto parent = fs::path(name).parent_path(); !parent.empty(); parent = parent.parent_path()) {
+      parents.insert(directory / parent);
+    }
+  }
+  return {parents.begin(), parents.end()};
+}
+
+/// The first step: the old files go, the record before all others.
+void remove_old(const fs::path& directory) {
+  const auto unfinished = directory / unfinished_directory;
+  const auto names = lines_of(unfinished / removing_list);
+  remove_files(directory, names);
+  remove_if_empty(parents_of(directory, names));
+  rename_file(unfinished / removing_list, unfinished / moving_list);
+}
+
+/// The second step: the new files come, the record after all others.
+void move_new(const fs::path& directory) {
+  const auto unfinished = directory / unfinished_directory;
+  const auto record = lines_of(unfinished / moving_list).front();
+  remove_partial_files(unfinished);
+  auto names = files_below(unfinished);
+  std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
+  for (const auto& name : names) {
+    make_directory((directory / name).parent_path());
+    rename_file(unfinished / name, directory / name);
+  }
+  remove_if_empty(directories_below(unfinished));
+  remove_files(unfinished, std::vector<std::string>{moving_list});
+  remove_if_empty(std::vector{unfinished});
+}
+
+}  // namespace
+
+void replace_results(const fs::path& directory, std::span<const std::string> old_files, const std::string& record) {
+  const auto unfinished = directory / unfinished_directory;
+  remove_partial_files(unfinished);
+  std::vector<std::string> foreign;
+  for (const auto& name : files_below(unfinished)) {
+    const bool is_ours = std::ranges::find(old_files, name) != old_files.end();
+    if (!is_ours && fs::exists(directory / name)) foreign.push_back((directory / name).string());
+  }
+  if (!foreign.empty()) {
+    throw FileError(fmt::format("{}: not written by Breccia, so it is not replaced; the new results are in {}",
+                                fmt::join(foreign, ", "), unfinished.string()));
+  }
+  auto list = record + "\n";
+  for (const auto& name : old_files) {
+    if (name != record) list += name + "\n";
+  }
+  write_text(unfinished / removing_list, list);
+  finish_replacement(directory);
+}
+
+void finish_replacement(const fs::path& directory) {
+  const auto unfinished = directory / unfinished_directory;
+  if (fs::is_regular_file(unfinished / removing_list)) remove_old(directory);
+  if (fs::is_regular_file(unfinished / moving_list)) move_new(directory);
+}
+
+void remove_if_empty(std::span<const fs::path> directories) {
+  for (const auto& directory : directories) {
+    std::error_code is_not_empty;
+    fs::remove(directory, is_not_empty);
+  }
+}
+
+}  // namespace breccia

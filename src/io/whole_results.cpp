@@ -1,0 +1,83 @@
+#include "breccia/io/whole_results.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/error.hpp"
+#include "breccia/io/replacement.hpp"
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+}  // namespace
+
+WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
+    : directory_(std::move(directory)), origin_(std::move(origin)), place_(directory_ / unfinished_directory) {
+  finish_replacement(directory_);
+  refuse_others();
+  made_directory_ = !fs::exists(directory_);
+  make_directory(place_);
+  remove_files(place_, origin_.files);
+  remove_partial_files(place_);
+}
+
+WholeResults::~WholeResults() {
+  std::error_code ignored;
+  for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
+  fs::remove(place_ / record_name(), ignored);
+  fs::remove(place_, ignored);
+  if (made_directory_) fs::remove(directory_, ignored);
+}
+
+void WholeResults::refuse_others() const {
+  for (const auto* record : {"study.json", "sweep.json"}) {
+    if (!fs::exists(directory_ / record)) continue;
+    throw InputError(fmt::format("{}: here are the results of a {}; take another directory (--out)",
+                                 directory_.string(), fs::path(record).stem().string()));
+  }
+  const auto record = directory_ / record_name();
+  if (fs::is_regular_file(record)) {
+    const auto json = Json::parse(read_text(record), nullptr, false);
+    const bool is_ours = json.is_object() && json.value("program", Json()) == "breccia";
+    if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
+    if (is_ours) {
+      throw InputError(
+          fmt::format("{}: here is what `breccia {}` made of {}; replace it (--overwrite) or take another "
+                      "directory (--out)",
+                      directory_.string(), origin_.command, json.value("source", Json()).dump()));
+    }
+  }
+  std::vector<std::string> foreign;
+  for (const auto& name : origin_.files) {
+    if (fs::exists(directory_ / name)) foreign.push_back(name);
+  }
+  if (fs::exists(record)) foreign.push_back(record_name());
+  if (foreign.empty()) return;
+  throw InputError(
+      fmt::format("{}: the results would replace {}, which `breccia {}` did not write; take another "
+                  "directory (--out)",
+                  directory_.string(), fmt::join(foreign, ", "), origin_.command));
+}
+
+void WholeResults::commit() {
+  const Json json = {{"program", "breccia"},
+                     {"version", BRECCIA_VERSION},
+                     {"command", origin_.command},
+                     {"source", origin_.source},
+                     {"identity", origin_.identity}};
+  write_text(place_ / record_name(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  auto old = origin_.files;
+  old.push_back(record_name());
+  replace_results(directory_, old, record_name());
+  made_directory_ = false;
+}
+
+}  // namespace breccia

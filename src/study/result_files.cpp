@@ -1,0 +1,77 @@
+#include "result_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <iterator>
+
+#include "breccia/io/replacement.hpp"
+
+#include "checkpoints.hpp"
+#include "field_files.hpp"
+#include "history_file.hpp"
+#include "results.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array stage_files = {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
+                                    "response.h5"};
+
+bool is_letter_or_digit(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> files_of_a_study() {
+  auto names = curve_files();
+  names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
+  return names;
+}
+
+std::vector<std::string> files_of_a_sweep() {
+  return {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg", "report.html"};
+}
+
+std::vector<std::string> reserved_names() {
+  auto names = files_of_a_study();
+  std::ranges::copy(files_of_a_sweep(), std::back_inserter(names));
+  names.emplace_back(unfinished_directory);
+  return names;
+}
+
+bool is_file_of_a_stage(std::string_view name) {
+  return std::ranges::find(stage_files, name) != stage_files.end() || is_history(name) || is_of_fields(name) ||
+         is_checkpoint(name);
+}
+
+bool is_directory_name(std::string_view name) {
+  const auto is_allowed = [](char letter) {
+    return is_letter_or_digit(letter) || letter == '-' || letter == '_' || letter == '.';
+  };
+  return !name.empty() && is_letter_or_digit(name.front()) && name.back() != '.' &&
+         std::ranges::all_of(name, is_allowed);
+}
+
+std::vector<std::string> result_files_in(const fs::path& directory, const std::vector<std::string>& stages) {
+  auto known = files_of_a_study();
+  std::ranges::copy(files_of_a_sweep(), std::back_inserter(known));
+  std::vector<std::string> names;
+  for (const auto& name : known) {
+    const bool is_listed = std::ranges::find(names, name) != names.end();
+    if (!is_listed && fs::exists(directory / name)) names.push_back(name);
+  }
+  for (const auto& stage : stages) {
+    std::error_code is_missing;
+    for (const auto& entry : fs::directory_iterator(directory / stage, is_missing)) {
+      const auto name = entry.path().filename().string();
+      if (entry.is_regular_file() && is_file_of_a_stage(name)) names.push_back(stage + "/" + name);
+    }
+  }
+  return names;
+}
+
+}  // namespace breccia

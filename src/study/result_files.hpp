@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace breccia {
+
+/// Names of the files that a study writes to its directory itself; those of stages are in directories of their own.
+std::vector<std::string> files_of_a_study();
+
+/// Names of the files that a sweep writes beside the directories of its tasks.
+std::vector<std::string> files_of_a_sweep();
+
+/// Names in a directory of results, in lower case, that no stage may have as its directory.
+std::vector<std::string> reserved_names();
+
+/// Is this the name of a file that a study writes to the directory of a stage?
+bool is_file_of_a_stage(std::string_view name);
+
+/// May the name be that of a stage or of a task: that of a directory, on any system?
+bool is_directory_name(std::string_view name);
+
+/// The files of a study and of a sweep that are in a directory, and those of the stages given, relative to it.
+std::vector<std::string> result_files_in(const std::filesystem::path& directory,
+                                         const std::vector<std::string>& stages);
+
+}  // namespace breccia
