@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 #include "breccia/io/nearest_name.hpp"
 
 #include "deck_sections.hpp"
+#include "safe_name.hpp"
 
 namespace breccia {
 
@@ -17,24 +17,15 @@ constexpr int most_cells = 1 << 20;
 /// Of boxes [m]: wide enough for whatever is a composite.
 const Range sides = {.lower = 1e-12, .upper = 1e6};
 
-/// May the name be that of a directory, on any system?
-bool is_safe(const std::string& name) {
-  const auto allowed = [](unsigned char letter) {
-    return std::isalnum(letter) != 0 || letter == '-' || letter == '_' || letter == '.';
-  };
-  return !name.empty() && std::isalnum(static_cast<unsigned char>(name.front())) != 0 &&
-         std::ranges::all_of(name, allowed);
-}
-
 std::string read_name(const Section& section, const std::vector<Stage>& earlier,
                       const std::vector<Material>& materials) {
   auto name = section.text("name");
-  if (!name.empty() && !is_safe(name)) {
+  if (!name.empty() && !is_safe_name(name)) {
     section.report("name",
                    fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }
   if (name == "curves.csv" || name == "compliance.csv" || name == "prony.csv" || name == "extrapolation.csv" ||
-      name == "comparison.csv" || name == "study.json") {
+      name == "comparison.csv" || name == "quality.csv" || name == "study.json") {
     section.report("name", fmt::format("\"{}\" is the name of a file of results", name));
   }
   if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {

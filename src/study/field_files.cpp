@@ -11,6 +11,8 @@
 #include "breccia/report/display.hpp"
 #include "breccia/report/field_picture.hpp"
 
+#include "safe_name.hpp"
+
 namespace breccia {
 namespace {
 
@@ -113,7 +115,7 @@ std::vector<FieldRecord> write_fields(const StageGrid& grid, Boundary boundary, 
 }
 
 bool is_of_fields(std::string_view name) {
-  return name.starts_with("fields") &&
+  return stays_in_directory(name) && name.starts_with("fields") &&
          (name.ends_with(".vtkhdf") || name.ends_with("-stress.svg") || name.ends_with("-strain.svg"));
 }
 
