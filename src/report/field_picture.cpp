@@ -158,8 +158,8 @@ std::string field_picture(const FieldPicture& picture) {
   const auto out = std::back_inserter(svg);
   // The map is drawn 1000 units wide, its bar to the right of it.
   fmt::format_to(out,
-                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1240 1150" font-family="sans-serif">
-<title>{0}</title>
+                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1240 1150" font-family="sans-serif" role="img" aria-labelledby="title">
+<title id="title">{0}</title>
 <rect x="-20" y="-70" width="1240" height="1150" fill="#fff"/>
 <text y="-24" font-size="34" fill="#222">{0}</text>
 <image width="1000" height="1000" preserveAspectRatio="none" style="image-rendering: pixelated" href="data:image/png;base64,{1}"/>

@@ -74,8 +74,8 @@ std::string microstructure_picture(const Microstructure& microstructure) {
   std::string svg;
   const auto out = std::back_inserter(svg);
   fmt::format_to(out,
-                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif">
-<title>Microstructure: {3} particles in a box of {4}</title>
+                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif" role="img" aria-labelledby="title">
+<title id="title">Microstructure: {3} particles in a box of {4}</title>
 <clipPath id="box"><rect width="{5}" height="{5}"/></clipPath>
 <rect x="{0}" y="{0}" width="{1}" height="{2}" fill="#fff"/>
 <rect width="{5}" height="{5}" fill="#f3e9d8"/>
