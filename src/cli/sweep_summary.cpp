@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "breccia/io/units.hpp"
+#include "breccia/report/display.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -23,7 +24,7 @@ struct Column {
 };
 
 std::string modulus_at(const Curve& curve, double time) {
-  return readable(smoothed_at(curve, time), Dimension::pressure);
+  return display(smoothed_at(curve, time), "Pa");
 }
 
 Column column_of(const std::string& name, const TaskCurve& curve) {
@@ -41,8 +42,8 @@ Column column_of(const std::string& name, const SpreadCurve& spread) {
   }
   const TimeWindow times{means.front().time, means.back().time};
   return {{name, bound_of(spread.test)}, times, [means, deviations](double time) {
-            const double share = smoothed_at(deviations, time) / smoothed_at(means, time);
-            return fmt::format("{} +- {:.1f} %", modulus_at(means, time), 100.0 * share);
+            const double percent = 100.0 * smoothed_at(deviations, time) / smoothed_at(means, time);
+            return fmt::format("{} +- {:.{}f} %", modulus_at(means, time), percent, percent < 10.0 ? 1 : 0);
           }};
 }
 
@@ -60,7 +61,7 @@ std::string table_of(const std::vector<Column>& columns) {
       text += fmt::format("  {:>{}}", columns[i].heading[line], widths[i]);
   }
   for (const double time : logarithmic_times(all, 1)) {
-    text += fmt::format("\n{:>12}", fmt::format("{:.3g} s", time));
+    text += fmt::format("\n{:>12}", display_time(time));
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const auto& [heading, times, text_at] = columns[i];
       const bool is_known = times.begin <= time && time <= times.end;
@@ -68,6 +69,25 @@ std::string table_of(const std::vector<Column>& columns) {
     }
   }
   return text + "\n";
+}
+
+/// Of each stage mean and spread over the seeds; empty where no seeds were swept.
+std::string tables_of_spreads(const Sweep& sweep, const SweepResult& result) {
+  std::string text;
+  std::size_t tasks = 0;
+  for (const auto& stage : tested_stages(result)) {
+    const auto spreads = spread_over_seeds(sweep, stage_of(result, stage));
+    std::vector<Column> columns;
+    for (const auto& spread : spreads) {
+      columns.push_back(column_of(name_without_seeds(sweep, sweep.tasks[spread.first_task]), spread));
+      tasks = std::max(tasks, spread.spreads.front().tasks);
+    }
+    if (columns.empty() || columns.size() > most_columns) continue;
+    text += fmt::format("\n{}: modulus, mean and standard deviation over the seeds\n{}", stage, table_of(columns));
+  }
+  if (text.empty()) return text;
+  return text + fmt::format("\nThe standard deviation is that of one box; that of the mean of {} boxes is {:.2g} times smaller\n",
+                            tasks, std::sqrt(static_cast<double>(tasks)));
 }
 
 }  // namespace
@@ -95,19 +115,15 @@ std::string table_of_tasks(const Sweep& sweep) {
 }
 
 std::string closing_table(const Sweep& sweep, const SweepResult& result) {
+  auto text = tables_of_spreads(sweep, result);
+  if (!text.empty()) return text;
   const auto shown = last_stage_of(result);
-  const auto spreads = spread_over_seeds(sweep, shown);
   std::vector<Column> columns;
-  columns.reserve(spreads.size());
-  for (const auto& spread : spreads) {
-    columns.push_back(column_of(name_without_seeds(sweep, sweep.tasks[spread.first_task]), spread));
-  }
-  for (std::size_t task = 0; spreads.empty() && task < shown.size(); ++task) {
+  for (std::size_t task = 0; task < shown.size(); ++task) {
     for (const auto& curve : shown[task].curves) columns.push_back(column_of(sweep.tasks[task].name, curve));
   }
   if (columns.empty() || columns.size() > most_columns) return {};
-  const auto what = spreads.empty() ? "" : ", mean and standard deviation over the seeds";
-  return fmt::format("\nModulus of the last stage{}\n{}", what, table_of(columns));
+  return fmt::format("\nModulus of the last stage\n{}", table_of(columns));
 }
 
 }  // namespace breccia::cli

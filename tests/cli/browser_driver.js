@@ -103,6 +103,12 @@ async function look() {
   see("table as CSV", (await savedBy("all of comparison.csv")).split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
   see("how good", document.querySelector("#quality-summary li").textContent.split(",")[0]);
 
+  await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.02), Math.log10(0.05)]});
+  await wait(100);
+  see("times when zoomed", tickTexts("curve-plot", "xaxis"));
+  await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.9e-3), Math.log10(0.055)]});
+  await wait(100);
+
   const pane = at("curve-plot").querySelector(".nsewdrag");
   pane.scrollIntoView({block: "center"});
   const {left, top, width, height} = pane.getBoundingClientRect();
@@ -133,6 +139,7 @@ async function look() {
   choose("runs-axis", "linear time, with the load");
   await wait(100);
   for (const share of [-0.25, 0, 0.25, 0.35]) see(`load at ${share} of the ramp`, loadAt(share));
+  see("linear time", `${tickTexts("runs-plot", "xaxis")}; ${at("runs-plot").layout.xaxis.title.text}`);
   see("load beside the runs", runs().some((trace) => trace.name === "load" && Math.max(...trace.y) === 1));
 
   see("agreement", at("live-note").dataset.agreement);

@@ -9,7 +9,9 @@ function display(value, unit, digits = 3) {
   if (value === 0) return `0 ${unit}`;
   const rounded = Number(value.toPrecision(digits));
   if (unit === "s" && Math.abs(rounded) >= 1000) return `${shortNumber(rounded, digits)} s`;
-  const [scale, prefix] = prefixes.find(([size]) => Math.abs(rounded) >= size * (1 - 1e-12)) ?? prefixes.at(-1);
+  const fitting = prefixes.find(([size]) => Math.abs(rounded) >= size * (1 - 1e-12));
+  if (fitting === undefined) return `${shortNumber(rounded, digits)} ${unit}`;
+  const [scale, prefix] = fitting;
   return `${minus(Number((rounded / scale).toPrecision(digits)))} ${prefix}${unit}`;
 }
 

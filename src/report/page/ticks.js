@@ -7,7 +7,8 @@
 function unitFor(unit, values) {
   const sizes = values.map(Math.abs).filter((value) => value > 0 && Number.isFinite(value));
   const [least, most] = extent(sizes.map(Math.log10));
-  const typical = 10 ** ((least + most) / 2);
+  // Of many decades the upper ones are read.
+  const typical = 10 ** Math.max((least + most) / 2, most - 4);
   const fitting = (size) => prefixes.find(([scale]) => scale <= size * (1 + 1e-9)) ?? prefixes.at(-1);
   if (sizes.length === 0 || !["Pa", "1/Pa", "s"].includes(unit)) return {unit, scale: 1};
   if (unit === "1/Pa") {
