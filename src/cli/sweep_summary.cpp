@@ -56,6 +56,8 @@ std::string table_of(const std::vector<Column>& columns) {
   }
   std::string text;
   for (std::size_t line = 0; line < 2; ++line) {
+    const bool is_empty = std::ranges::all_of(columns, [&](const Column& one) { return one.heading[line].empty(); });
+    if (is_empty) continue;
     text += fmt::format("\n{:>12}", line == 1 ? "time" : "");
     for (std::size_t i = 0; i < columns.size(); ++i)
       text += fmt::format("  {:>{}}", columns[i].heading[line], widths[i]);
