@@ -43,7 +43,8 @@ struct RunArguments {
   [[nodiscard]] RunOptions options() const;
 };
 
-/// Adds DECK, --set, --sweep, --seeds, --out, --threads and --quiet, and what tells when states are left and taken up: --resume,
+/// Adds DECK, --set, --sweep, --seeds, --out, --threads and --quiet, and what tells when states are left and taken up:
+/// --resume,
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 

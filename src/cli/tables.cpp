@@ -105,7 +105,8 @@ std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& 
 }
 
 std::string closing_tables(const Study& study, const StudyResult& result) {
-  auto text = tables_of(result.stages, {study.tests.first_time, study.tests.last_time}) + words_on_quality(study, result);
+  auto text =
+      tables_of(result.stages, {study.tests.first_time, study.tests.last_time}) + words_on_quality(study, result);
   for (const auto& measurement : study.measurements) {
     const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
     const bool is_compared = std::ranges::any_of(

@@ -78,12 +78,11 @@ bool takes_seed(const Section& packing) {
 
 std::optional<PackingMethod> read_packing(const Section& stage, double side) {
   const auto packing = stage.section("packing");
-  const auto method =
-      packing.choice<MethodName>("method", {
-                                               {random_method, MethodName::lubachevsky_stillinger},
-                                               {"regular", MethodName::regular},
-                                               {"explicit", MethodName::listed},
-                                           });
+  const auto method = packing.choice<MethodName>("method", {
+                                                               {random_method, MethodName::lubachevsky_stillinger},
+                                                               {"regular", MethodName::regular},
+                                                               {"explicit", MethodName::listed},
+                                                           });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;

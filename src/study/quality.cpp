@@ -139,6 +139,9 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
 std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0) return {};
   std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
+  if (std::isfinite(quality.gap_cells)) {
+    parts.push_back(fmt::format("narrowest gap: {:.2g} cells", quality.gap_cells));
+  }
   if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown (--seeds 3)");
   if (!quality.matrix_stage.empty()) {
     parts.push_back(fmt::format("matrix: the errors of stage {} come on top", quality.matrix_stage));

@@ -68,8 +68,8 @@ bool is_there(const fs::path& file) {
   return fs::is_regular_file(file, is_no_name_of_a_file);
 }
 
-/// Throws FileError where study.json names a file or a directory as no run does: the name could lead to any file that the
-/// reader of the results may open.
+/// Throws FileError where study.json names a file or a directory as no run does: the name could lead to any file that
+/// the reader of the results may open.
 void require_written(const std::string& name, bool is_as_written) {
   if (!is_as_written) throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
 }
@@ -80,9 +80,9 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
   for (const auto& test : stage.at("tests")) {
     const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
     for (std::size_t number = 1; number <= domains; ++number) {
-      const auto name = history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
-                                     static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()),
-                                     number);
+      const auto name =
+          history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
+                       static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()), number);
       require_written(name, stays_in_directory(name));
       const auto file = directory / name;
       if (!is_there(file)) continue;

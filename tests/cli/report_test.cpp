@@ -66,7 +66,8 @@ TEST_F(Report, TellsWhenAndHowWell) {
   const auto& stage = record.at("stages").at(0);
   EXPECT_DOUBLE_EQ(stage.at("microstructure").at("largest_diameter_m"), 2e-3);
   const auto& quality = stage.at("quality");
-  EXPECT_THAT(quality.at("summary").get<std::string>(), HasSubstr("grid: one grid, error unknown (give cells = [8, 16])"));
+  EXPECT_THAT(quality.at("summary").get<std::string>(),
+              HasSubstr("grid: one grid, error unknown (give cells = [8, 16])"));
   EXPECT_EQ(quality.at("seeds"), nullptr) << "a regular packing has none";
   const auto curve = test::read_curve(study.result("curves.csv"), "A", "shear");
   const auto& bounds = quality.at("bounds").at(0);

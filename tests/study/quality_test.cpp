@@ -44,8 +44,9 @@ StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40)
 }
 
 TEST(Quality, TellsTheDistanceOfTheBounds) {
-  const auto quality = quality_of(
-      random_stage(), result_of({constant(Boundary::displacement, 100, 118.0), constant(Boundary::traction, 100, 100.0)}));
+  const auto quality =
+      quality_of(random_stage(),
+                 result_of({constant(Boundary::displacement, 100, 118.0), constant(Boundary::traction, 100, 100.0)}));
   ASSERT_EQ(quality.loads.size(), 1U);
   ASSERT_EQ(quality.loads[0].times.size(), 3U) << "0.01, 0.1 and 1 s";
   EXPECT_NEAR(*quality.loads[0].times[1].distance(), 0.18, 1e-12);
@@ -53,12 +54,12 @@ TEST(Quality, TellsTheDistanceOfTheBounds) {
   EXPECT_NEAR(quality.gap_cells, 3.0, 1e-12) << "that to the wall is the narrowest";
   EXPECT_EQ(summary_of(quality),
             "bounds 18 % apart at 10 ms, 18 % at 1 s; grid: one grid, error unknown (give cells = [100, 200]); "
-            "packing: one seed, scatter unknown (--seeds 3)");
+            "narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)");
 }
 
 TEST(Quality, TellsAFactorWhereBoundsAreFarApart) {
-  const auto summary = summary_of(quality_of(
-      random_stage(), result_of({constant(Boundary::displacement, 100, 30.0), constant(Boundary::traction, 100, 2.0)})));
+  const auto summary = summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, 100, 30.0),
+                                                                        constant(Boundary::traction, 100, 2.0)})));
   EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
 }
 
