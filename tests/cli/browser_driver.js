@@ -14,15 +14,16 @@ const at = (id) => document.getElementById(id);
 
 /// What the page has handed to the reader as files, the last one at the end.
 const saved = [];
-const makeUrl = URL.createObjectURL.bind(URL);
-URL.createObjectURL = (blob) => {
-  saved.push(blob);
-  return makeUrl(blob);
+window.Blob = class extends Blob {
+  constructor(parts, options) {
+    super(parts, options);
+    saved.push(parts.join(""));
+  }
 };
 
-async function savedBy(text) {
+function savedBy(text) {
   [...document.querySelectorAll("button, #curve-files a")].find((one) => one.textContent === text).click();
-  return saved.at(-1).text();
+  return saved.at(-1);
 }
 
 const tickTexts = (plot, axis) => at(plot)._fullLayout[axis].ticktext.join(" ");
@@ -98,9 +99,12 @@ async function look() {
   see("times", tickTexts("curve-plot", "xaxis"));
   see("table of the measurement", [...document.querySelectorAll("#comparison-tables h3")].map((one) => one.textContent)
     .filter((text) => text.includes("Bennett")).join("; "));
-  const file = await savedBy("These curves as CSV");
+  see("numbers", [display(1000, "s"), display(2.5e6, "s"), display(12345, "Pa"), display(-3e3, "Pa"), percent(4e-7),
+    percent(0), shortNumber(-1e-20), minus(-20), duration(3000), duration(90)].join("; "));
+  see("names of files", `${fileName("A, upper", "csv")} ${fileName("Ω/..", "csv")}`);
+  const file = savedBy("These curves as CSV");
   see("curve as CSV", file.split("\n").find((line) => line.includes("Bennett")).replace(/,[^,]*,[^,]*$/, ""));
-  see("table as CSV", (await savedBy("all of comparison.csv")).split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
+  see("table as CSV", savedBy("all of comparison.csv").split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
   see("how good", document.querySelector("#quality-summary li").textContent.split(",")[0]);
 
   await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.02), Math.log10(0.05)]});
