@@ -28,9 +28,9 @@ std::string dynamic_plan(const Study& study, const Stage& stage, const Discretis
                           bound_of(boundary), points, static_cast<double>(plan.bytes) / 1e6);
   for (const auto& domain : plan.domains) {
     steps += domain.steps;
-    text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {} terms\n",
+    text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {}\n",
                         domain.density_factor, domain.window.begin, domain.window.end, domain.steps, domain.time_step,
-                        domain.terms);
+                        display_count(static_cast<std::size_t>(domain.terms), "term"));
   }
   return text + fmt::format("    together {} steps, about {:.2g} s at {:.0f} million points x steps/s here\n", steps,
                             static_cast<double>(points) * static_cast<double>(steps) / speed, speed / 1e6);
@@ -56,7 +56,7 @@ std::string quasistatic_plan(const Study& study, const Stage& stage, Boundary bo
   const double unknowns = 2.0 * cells * cells;
   return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB, some {}\n", stage.name,
                      bound_of(boundary), cells, cells, unknowns, quasistatic_memory(study, stage, cells) / 1e6,
-                     display(quasistatic_time(study, stage, unknowns), "s", 1));
+                     display_duration(quasistatic_time(study, stage, unknowns), 1));
 }
 
 std::string plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {

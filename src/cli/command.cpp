@@ -24,6 +24,12 @@ double seconds_of(const char* option, const std::string& text) {
 
 }  // namespace
 
+Sweep DeckArguments::read() const {
+  auto keys = swept;
+  if (seeds > 0) keys.push_back(fmt::format("stages.*.packing.seed={{ from = 1, to = {} }}", seeds));
+  return read_sweep(deck, overrides, keys);
+}
+
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
   command.add_option("DECK", arguments.deck, "the study, a TOML file")->required()->type_name("");
   command
@@ -37,6 +43,13 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
                   "all combinations")
       ->type_name("KEY.PATH=[VALUE, ...]")
       ->allow_extra_args(false);
+  constexpr int most_seeds = 1000;
+  command
+      .add_option("--seeds", arguments.seeds,
+                  "run the deck with N seeds for its random packings, 1 to N: mean and spread of the moduli; short for "
+                  "--sweep 'stages.*.packing.seed={ from = 1, to = N }'")
+      ->type_name("N")
+      ->check(CLI::Range(2, most_seeds));
 }
 
 void add_run_arguments(CLI::App& command, RunArguments& arguments) {

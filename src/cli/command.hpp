@@ -16,11 +16,12 @@ struct DeckArguments {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
   std::vector<std::string> swept;  ///< `key.path=[value, ...]`
+  int seeds = 0;                   ///< of all random packings; 0: those of the deck
 
-  [[nodiscard]] Sweep read() const { return read_sweep(deck, overrides, swept); }
+  [[nodiscard]] Sweep read() const;
 };
 
-/// Adds DECK, --set and --sweep to a subcommand. The arguments must live as long as the application.
+/// Adds DECK, --set, --sweep and --seeds to a subcommand. The arguments must live as long as the application.
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 
 /// What every subcommand that computes takes besides.
@@ -43,7 +44,8 @@ struct RunArguments {
   [[nodiscard]] RunOptions options() const;
 };
 
-/// Adds DECK, --set, --sweep, --out, --threads and --quiet, and what tells when states are left and taken up: --resume,
+/// Adds DECK, --set, --sweep, --seeds, --out, --threads and --quiet, and what tells when states are left and taken up:
+/// --resume,
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/report/display.hpp"
+
 namespace breccia::cli {
 namespace {
 
@@ -49,11 +51,12 @@ StudyObserver narrate(Progress& progress) {
   };
   observer.domain_finished = [&progress](const Stage& stage, Boundary boundary, Load load, const TimeDomain& domain) {
     const auto points = 4 * static_cast<std::size_t>(stage.cells) * static_cast<std::size_t>(stage.cells);
-    progress.print(fmt::format(
-        "{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {} terms, {:.1f} s, {:.0f} million "
-        "points x steps/s",
-        stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin, domain.window.end,
-        domain.steps, domain.terms, domain.seconds, domain.point_steps_per_second(points) / 1e6));
+    progress.print(
+        fmt::format("{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
+                    "points x steps/s",
+                    stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin,
+                    domain.window.end, domain.steps, display_count(static_cast<std::size_t>(domain.terms), "term"),
+                    domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
   observer.writes_beside = [&progress](const std::filesystem::path& place) {
     progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/io/units.hpp"
+#include "breccia/report/display.hpp"
 #include "breccia/study/run.hpp"
 
 namespace breccia::cli {
@@ -26,9 +27,10 @@ std::string pressure(double value) {
 std::string describe(const PronySeries& modulus) {
   if (modulus.is_elastic()) return pressure(modulus.equilibrium());
   const auto& terms = modulus.terms();
-  return fmt::format("{} relaxing to {}, {} terms from {} to {}", pressure(modulus.unrelaxed()),
-                     pressure(modulus.equilibrium()), terms.size(), time(terms.back().relaxation_time),
-                     time(terms.front().relaxation_time));
+  const auto fastest = time(terms.back().relaxation_time), slowest = time(terms.front().relaxation_time);
+  return fmt::format("{} relaxing to {}, {} {}", pressure(modulus.unrelaxed()), pressure(modulus.equilibrium()),
+                     display_count(terms.size(), "term"),
+                     terms.size() == 1 ? "of " + slowest : fmt::format("from {} to {}", fastest, slowest));
 }
 
 std::string describe(const Material& material) {

@@ -9,12 +9,13 @@
 #include <fmt/format.h>
 
 #include "breccia/report/display.hpp"
+#include "breccia/study/quality.hpp"
 
 namespace breccia::cli {
 namespace {
 
 std::string time(double value) {
-  return display(value, "s");
+  return display_time(value);
 }
 
 /// Those that a table shows: of several grids their limit alone.
@@ -44,7 +45,7 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
   for (const double t : logarithmic_times(times, 1)) {
     text += fmt::format("\n{:>12}", time(t));
     for (const auto* test : shown) {
-      text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa", 4));
+      text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa"));
     }
   }
   return text + "\n";
@@ -75,7 +76,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
       if (is_known) measured = at->measured;
       text += fmt::format("  {:>12}", is_known ? fmt::format("{:.3f}", at->ratio()) : "");
     }
-    if (measured > 0.0) text += fmt::format("  {:>12}", display(measured, "Pa", 4));
+    if (measured > 0.0) text += fmt::format("  {:>12}", display(measured, "Pa"));
   }
   for (const auto* comparison : compared) {
     const auto &best = comparison->best(), &worst = comparison->worst();
@@ -83,6 +84,16 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
                         name_of(comparison->method), best.ratio(), time(best.time), worst.ratio(), time(worst.time));
   }
   return text + "\n";
+}
+
+/// Of each stage with particles a line on how good its numbers are.
+std::string words_on_quality(const Study& study, const StudyResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    const auto summary = summary_of(quality_of(study.stages[i], result.stages[i]));
+    if (!summary.empty()) text += fmt::format("\n{}, this box: {}", result.stages[i].name, summary);
+  }
+  return text.empty() ? text : text + "\n";
 }
 
 }  // namespace
@@ -94,7 +105,8 @@ std::string tables_of(const std::vector<StageResult>& stages, const TimeWindow& 
 }
 
 std::string closing_tables(const Study& study, const StudyResult& result) {
-  auto text = tables_of(result.stages, {study.tests.first_time, study.tests.last_time});
+  auto text =
+      tables_of(result.stages, {study.tests.first_time, study.tests.last_time}) + words_on_quality(study, result);
   for (const auto& measurement : study.measurements) {
     const auto stage = std::ranges::find(result.stages, measurement.stage, &StageResult::name);
     const bool is_compared = std::ranges::any_of(

@@ -157,9 +157,10 @@ std::string field_picture(const FieldPicture& picture) {
   std::string svg;
   const auto out = std::back_inserter(svg);
   // The map is drawn 1000 units wide, its bar to the right of it.
-  fmt::format_to(out,
-                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1240 1150" font-family="sans-serif">
-<title>{0}</title>
+  fmt::format_to(
+      out,
+      R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1240 1150" font-family="sans-serif" role="img" aria-labelledby="title">
+<title id="title">{0}</title>
 <rect x="-20" y="-70" width="1240" height="1150" fill="#fff"/>
 <text y="-24" font-size="34" fill="#222">{0}</text>
 <image width="1000" height="1000" preserveAspectRatio="none" style="image-rendering: pixelated" href="data:image/png;base64,{1}"/>
@@ -167,7 +168,7 @@ std::string field_picture(const FieldPicture& picture) {
 <image x="1030" width="40" height="1000" preserveAspectRatio="none" href="data:image/png;base64,{2}"/>
 <rect x="1030" width="40" height="1000" fill="none" stroke="#222" stroke-width="2"/>
 )svg",
-                 as_xml(picture.title), encoded_map(raster, colours), encoded_bar());
+      as_xml(picture.title), encoded_map(raster, colours), encoded_bar());
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const double y = 1000.0 * (1.0 - share);
     fmt::format_to(out, R"svg(<path d="M1070 {0}h10" stroke="#222" stroke-width="2"/>

@@ -73,16 +73,17 @@ std::string microstructure_picture(const Microstructure& microstructure) {
 
   std::string svg;
   const auto out = std::back_inserter(svg);
-  fmt::format_to(out,
-                 R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif">
-<title>Microstructure: {3} particles in a box of {4}</title>
+  fmt::format_to(
+      out,
+      R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif" role="img" aria-labelledby="title">
+<title id="title">Microstructure: {3} particles in a box of {4}</title>
 <clipPath id="box"><rect width="{5}" height="{5}"/></clipPath>
 <rect x="{0}" y="{0}" width="{1}" height="{2}" fill="#fff"/>
 <rect width="{5}" height="{5}" fill="#f3e9d8"/>
 <g clip-path="url(#box)" fill="#5b7f95" stroke="#2f4858" stroke-width="1">
 )svg",
-                 -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.discs.size(),
-                 with_micro_sign(side), drawn_side);
+      -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.discs.size(),
+      with_micro_sign(side), drawn_side);
   for (const auto& disc : visible_discs(microstructure)) {
     fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"/>\n", disc.centre[0] * scale,
                    drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);

@@ -12,6 +12,8 @@ namespace breccia {
 
 namespace {
 
+constexpr std::string_view random_method = "lubachevsky-stillinger";
+
 enum class MethodName { lubachevsky_stillinger, regular, listed };
 
 constexpr double most_rows = 1e4;
@@ -70,14 +72,17 @@ ExplicitPacking read_explicit(const Section& packing, double side) {
 
 }  // namespace
 
+bool takes_seed(const Section& packing) {
+  return packing.kind("method") == Kind::text && packing.text("method") == random_method;
+}
+
 std::optional<PackingMethod> read_packing(const Section& stage, double side) {
   const auto packing = stage.section("packing");
-  const auto method =
-      packing.choice<MethodName>("method", {
-                                               {"lubachevsky-stillinger", MethodName::lubachevsky_stillinger},
-                                               {"regular", MethodName::regular},
-                                               {"explicit", MethodName::listed},
-                                           });
+  const auto method = packing.choice<MethodName>("method", {
+                                                               {random_method, MethodName::lubachevsky_stillinger},
+                                                               {"regular", MethodName::regular},
+                                                               {"explicit", MethodName::listed},
+                                                           });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;

@@ -41,6 +41,9 @@ std::optional<Sizes> read_sizes(const Section& filler);
 /// `packing` of a stage with a box of the given side [m].
 std::optional<PackingMethod> read_packing(const Section& stage, double side);
 
+/// Does a packing draw its particles at random, so that it has a `seed`?
+bool takes_seed(const Section& packing);
+
 /// The material that a key names; a nameless one after a report.
 Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<Material>& materials);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 
 #include "deck_sections.hpp"
 #include "result_files.hpp"
+#include "safe_name.hpp"
 
 namespace breccia {
 
@@ -26,7 +26,7 @@ std::string lower_case(std::string text) {
 std::string read_name(const Section& section, const std::vector<Stage>& earlier,
                       const std::vector<Material>& materials) {
   auto name = section.text("name");
-  if (!name.empty() && !is_directory_name(name)) {
+  if (!name.empty() && !is_safe_name(name)) {
     section.report("name",
                    fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
   }

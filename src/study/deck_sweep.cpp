@@ -44,15 +44,43 @@ std::vector<std::vector<std::size_t>> combinations(const std::vector<KeyValues>&
   return all;
 }
 
-/// Gives a deck the values of a task, and refuses to replace one of them by another.
-void set_values(Deck& deck, const std::vector<KeyValues>& keys, const std::vector<std::size_t>& choice,
-                std::vector<Mistake>& mistakes) {
+/// Is the key the seed of all packings, whatever stages there are?
+bool is_every_seed(const std::string& path) {
+  return split_path(path) == std::vector<std::string>{"stages", "*", "packing", "seed"};
+}
+
+/// The paths that a key stands for in a deck. The seed of every packing is that of those that have one: a regular or an
+/// explicit packing has none.
+std::vector<std::string> paths_of(const KeyValues& key, const Deck& deck, std::vector<Mistake>& mistakes) {
+  if (!is_every_seed(key.path)) return {key.path};
+  const auto unread = deck.unread_copy();
+  std::vector<std::string> paths;
+  std::size_t stages = 0;
+  for (const auto& stage : unread.root().sections("stages")) {
+    const bool has_seed = stage.kind("packing") == Kind::table && takes_seed(stage.section("packing"));
+    if (has_seed) paths.push_back(fmt::format("stages.{}.packing.seed", stages));
+    ++stages;
+  }
+  if (paths.empty()) mistakes.push_back({key.place, "no stage has a random packing, which alone takes a seed"});
+  return paths.size() == stages ? std::vector{key.path} : paths;
+}
+
+/// Gives a deck the values of a task, and refuses to replace one of them by another. Returns them as overrides,
+/// `key.path=value`.
+std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& keys,
+                                    const std::vector<std::size_t>& choice, std::vector<Mistake>& mistakes) {
   std::set<std::string> taken;
+  std::vector<std::string> overrides;
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    for (const auto& path : deck.set({keys[i].path, keys[i].place, keys[i].values[choice[i]]})) {
-      if (!taken.insert(path).second) mistakes.push_back({keys[i].place, fmt::format("{} is swept twice", path)});
+    const auto& [path, place, values] = keys[i];
+    for (const auto& meant : paths_of(keys[i], deck, mistakes)) {
+      for (const auto& replaced : deck.set({meant, place, values[choice[i]]})) {
+        if (!taken.insert(replaced).second) mistakes.push_back({place, fmt::format("{} is swept twice", replaced)});
+      }
+      overrides.push_back(fmt::format("{}={}", meant, toml_text(values[choice[i]].value)));
     }
   }
+  return overrides;
 }
 
 }  // namespace
@@ -75,13 +103,13 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
   }
   for (const auto& choice : combinations(keys)) {
     auto task_deck = document.unread_copy();
-    set_values(task_deck, keys, choice, mistakes);
+    const auto values = set_values(task_deck, keys, choice, mistakes);
     SweepTask task;
     task.study = resolve(task_deck);
     task.study.overrides = overrides;
+    task.study.overrides.insert(task.study.overrides.end(), values.begin(), values.end());
     for (std::size_t i = 0; i < keys.size(); ++i) {
       task.values.push_back(keys[i].values[choice[i]].value);
-      task.study.overrides.push_back(fmt::format("{}={}", keys[i].path, toml_text(task.values.back())));
       task.labels.push_back(fmt::format("{}-{}", sweep.keys[i].label, labels[i][choice[i]]));
     }
     task.name = fmt::format("{}", fmt::join(task.labels, "_"));

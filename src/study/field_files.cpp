@@ -11,6 +11,8 @@
 #include "breccia/report/display.hpp"
 #include "breccia/report/field_picture.hpp"
 
+#include "safe_name.hpp"
+
 namespace breccia {
 namespace {
 
@@ -121,7 +123,7 @@ void copy_fields(const fs::path& from, const fs::path& to, const std::vector<Tes
 }
 
 bool is_of_fields(std::string_view name) {
-  return name.starts_with("fields") &&
+  return stays_in_directory(name) && name.starts_with("fields") &&
          (name.ends_with(".vtkhdf") || name.ends_with("-stress.svg") || name.ends_with("-strain.svg"));
 }
 

@@ -1,9 +1,13 @@
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <variant>
 
+#include <fmt/chrono.h>
 #include <nlohmann/json.hpp>
 
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/quality.hpp"
 
 #include "results.hpp"
 
@@ -132,6 +136,35 @@ Json json_of(const TestResult& test, const Study& study) {
   return json;
 }
 
+Json json_of(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json json_of(const BoundsAtTime& bounds) {
+  return {{"time_s", bounds.time},
+          {"upper_Pa", json_of(bounds.upper)},
+          {"lower_Pa", json_of(bounds.lower)},
+          {"relative_distance", json_of(bounds.distance())},
+          {"grid_half_band_Pa", json_of(bounds.grid_half_band)}};
+}
+
+Json json_of(const StageQuality& quality) {
+  Json bounds = Json::array();
+  for (const auto& load : quality.loads) {
+    if (load.times.empty()) continue;
+    bounds.push_back({{"load", name_of(load.load)},
+                      {"method", name_of(load.method)},
+                      {"first", json_of(load.times.front())},
+                      {"last", json_of(load.times.back())}});
+  }
+  return {{"summary", summary_of(quality)},
+          {"fraction_asked", json_of(quality.fraction_asked)},
+          {"narrowest_gap_cells", finite_or_null(quality.gap_cells)},
+          {"grids", quality.grids.size()},
+          {"seeds", quality.is_random ? Json(1) : Json()},
+          {"bounds", std::move(bounds)}};
+}
+
 Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
   const auto& packing = result.microstructure;
   Json microstructure = {{"particles", packing.microstructure.discs.size()},
@@ -141,6 +174,11 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
+  if (!packing.microstructure.discs.empty()) {
+    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.discs, {}, &Disc::diameter);
+    microstructure["smallest_diameter_m"] = smallest.diameter;
+    microstructure["largest_diameter_m"] = largest.diameter;
+  }
   if (packing.size_deviation) microstructure["size_distribution_deviation"] = *packing.size_deviation;
   if (stage.filler && std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing)) {
     microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.filler->packing).seed;
@@ -176,8 +214,15 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"tests", std::move(tests)},
                {"materials", std::move(materials)},
                {"comparisons", std::move(comparisons)},
+               {"quality", json_of(quality_of(stage, result))},
                {"warnings", result.warnings}};
   return json;
+}
+
+/// Now, as ISO 8601 writes it, in UTC: "2026-01-31T12:00:00Z".
+std::string date_of_now() {
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
 }
 
 }  // namespace
@@ -200,6 +245,7 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"overrides", study.overrides},
                      {"hash", study.hash},
                      {"complete", result.seconds.has_value()},
+                     {"date", result.seconds ? Json(date_of_now()) : Json()},
                      {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},
                      {"deck_text", study.deck_text},
                      {"times_s", {study.tests.first_time, study.tests.last_time}},

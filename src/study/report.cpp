@@ -10,9 +10,12 @@
 #include "breccia/report/page.hpp"
 #include "breccia/study/respond.hpp"
 
+#include "field_files.hpp"
 #include "history_file.hpp"
 #include "report_data.hpp"
+#include "report_tables.hpp"
 #include "results.hpp"
+#include "safe_name.hpp"
 
 namespace breccia {
 namespace {
@@ -65,16 +68,23 @@ bool is_there(const fs::path& file) {
   return fs::is_regular_file(file, is_no_name_of_a_file);
 }
 
+/// Throws FileError where study.json names a file or a directory as no run does: the name could lead to any file that
+/// the reader of the results may open.
+void require_written(const std::string& name, bool is_as_written) {
+  if (!is_as_written) throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
+}
+
 /// The history of each time domain of a stage, thinned.
 Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
   Json histories = Json::array();
   for (const auto& test : stage.at("tests")) {
     const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
     for (std::size_t number = 1; number <= domains; ++number) {
-      const auto file =
-          directory / history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
-                                   static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()),
-                                   number);
+      const auto name =
+          history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
+                       static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()), number);
+      require_written(name, stays_in_directory(name));
+      const auto file = directory / name;
       if (!is_there(file)) continue;
       const auto history = outline_of(read_history(file));
       refuse_foreign(file, history.deck_hash, hash);
@@ -97,6 +107,7 @@ Json field_pictures_of(const fs::path& directory, const Json& stage) {
     for (const auto& field : test.at("fields")) {
       for (const auto* picture : {"stress_picture", "strain_picture"}) {
         const auto name = field.at(picture).get<std::string>();
+        require_written(name, is_of_fields(name));
         if (is_there(directory / name)) pictures[name] = read_text(directory / name);
       }
     }
@@ -111,11 +122,13 @@ Json data_of(const fs::path& directory, Json study) {
   auto names = curve_files();
   names.emplace_back("comparison.csv");
   for (const auto& name : names) {
-    if (is_there(directory / name)) tables[name] = read_text(directory / name);
+    auto table = table_for_page(directory / name, text_columns_of_tests());
+    if (!table.empty()) tables[name] = std::move(table);
   }
   const auto hash = study.at("hash").get<std::string>();
   for (const auto& stage : study.at("stages")) {
     const auto name = stage.at("name").get<std::string>();
+    require_written(name, is_safe_name(name));
     const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
     if (is_there(picture)) pictures[name] = read_text(picture);
     fields[name] = field_pictures_of(directory / name, stage);

@@ -19,6 +19,9 @@ PageData read_page_data(const std::filesystem::path& record, const std::function
     auto title = json.at("title").get<std::string>();
     const auto data = data_of(std::move(json));
     return {std::move(title), data.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  } catch (const InputError& error) {
+    // Of a table of results, which no user has written.
+    throw FileError(error.what());
   } catch (const Json::exception& error) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", record.string(), error.what()));
   }

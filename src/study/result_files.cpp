@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <iterator>
 
 #include "breccia/io/replacement.hpp"
@@ -19,10 +18,6 @@ namespace fs = std::filesystem;
 
 constexpr std::array stage_files = {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                                     "response.h5"};
-
-bool is_letter_or_digit(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) != 0;
-}
 
 }  // namespace
 
@@ -46,14 +41,6 @@ std::vector<std::string> reserved_names() {
 bool is_file_of_a_stage(std::string_view name) {
   return std::ranges::find(stage_files, name) != stage_files.end() || is_history(name) || is_of_fields(name) ||
          is_checkpoint(name);
-}
-
-bool is_directory_name(std::string_view name) {
-  const auto is_allowed = [](char letter) {
-    return is_letter_or_digit(letter) || letter == '-' || letter == '_' || letter == '.';
-  };
-  return !name.empty() && is_letter_or_digit(name.front()) && name.back() != '.' &&
-         std::ranges::all_of(name, is_allowed);
 }
 
 std::vector<std::string> result_files_in(const fs::path& directory, const std::vector<std::string>& stages) {

@@ -19,9 +19,6 @@ std::vector<std::string> reserved_names();
 /// Is this the name of a file that a study writes to the directory of a stage?
 bool is_file_of_a_stage(std::string_view name);
 
-/// May the name be that of a stage or of a task: that of a directory, on any system?
-bool is_directory_name(std::string_view name);
-
 /// The files of a study and of a sweep that are in a directory, and those of the stages given, relative to it.
 std::vector<std::string> result_files_in(const std::filesystem::path& directory,
                                          const std::vector<std::string>& stages);

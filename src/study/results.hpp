@@ -15,8 +15,8 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
 /// Names of the files that hold curves: those that write_curves may write.
 std::vector<std::string> curve_files();
 
-/// Writes `curves.csv` and `prony.csv`, and where there is something to put in `compliance.csv` and
-/// `extrapolation.csv`: all tests of all stages.
+/// Writes `curves.csv` and `prony.csv`, and where there is something to put in `compliance.csv`, `extrapolation.csv`
+/// and `quality.csv`: all tests of all stages.
 void write_curves(const std::filesystem::path& directory, const StudyResult& result);
 
 /// Writes `study.json`: how every number was made.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/units.hpp"
+#include "breccia/study/quality.hpp"
 
 namespace breccia {
 namespace {
@@ -60,6 +61,9 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
        {warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.bounds, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
     if (warning) warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
+  }
+  for (const auto& warning : warnings_on_packing(stage, microstructure)) {
+    warnings.push_back(fmt::format("{}: {}", stage.name, warning));
   }
   return warnings;
 }

@@ -9,7 +9,7 @@
 
 #include "breccia/io/text_file.hpp"
 
-#include "result_files.hpp"
+#include "safe_name.hpp"
 
 namespace breccia {
 namespace {
@@ -32,7 +32,7 @@ std::vector<std::string> texts_at(const Json& json, const char* key) {
 }
 
 std::vector<std::string> directory_names(std::vector<std::string> names) {
-  std::erase_if(names, [](const std::string& name) { return !is_directory_name(name); });
+  std::erase_if(names, [](const std::string& name) { return !is_safe_name(name); });
   return names;
 }
 

@@ -41,14 +41,15 @@ std::pair<bool, int> preference(const TaskCurve& curve) {
   return {curve.method == name_of(Method::quasistatic), cells_of(curve.cells).value_or(0)};
 }
 
-std::vector<TaskCurve> last_stage_of(const std::vector<TaskCurve>& curves) {
-  std::vector<TaskCurve> last, best;
-  if (curves.empty()) return best;
-  std::ranges::copy_if(curves, std::back_inserter(last),
-                       [&](const TaskCurve& curve) { return curve.stage == curves.back().stage; });
-  const auto in_shear = std::ranges::find(last, name_of(Load::shear), &TaskCurve::load);
-  const auto load = in_shear == last.end() ? last.front().load : in_shear->load;
-  for (const auto& curve : last) {
+/// One curve for each boundary of a stage.
+std::vector<TaskCurve> stage_of(const std::vector<TaskCurve>& curves, const std::string& stage) {
+  std::vector<TaskCurve> of_stage, best;
+  std::ranges::copy_if(curves, std::back_inserter(of_stage),
+                       [&](const TaskCurve& curve) { return curve.stage == stage; });
+  if (of_stage.empty()) return best;
+  const auto in_shear = std::ranges::find(of_stage, name_of(Load::shear), &TaskCurve::load);
+  const auto load = in_shear == of_stage.end() ? of_stage.front().load : in_shear->load;
+  for (const auto& curve : of_stage) {
     if (curve.load != load) continue;
     const auto rival = std::ranges::find(best, curve.boundary, &TaskCurve::boundary);
     if (rival == best.end()) {
@@ -91,9 +92,27 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory) {
   return curves;
 }
 
+std::vector<std::string> tested_stages(const SweepResult& result) {
+  std::vector<std::string> stages;
+  for (const auto& task : result) {
+    for (const auto& curve : task.curves) {
+      if (std::ranges::find(stages, curve.stage) == stages.end()) stages.push_back(curve.stage);
+    }
+  }
+  return stages;
+}
+
+SweepResult stage_of(const SweepResult& result, const std::string& stage) {
+  auto shown = result;
+  for (auto& task : shown) task.curves = stage_of(task.curves, stage);
+  return shown;
+}
+
 SweepResult last_stage_of(const SweepResult& result) {
   auto shown = result;
-  for (auto& task : shown) task.curves = last_stage_of(task.curves);
+  for (auto& task : shown) {
+    if (!task.curves.empty()) task.curves = stage_of(task.curves, task.curves.back().stage);
+  }
   return shown;
 }
 

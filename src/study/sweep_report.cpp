@@ -2,13 +2,17 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/page.hpp"
 #include "breccia/study/report.hpp"
 
 #include "report_data.hpp"
+#include "report_tables.hpp"
+#include "safe_name.hpp"
 #include "sweep_results.hpp"
 
 namespace breccia {
@@ -38,7 +42,11 @@ std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, con
   std::vector<std::vector<TaskCurve>> curves(tasks.size());
   for (std::size_t task = 0; task < tasks.size(); ++task) {
     if (tasks[task].at("state") != "done") continue;
-    curves[task] = read_curves(directory / tasks[task].at("name").get<std::string>());
+    const auto name = tasks[task].at("name").get<std::string>();
+    if (!stays_in_directory(name)) {
+      throw FileError(fmt::format("sweep.json: \"{}\" is not a name that `breccia run` gives to a task", name));
+    }
+    curves[task] = read_curves(directory / name);
   }
   return curves;
 }
@@ -48,7 +56,10 @@ Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vecto
   for (std::size_t task = 0; task < curves_of_tasks.size(); ++task) {
     for (const auto& curve : curves_of_tasks[task]) curves.push_back(json_of(task, curve));
   }
-  if (fs::exists(directory / "spread.csv")) tables["spread.csv"] = read_text(directory / "spread.csv");
+  auto text_columns = text_columns_of_tests();
+  for (const auto& key : sweep.at("keys")) text_columns.push_back(key.get<std::string>());
+  auto spread = table_for_page(directory / "spread.csv", text_columns);
+  if (!spread.empty()) tables["spread.csv"] = std::move(spread);
   return {{"sweep", std::move(sweep)}, {"curves", std::move(curves)}, {"tables", std::move(tables)}};
 }
 

@@ -1,9 +1,13 @@
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "breccia/io/csv.hpp"
+#include "breccia/study/quality.hpp"
 
 #include "results.hpp"
 
@@ -107,10 +111,43 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
                    {"modulus_Pa", moduli}});
 }
 
+/// A number with all its digits, nothing where it is not known.
+std::string text_of(const std::optional<double>& number) {
+  return number ? fmt::format("{}", *number) : "";
+}
+
+void write_quality(const std::filesystem::path& file, const StudyResult& result) {
+  std::vector<std::string> stages, loads, methods, upper, lower, distances, half_bands;
+  std::vector<double> times;
+  for (const auto& stage : result.stages) {
+    for (const auto& [load, method, bounds] : bounds_of_tests(stage)) {
+      for (const auto& at : bounds) {
+        stages.push_back(stage.name);
+        loads.push_back(name_of(load));
+        methods.push_back(name_of(method));
+        times.push_back(at.time);
+        upper.push_back(text_of(at.upper));
+        lower.push_back(text_of(at.lower));
+        distances.push_back(text_of(at.distance()));
+        half_bands.push_back(text_of(at.grid_half_band));
+      }
+    }
+  }
+  if (times.empty()) return;
+  write_csv(file, {{"stage", stages},
+                   {"load", loads},
+                   {"method", methods},
+                   {"time_s", times},
+                   {"upper_Pa", upper},
+                   {"lower_Pa", lower},
+                   {"relative_distance", distances},
+                   {"grid_half_band_Pa", half_bands}});
+}
+
 }  // namespace
 
 std::vector<std::string> curve_files() {
-  return {"curves.csv", "compliance.csv", "extrapolation.csv", "prony.csv"};
+  return {"curves.csv", "compliance.csv", "extrapolation.csv", "prony.csv", "quality.csv"};
 }
 
 void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
@@ -122,6 +159,7 @@ void write_curves(const std::filesystem::path& directory, const StudyResult& res
       "compliance_1_per_Pa", [](const CreepSample& sample) { return sample.compliance; });
   write_extrapolations(directory / "extrapolation.csv", result);
   write_series(directory / "prony.csv", result);
+  write_quality(directory / "quality.csv", result);
 }
 
 }  // namespace breccia

@@ -12,6 +12,29 @@ const see = (what, value) => seen.push(`${what}: ${value}`);
 const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const at = (id) => document.getElementById(id);
 
+/// What the page has handed to the reader as files, the last one at the end.
+const saved = [];
+window.Blob = class extends Blob {
+  constructor(parts, options) {
+    super(parts, options);
+    saved.push(parts.join(""));
+  }
+};
+
+function savedBy(text) {
+  [...document.querySelectorAll("button, #curve-files a")].find((one) => one.textContent === text).click();
+  return saved.at(-1);
+}
+
+const tickTexts = (plot, axis) => at(plot)._fullLayout[axis].ticktext.join(" ");
+
+/// What the page draws of the load at a share of its ramp from the middle.
+function loadAt(share) {
+  const {x, y} = at("runs-plot").data.find((trace) => trace.name === "load");
+  const {ramp_s: ramp} = study.stages[0].tests.find((test) => test.time_domains).time_domains.at(-1);
+  return y[x.findIndex((time) => Math.abs(time / ramp - share) < 1e-6)];
+}
+
 const shownTraces = (start) => at("curve-plot").data.filter((trace) => trace.name.startsWith(start)).length;
 
 /// The value at 10 ms of the curve of a stage that the page has computed.
@@ -49,6 +72,7 @@ async function lookAtSweep() {
   move(at("key-slider"), 0);
   await wait(100);
   see("slider moves the time", at("key-plot").data.every((trace, i) => trace.y.at(-1) > last[i]));
+  see("cells along the axis", tickTexts("key-plot", "xaxis"));
   choose("reference", "deviation from cells 12");
   await wait(100);
   see("curves compared", at("curve-plot").data.length);
@@ -64,6 +88,29 @@ async function look() {
   await wait(100);
   see("curves of stage A when it is off", shownTraces("A, "));
   chip.click();
+  await wait(100);
+
+  see("measured curve", at("curve-plot").data.some((trace) => trace.name === 'measured, Bennett et al., "1998" <2>'
+    .replace("<", "&lt;") && trace.y.every((value) => value > 0)));
+  see("figure for those who hear", at("curve-plot").getAttribute("role") + ", " +
+    at("curve-plot").getAttribute("aria-label").split(":")[0]);
+  see("legend of figure", [...at("curve-plot").querySelectorAll(".legendtext")].some((one) =>
+    one.textContent.endsWith('Bennett et al., "1998" <2>')));
+  see("times", tickTexts("curve-plot", "xaxis"));
+  see("table of the measurement", [...document.querySelectorAll("#comparison-tables h3")].map((one) => one.textContent)
+    .filter((text) => text.includes("Bennett")).join("; "));
+  see("numbers", [display(1000, "s"), display(2.5e6, "s"), display(12345, "Pa"), display(-3e3, "Pa"), percent(4e-7),
+    percent(0), shortNumber(-1e-20), minus(-20), duration(3000), duration(90)].join("; "));
+  see("names of files", `${fileName("A, upper", "csv")} ${fileName("Ω/..", "csv")}`);
+  const file = savedBy("These curves as CSV");
+  see("curve as CSV", file.split("\n").find((line) => line.includes("Bennett")).replace(/,[^,]*,[^,]*$/, ""));
+  see("table as CSV", savedBy("all of comparison.csv").split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
+  see("how good", document.querySelector("#quality-summary li").textContent.split(",")[0]);
+
+  await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.02), Math.log10(0.05)]});
+  await wait(100);
+  see("times when zoomed", tickTexts("curve-plot", "xaxis"));
+  await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.9e-3), Math.log10(0.055)]});
   await wait(100);
 
   const pane = at("curve-plot").querySelector(".nsewdrag");
@@ -95,6 +142,8 @@ async function look() {
   see("runs of the dynamic method", runs().some((trace) => trace.name.startsWith("ρ × ") && trace.x[0] > 0));
   choose("runs-axis", "linear time, with the load");
   await wait(100);
+  for (const share of [-0.25, 0, 0.25, 0.35]) see(`load at ${share} of the ramp`, loadAt(share));
+  see("linear time", `${tickTexts("runs-plot", "xaxis")}; ${at("runs-plot").layout.xaxis.title.text}`);
   see("load beside the runs", runs().some((trace) => trace.name === "load" && Math.max(...trace.y) === 1));
 
   see("agreement", at("live-note").dataset.agreement);

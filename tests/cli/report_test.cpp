@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 
 #include "model_deck.hpp"
@@ -48,11 +49,31 @@ TEST_F(Report, HoldsWhatIsOnTheDisk) {
   const auto data = data_of(read_text(study.result("report.html")));
   EXPECT_EQ(data.at("study"), Json::parse(read_text(study.result("study.json"))));
   EXPECT_EQ(data.at("study").at("complete"), true);
-  EXPECT_EQ(data.at("tables").at("curves.csv"), read_text(study.result("curves.csv")));
+  const auto curves = read_csv(study.result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
+  const auto& shown = data.at("tables").at("curves.csv");
+  EXPECT_EQ(shown.at("modulus_Pa"), Json(curves.numbers("modulus_Pa")));
+  EXPECT_EQ(shown.at("boundary"), Json(curves.text("boundary")));
   EXPECT_EQ(data.at("pictures").at("A"), read_text(study.result("A/microstructure.svg")));
   const auto& response = data.at("responses").at("A").at(0);
   EXPECT_EQ(response.at("boundary"), "displacement");
   EXPECT_EQ(response.at("filler_Pa").size(), response.at("load_forces").size());
+}
+
+TEST_F(Report, TellsWhenAndHowWell) {
+  const auto record = Json::parse(read_text(study.result("study.json")));
+  EXPECT_THAT(record.at("date").get<std::string>(),
+              ::testing::MatchesRegex("20[0-9][0-9]-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-6][0-9]Z"));
+  const auto& stage = record.at("stages").at(0);
+  EXPECT_DOUBLE_EQ(stage.at("microstructure").at("largest_diameter_m"), 2e-3);
+  const auto& quality = stage.at("quality");
+  EXPECT_THAT(quality.at("summary").get<std::string>(),
+              HasSubstr("grid: one grid, error unknown (give cells = [8, 16])"));
+  EXPECT_EQ(quality.at("seeds"), nullptr) << "a regular packing has none";
+  const auto curve = test::read_curve(study.result("curves.csv"), "A", "shear");
+  const auto& bounds = quality.at("bounds").at(0);
+  EXPECT_EQ(bounds.at("first").at("time_s"), 1e-3);
+  EXPECT_NEAR(bounds.at("last").at("upper_Pa").get<double>() / curve.back().modulus, 1.0, 1e-3);
+  EXPECT_EQ(bounds.at("last").at("lower_Pa"), nullptr);
 }
 
 TEST_F(Report, TellsTheTemperatureShift) {

@@ -54,6 +54,22 @@ TEST(Sweep, RunsEveryTaskLikeADeckWithOverrides) {
   EXPECT_EQ(read_text(study.result("seed-2/curves.csv")), read_text(single.result("curves.csv")));
 }
 
+TEST(Sweep, SeedsAreShortForASweepOverThem) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const auto run = study.breccia("run", {"--seeds", "2"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, AllOf(HasSubstr("task 2 of 2: seed-2"),
+                                HasSubstr("A: modulus, mean and standard deviation over the seeds"), HasSubstr(" +- "),
+                                HasSubstr("that of the mean of 2 boxes is 1.4 times smaller")));
+  EXPECT_THAT(study.results(), AllOf(Contains("spread.csv"), Contains("seed-1/quality.csv")));
+  EXPECT_THAT(study.breccia("check", {"--seeds", "3"}).output, testing::StartsWith("a sweep of 3 tasks\n"));
+  for (const auto* number : {"1", "0", "-3", "1001", "many", "2.5"}) {
+    const auto refused = study.breccia("run", {"--seeds", number});
+    EXPECT_EQ(refused.exit_code, 2) << number;
+    EXPECT_THAT(refused.errors, HasSubstr("--seeds")) << number;
+  }
+}
+
 TEST(Sweep, ThatWillNotFitIsRefusedBeforeAnyTaskRuns) {
   // 5 and 20 TB.
   const StudyDirectory study(test::good_deck);

@@ -44,5 +44,31 @@ TEST(Display, GivesTheScaleOfThePrefix) {
   EXPECT_DOUBLE_EQ(side.number * side.scale, 2.75e-3);
 }
 
+TEST(Display, TimesOfTestsAreInSeconds) {
+  EXPECT_EQ(display_time(10e-9), "10 ns");
+  EXPECT_EQ(display_time(0.05), "50 ms");
+  EXPECT_EQ(display_time(999.6), "1000 s");
+  EXPECT_EQ(display_time(1e3), "1000 s");
+  EXPECT_EQ(display_time(12345.0), "12300 s");
+  EXPECT_EQ(display_time(1e6), "1e6 s");
+  EXPECT_EQ(display_time(2.5e7), "2.5e7 s");
+  EXPECT_EQ(display_time(0.0), "0 s");
+  EXPECT_EQ(display_time(std::numeric_limits<double>::infinity()), "inf s");
+}
+
+TEST(Display, TimesOfCalculationsAreInMinutesAndHours) {
+  EXPECT_EQ(display_duration(0.81, 1), "800 ms");
+  EXPECT_EQ(display_duration(90.0), "90 s");
+  EXPECT_EQ(display_duration(3000.0, 1), "50 min");
+  EXPECT_EQ(display_duration(3.0 * 3600.0), "3 h");
+  EXPECT_EQ(display_duration(10.0 * 86400.0), "10 d");
+}
+
+TEST(Display, OneIsSingular) {
+  EXPECT_EQ(display_count(1, "term"), "1 term");
+  EXPECT_EQ(display_count(0, "term"), "0 terms");
+  EXPECT_EQ(display_count(12, "term"), "12 terms");
+}
+
 }  // namespace
 }  // namespace breccia

@@ -75,6 +75,29 @@ TEST_F(SweepDeck, TakesKeysInTablesAndFromTheCommandLine) {
                           "seed-2_points_per_decade-6"));
 }
 
+const std::string regular_stage = R"([[stages]]
+name    = "regular"
+matrix  = "binder"
+box     = "6 mm"
+cells   = 12
+filler  = { material = "hmx", sizes = { diameter = "2 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+)";
+
+TEST_F(SweepDeck, TheSeedOfAllPackingsIsThatOfTheRandomOnes) {
+  const std::string every_seed = "stages.*.packing.seed=[7, 8]";
+  deck = test::join(test::materials, test::stage, regular_stage, test::tests);
+  const auto sweep = read("", {every_seed});
+  ASSERT_EQ(sweep.tasks.size(), 2U);
+  EXPECT_EQ(sweep.tasks[1].name, "seed-8");
+  EXPECT_EQ(seed_of(sweep.tasks[1]), 8U);
+  EXPECT_THAT(sweep.tasks[1].study.overrides, ElementsAre("stages.0.packing.seed=8"));
+  EXPECT_THAT(mistakes("", {every_seed, "stages.0.packing.seed=[1]"}), HasSubstr("packing.seed is swept twice"));
+  deck = test::join(test::materials, regular_stage, test::tests);
+  EXPECT_EQ(mistakes("", {every_seed}),
+            "--sweep stages.*.packing.seed=[7, 8]: no stage has a random packing, which alone takes a seed");
+}
+
 TEST_F(SweepDeck, RangesOfNumbers) {
   EXPECT_THAT(names("[sweep]\n\"stages.0.filler.fraction\" = { from = 0.5, to = 0.6, count = 3 }\n"),
               ElementsAre("fraction-0.5", "fraction-0.55", "fraction-0.6"));

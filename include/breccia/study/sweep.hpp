@@ -105,8 +105,14 @@ std::vector<SpreadCurve> spread_over_seeds(const Sweep& sweep, const SweepResult
 /// The parts of the name of a task that do not tell its seeds; empty when there are no others.
 std::string name_without_seeds(const Sweep& sweep, const SweepTask& task);
 
-/// The results with but one curve for each boundary of the last stage: of shear if it was tested, of several grids the
+/// The names of the stages that the tasks have tested, in their order.
+std::vector<std::string> tested_stages(const SweepResult& result);
+
+/// The results with but one curve for each boundary of a stage: of shear if it was tested, of several grids the
 /// extrapolated or else the finest, and of both methods the quasi-static.
+SweepResult stage_of(const SweepResult& result, const std::string& stage);
+
+/// That of the last stage of each task.
 SweepResult last_stage_of(const SweepResult& result);
 
 /// "upper bound", "lower bound" or "periodic".

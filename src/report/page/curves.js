@@ -29,7 +29,7 @@ function bestGrid(stageName) {
 }
 
 function curvesInTime(table, column) {
-  const rows = readTable(table, ["time_s", column]);
+  const rows = readTable(table);
   return groupsOf(rows, testColumns).map((group) => {
     const {stage, load, boundary, method, cells} = group[0];
     const isBulk = load === "bulk";
@@ -42,7 +42,7 @@ function curvesInTime(table, column) {
 }
 
 function addBands(curves) {
-  const rows = readTable("extrapolation.csv", ["time_s", "modulus_Pa", "half_band_Pa"]);
+  const rows = readTable("extrapolation.csv");
   for (const group of groupsOf(rows, ["stage", "load", "boundary", "method"])) {
     const {stage, load, boundary, method} = group[0];
     const curve = curves.find((one) => one.quantity !== "compliance" && one.cells === "extrapolated" &&
@@ -52,7 +52,7 @@ function addBands(curves) {
 }
 
 function measuredCurves() {
-  const rows = readTable("comparison.csv", ["time_s", "measured_Pa"]);
+  const rows = readTable("comparison.csv");
   return groupsOf(rows, ["measurement", "stage"]).map((group) => {
     const measured = new Map(group.map((row) => [row.time_s, row.measured_Pa]));
     return {role: "measured", quantity: "shear", stage: group[0].stage, label: `measured, ${group[0].measurement}`,
@@ -88,10 +88,10 @@ function curvesInFrequency(series, common) {
 }
 
 function curvesOfProny() {
-  const rows = readTable("prony.csv", ["relaxation_time_s", "modulus_Pa"]).filter((row) => row.load !== "bulk");
+  const rows = readTable("prony.csv").filter((row) => row.load !== "bulk");
   return groupsOf(rows, ["stage", "load", "boundary"]).flatMap((group) => {
     const {stage, load, boundary} = group[0];
-    const isFinite = (row) => Number.isFinite(row.relaxation_time_s);
+    const isFinite = (row) => Number.isFinite(numberOf(row.relaxation_time_s));
     const equilibrium_Pa = group.filter((row) => !isFinite(row)).reduce((sum, row) => sum + row.modulus_Pa, 0);
     const label = `${stage}, ${boundNames[boundary]}${load === "shear" ? "" : ", xx-yy"}`;
     return curvesInFrequency({equilibrium_Pa, terms: group.filter(isFinite)}, {role: "stage", stage, load, boundary,

@@ -70,7 +70,7 @@ function curvesFigure(curves) {
     const traces = seen.flatMap((curve) => tracesOf(curve, quantity, lineOf(curve)));
     const unknown = shown.quantity.x !== "time" ? " From the Prony series, of the grid and method that tell most." : "";
     document.getElementById("curve-note").textContent = noteOn(seen) + unknown;
-    return Plotly.react(plot, traces, layout, plotOptions);
+    return drawFigure(plot, traces, layout);
   };
 
   document.getElementById("curve-choices").append(...choicesOf(curves, shown, draw));
@@ -121,7 +121,7 @@ function choicesOf(curves, shown, draw) {
   const add = (title, names, isOn) => {
     if (names.length > 1) rows.push(chips(title, names, isOn, draw));
   };
-  const named = (values, names) => values.map((value) => [value, names[value] ?? value]);
+  const named = (values, names) => values.map((value) => [value, own(names, value) ?? value]);
   add("stage", named(distinct(study.stages, "name"), {}), shown.stages);
   add("bound", named(distinct(tests, "boundary"), boundNames), shown.boundaries);
   add("method", named(distinct(tests, "method"), methodNames), shown.methods);
@@ -175,7 +175,7 @@ function listFiles(curves) {
   for (const name of Object.keys(data.tables)) {
     list.append(element("li", {}, element("a", {href: "#curves", onclick: (event) => {
       event.preventDefault();
-      save(name, data.tables[name], "text/csv");
+      save(name, csvOfTable(name), "text/csv");
     }}, `all of ${name}`)));
   }
 }

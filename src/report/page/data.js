@@ -5,30 +5,30 @@
 const data = JSON.parse(document.getElementById("data").textContent);
 const study = data.study;
 
-/// A CSV file of ours as a list of objects, of which some columns hold numbers.
-function readTable(name, numbers) {
-  const text = data.tables[name];
-  if (text === undefined) return [];
-  const lines = text.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
-  const columns = lines[0].split(",");
-  return lines.slice(1).map((line) => {
-    const row = {};
-    line.split(",").forEach((value, i) => {
-      row[columns[i]] = numbers.includes(columns[i]) ? numberOf(value) : value;
-    });
-    return row;
-  });
+/// The value that an object of JSON has under a name; undefined where it has none. Stages and materials may be called
+/// "constructor", which every object inherits.
+function own(object, name) {
+  return Object.hasOwn(object, name) ? object[name] : undefined;
 }
 
-function numberOf(text) {
-  return text === "inf" ? Infinity : Number(text);
+/// The rows of a table as a list of objects, none where there is no such table.
+function readTable(name) {
+  const columns = Object.entries(own(data.tables, name) ?? {});
+  const count = columns.length === 0 ? 0 : columns[0][1].length;
+  return Array.from({length: count}, (_, row) =>
+    Object.fromEntries(columns.map(([column, values]) => [column, values[row]])));
+}
+
+/// A number of a table, in which infinity is text.
+function numberOf(value) {
+  return value === "inf" ? Infinity : Number(value);
 }
 
 /// Rows that agree in some columns, in the order in which they first appear.
 function groupsOf(rows, columns) {
   const groups = new Map();
   for (const row of rows) {
-    const key = columns.map((column) => row[column]).join("|");
+    const key = JSON.stringify(columns.map((column) => row[column]));
     if (!groups.has(key)) groups.set(key, []);
     groups.get(key).push(row);
   }

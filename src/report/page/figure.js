@@ -18,32 +18,44 @@ function currentInks() {
   return isDark() ? inks.dark : inks.light;
 }
 
-function logAxis(title, values) {
+/// Text for a figure, in which the library would take <b> for bold.
+function plotText(text) {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+}
+
+function axisTitle(title, unit) {
+  return {text: plotText(unit === "" ? title : `${title} / ${unit}`), standoff: 8};
+}
+
+function commonAxis() {
   const {faint, line} = currentInks();
-  const [least, most] = extent(values.filter((value) => value > 0).map(Math.log10));
+  return {gridcolor: line, linecolor: faint, ticks: "outside", tickcolor: faint, automargin: true, showline: true};
+}
+
+/// A logarithmic axis of values in a unit. Times have a unit each, all else has one for the axis.
+function logAxis(title, unit, values) {
+  const positive = values.filter((value) => value > 0);
+  const [least, most] = extent(positive.map(Math.log10));
   const room = 0.04 * (most - least) + 0.02;
-  // Powers of ten where there are several of them, and else numbers that can be read alone.
-  const span = most - least;
-  const ticks = span > 2 ? {dtick: 1} : span > 0.7 ? {dtick: "D2", tickformat: "~s"} : {tickformat: "~s"};
-  return {type: "log", range: [least - room, most + room], ...ticks,
-    title: {text: title, standoff: 8}, exponentformat: "power", gridcolor: line,
-    linecolor: faint, zeroline: false, ticks: "outside", tickcolor: line, automargin: true, showline: true};
+  const shown = unit === "s" ? {unit: "", scale: 1} : unitFor(unit, positive);
+  const textOf = (value) => unit === "s" ? display(value, "s") : shortNumber(value / shown.scale);
+  return {...commonAxis(), type: "log", range: [least - room, most + room], title: axisTitle(title, shown.unit),
+    zeroline: false, textOf};
 }
 
 /// From the smallest to the largest value, zero among them.
-function linearAxis(title, values) {
-  const {faint, line} = currentInks();
+function linearAxis(title, unit, values) {
   const [least, most] = extent([0, ...values]);
   const room = 0.05 * (most - least) || 1;
-  return {range: [least - room, most + room], title: {text: title, standoff: 8}, gridcolor: line, linecolor: faint,
-    zerolinecolor: faint, ticks: "outside", tickcolor: line, automargin: true, showline: true};
+  const {unit: shown, scale} = unitFor(unit, values);
+  return {...commonAxis(), type: "linear", range: [least - room, most + room], title: axisTitle(title, shown),
+    zerolinecolor: currentInks().faint, scale};
 }
 
 /// Shares of another curve are linear, all else logarithmic.
 function valueAxis(quantity, curves) {
   const axis = quantity.unit === "%" ? linearAxis : logAxis;
-  const unit = quantity.unit === "" ? "" : ` / ${quantity.unit}`;
-  return axis(`${quantity.title}${unit}`, curves.flatMap((curve) => curve.y));
+  return axis(quantity.title, quantity.unit, curves.flatMap((curve) => curve.y));
 }
 
 function valueText(value, quantity) {
@@ -53,13 +65,13 @@ function valueText(value, quantity) {
 function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
   const isNarrow = document.body.clientWidth < 640;
-  const xHover = quantity.x === "time" ? "%{x:.3~s}s" : "%{x:.3~s} /s";
+  const xHover = {s: "%{x:.3~s}s", "rad/s": "%{x:.3~g} rad/s"}[quantity.xUnit] ?? "%{x}";
   return {
     paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
     margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
-    xaxis: {...logAxis(quantity.xUnit === "" ? quantity.x : `${quantity.x} / ${quantity.xUnit}`, curves.flatMap((curve) => curve.x)),
+    xaxis: {...logAxis(quantity.x, quantity.xUnit, curves.flatMap((curve) => curve.x)), tickCount: isNarrow ? 5 : 12,
       unifiedhovertitle: {text: xHover}},
-    yaxis: valueAxis(quantity, curves), uirevision: `${quantity.name} ${quantity.title}`,
+    yaxis: {...valueAxis(quantity, curves), tickCount: 8}, uirevision: `${quantity.name} ${quantity.title}`,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
     legend: {orientation: "h", traceorder: "normal", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
     dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
@@ -69,9 +81,25 @@ function layoutOf(quantity, curves) {
 const plotOptions = {responsive: true, displaylogo: false,
   modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]]};
 
+/// Draws a figure in its element. What its axes say of their ticks (ticks.js) holds at any zoom; screen readers get a
+/// description.
+async function drawFigure(plot, traces, layout) {
+  const names = [...new Set(traces.filter((trace) => trace.showlegend !== false).map((trace) => trace.name))];
+  plot.setAttribute("role", "img");
+  plot.setAttribute("aria-label", `${layout.yaxis.title.text} against ${layout.xaxis.title.text}: ${names.join("; ")}`);
+  plot.shownLayout = layout;
+  await Plotly.react(plot, traces, withTicks(layout), plotOptions);
+  await followZoom(plot, layout);
+  if (plot.followsZoom) return;
+  plot.followsZoom = true;
+  plot.on("plotly_relayout", (event) => {
+    if (Object.keys(event).some((name) => /axis\d*\.(range|autorange)/.test(name))) followZoom(plot, plot.shownLayout);
+  });
+}
+
 /// The trace of a curve in a colour, and before it that of its band.
 function tracesOf(curve, quantity, line) {
-  const common = {x: curve.x, mode: "lines", type: "scatter", name: curve.label};
+  const common = {x: curve.x, mode: "lines", type: "scatter", name: plotText(curve.label)};
   const traces = [];
   if (curve.band !== undefined) {
     const edge = {...common, hoverinfo: "skip", showlegend: false, line: {width: 0}};
@@ -103,7 +131,9 @@ async function saveFigure(plot, name, draw) {
   const url = await Plotly.toImage(plot, {format: "svg", width: 1000, height: 650});
   printing.now = false;
   await draw();
-  save(fileName(name, "svg"), decodeURIComponent(url.slice(url.indexOf(",") + 1)), "image/svg+xml");
+  const picture = decodeURIComponent(url.slice(url.indexOf(",") + 1));
+  const label = plotText(plot.getAttribute("aria-label")).replaceAll('"', "&quot;");
+  save(fileName(name, "svg"), picture.replace("<svg ", `<svg role="img" aria-label="${label}" `), "image/svg+xml");
 }
 
 /// A row of chips of which each can be on or off; `changed` is called when one changes.

@@ -10,13 +10,26 @@ function save(name, text, type) {
 }
 
 function fileName(text, ending) {
-  return `${text.replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "")}.${ending}`;
+  return `${text.replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "") || "breccia"}.${ending}`;
 }
 
-/// A curve as CSV.
+/// A value of a CSV file, in double quotes where it needs them; quotes in it are doubled.
+function csvText(value) {
+  const text = String(value);
+  return /[",#\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
+
+/// Curves as CSV.
 function csvOf(curves, quantity) {
   const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent"}[quantity.unit] ?? "";
   const x = quantity.x === "time" ? "time_s" : "angular_frequency_1_per_s";
-  const lines = curves.flatMap((curve) => curve.x.map((at, i) => `"${curve.label}",${at},${curve.y[i]}`));
+  const lines = curves.flatMap((curve) => curve.x.map((at, i) => `${csvText(curve.label)},${at},${curve.y[i]}`));
   return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
+}
+
+/// A table of the results as CSV.
+function csvOfTable(name) {
+  const columns = Object.entries(data.tables[name]);
+  const rows = columns[0][1].map((_, row) => columns.map(([, values]) => csvText(values[row])).join(","));
+  return [columns.map(([column]) => csvText(column)).join(","), ...rows, ""].join("\n");
 }

@@ -18,12 +18,13 @@ function keyFigure(curves, choice) {
     const text = (curve, i) => `${shown.key.label} ${shown.key.values[curve.places[i]]}: ` +
       valueText(curve.y[i], quantity);
     const spread = Math.max(...shown.key.numbers) / Math.min(...shown.key.numbers);
-    layout.xaxis = {...layout.xaxis, ...keyAxis(shown.key, spread)};
+    const {textOf, ...xaxis} = layout.xaxis;
+    layout.xaxis = {...xaxis, ...keyAxis(shown.key, spread)};
     layout.hovermode = "closest";
     document.getElementById("key-time").textContent = `at ${display(shown.time, "s", 3)}`;
-    return Plotly.react(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter", mode: "lines+markers",
-      name: curve.label, text: curve.x.map((_, i) => text(curve, i)), hovertemplate: "%{text}",
-      line: {width: 2, ...curve.line}, marker: {size: 7}})), layout, plotOptions);
+    return drawFigure(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter", mode: "lines+markers",
+      name: plotText(curve.label), text: curve.x.map((_, i) => text(curve, i)), hovertemplate: "%{text}",
+      line: {width: 2, ...curve.line}, marker: {size: 7}})), layout);
   };
 
   const slider = element("input", {type: "range", id: "key-slider", ariaLabel: "time", min: 0, max: 200, value: 200,
@@ -48,13 +49,14 @@ function keyFigure(curves, choice) {
 function keyAxis(key, spread) {
   const isLogarithmic = Math.min(...key.numbers) > 0 && spread >= 8;
   const ends = [Math.min(...key.numbers), Math.max(...key.numbers)];
+  const title = axisTitle(key.label, key.unit);
   if (isLogarithmic) {
     const room = 0.05 * Math.log10(spread);
-    return {type: "log", range: [Math.log10(ends[0]) - room, Math.log10(ends[1]) + room], tickvals: key.numbers,
-      ticktext: key.numbers.map(shortNumber), dtick: undefined, tickformat: undefined};
+    return {type: "log", title, range: [Math.log10(ends[0]) - room, Math.log10(ends[1]) + room], tickvals: key.numbers,
+      ticktext: key.numbers.map((number) => shortNumber(number))};
   }
   const room = 0.05 * (ends[1] - ends[0]);
-  return {type: "linear", range: [ends[0] - room, ends[1] + room], dtick: undefined, exponentformat: "SI"};
+  return {type: "linear", title, range: [ends[0] - room, ends[1] + room], scale: 1};
 }
 
 /// A line for all shown curves that differ in the key alone; `places` are those of its values.

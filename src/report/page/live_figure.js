@@ -23,7 +23,7 @@ function liveFigure(curves) {
     traces.push(...curvesOfRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`},
       quantity,
       {color: colourOf(curve), dash: "dot", width: 1.3}).map((trace) => ({...trace, showlegend: false}))));
-    return Plotly.react(plot, traces, layoutOf(quantity, [...liveCurves, ...curvesOfRun]), plotOptions);
+    return drawFigure(plot, traces, layoutOf(quantity, [...liveCurves, ...curvesOfRun]));
   };
 
   const compute = () => {

@@ -50,7 +50,7 @@ function isComplete(law) {
 function shiftTo(slider, law, state) {
   const celsius = Number(slider.value);
   state.decades = decadesOfShift(law, celsius + zeroCelsius) - decadesOfShift(law, law.temperature_K);
-  return `${celsius} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
+  return `${minus(celsius)} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
 }
 
 /// About the temperature of the run, and well above that at which the law ends.

@@ -10,8 +10,8 @@ const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "bulk", title: "Plane-strain bulk modulus K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
-  {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "1/s", unit: "Pa"},
-  {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "1/s", unit: ""},
+  {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
+  {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
 function gridName(cells) {

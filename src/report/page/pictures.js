@@ -4,11 +4,24 @@
 function showPictures() {
   const place = document.getElementById("pictures");
   for (const stage of study.stages) {
-    const svg = data.pictures[stage.name];
+    const svg = own(data.pictures, stage.name);
     if (svg === undefined) continue;
-    place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${wordsOnStage(stage)}`));
+    place.append(zoomableFigure(svg, `${stage.name} microstructure`, `${stage.name}: ${wordsOnStage(stage)}`,
+      ...legendOf(stage)));
   }
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
+}
+
+/// Which colour of a microstructure is which material, and how large its particles are.
+function legendOf({matrix, filler, microstructure}) {
+  const entry = (kind, text) => element("li", {}, element("span", {className: `swatch ${kind}`}), text);
+  const entries = [entry("matrix", matrix)];
+  if (filler !== null) {
+    const {smallest_diameter_m: smallest, largest_diameter_m: largest} = microstructure;
+    const sizes = distinct([smallest, largest].filter(Number.isFinite).map((size) => ({text: display(size, "m")})), "text");
+    entries.push(entry("filler", sizes.length > 0 ? `${filler}, diameter ${sizes.join(" to ")}` : filler));
+  }
+  return [element("ul", {className: "legend"}, ...entries)];
 }
 
 /// The maps of stress and strain of each stage, of one test and time at once.
@@ -16,13 +29,14 @@ function showFields() {
   const place = document.getElementById("field-pictures");
   for (const stage of study.stages) {
     const fields = stage.tests.flatMap((test) => (test.fields ?? []).map((field) => ({test, ...field})));
-    const shown = fields.filter((field) => data.fields[stage.name][field.stress_picture] !== undefined);
+    const pictures = own(data.fields, stage.name) ?? {};
+    const shown = fields.filter((field) => own(pictures, field.stress_picture) !== undefined);
     if (shown.length === 0) continue;
     const pair = element("div", {className: "pictures"});
     const show = (field) => {
       const words = wordsOnField(field);
       pair.replaceChildren(...["stress", "strain"].map((quantity) => zoomableFigure(
-        data.fields[stage.name][field[`${quantity}_picture`]], `${stage.name} ${quantity}`,
+        pictures[field[`${quantity}_picture`]], `${stage.name} ${quantity}`,
         `${stage.name}, ${quantity}: ${words}`)));
     };
     const choice = element("select", {ariaLabel: `Test and time of ${stage.name}`, className: "field-choice",
@@ -39,13 +53,13 @@ function wordsOnField({test, time_s}) {
 }
 
 /// A picture that can be zoomed and moved.
-function zoomableFigure(svg, name, caption) {
+function zoomableFigure(svg, name, caption, ...below) {
   const image = element("img", {alt: caption, draggable: false,
     src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
   const frame = element("div", {className: "picture"}, image);
   const zoom = makeZoomable(frame, image);
   return element("figure", {}, frame,
-    element("figcaption", {}, caption),
+    element("figcaption", {}, caption, ...below),
     element("div", {className: "buttons"},
       element("button", {ariaLabel: "larger", onclick: () => zoom.by(1.5)}, "+"),
       element("button", {ariaLabel: "smaller", onclick: () => zoom.by(1 / 1.5)}, "−"),

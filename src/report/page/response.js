@@ -83,7 +83,7 @@ function respond(materials) {
   const known = new Map();  // what stages have become, by stage and boundary
   const results = [];
   for (const stage of study.stages) {
-    const ofStage = data.responses[stage.name] ?? [];
+    const ofStage = own(data.responses, stage.name) ?? [];
     for (const boundary of distinct(ofStage, "boundary")) {
       const matrix = matrixModuli(stage, boundary, allVariables, materials, known);
       if (matrix === undefined) continue;
@@ -124,7 +124,7 @@ function stageAsMatrix(variables, g, kappa, [begin, end]) {
 
 /// The matrix of a stage under a boundary: a material, or what an earlier stage became.
 function matrixModuli(stage, boundary, variables, materials, known) {
-  const material = materials[stage.matrix];
+  const material = own(materials, stage.matrix);
   if (material === undefined) return known.get(`${stage.matrix}|${boundary}`);
   return {
     variables, window: study.times_s,

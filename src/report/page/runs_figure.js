@@ -31,7 +31,7 @@ function runsFigure(curves) {
     const traces = seen.flatMap((curve) => tracesOf(curve, quantity, curve.line).map((trace) =>
       ({...trace, showlegend: curve.isNamed ?? true})));
     if (!shown.isLogarithmic) traces.push(loadTrace(shown.of));
-    return Plotly.react(plot, traces, layout, plotOptions);
+    return drawFigure(plot, traces, layout);
   };
 
   const nameOf = ({stage, test}) => nameOfTest(stage, test).concat(gridName(test.cells)).join(", ");
@@ -54,7 +54,7 @@ function runsFigure(curves) {
 /// The runs of a test with what study.json says about each.
 function runsOf(stage, test) {
   if (test.time_domains === undefined) return [];
-  return (data.histories[stage.name] ?? [])
+  return (own(data.histories, stage.name) ?? [])
     .filter((run) => run.load === test.load && run.boundary === test.boundary && run.cells === test.cells)
     .map((run) => ({...run, ...test.time_domains[run.domain]}));
 }
@@ -77,22 +77,28 @@ function linesOf(run, color) {
 /// The load above, the response below, over the same time.
 function linearLayout(quantity, curves) {
   const layout = layoutOf(quantity, curves);
-  const {yaxis, xaxis} = layout;
+  const {tickCount, unifiedhovertitle} = layout.xaxis;
   const times = curves.flatMap((curve) => curve.x);
   return {...layout, uirevision: `${quantity.name} linear`,
-    xaxis: {...xaxis, type: "linear", range: extent(times), dtick: undefined, tickformat: "~s"},
-    yaxis: {...yaxis, ...linearAxis(yaxis.title.text, curves.flatMap((curve) => curve.y)), type: "linear",
-      dtick: undefined, tickformat: "~s", domain: [0, 0.7]},
-    yaxis2: {...linearAxis("load applied", [1]), domain: [0.78, 1]},
+    xaxis: {...linearAxis(quantity.x, quantity.xUnit, times), range: extent(times), tickCount, unifiedhovertitle},
+    yaxis: {...linearAxis(quantity.title, quantity.unit, curves.flatMap((curve) => curve.y)), domain: [0, 0.7]},
+    yaxis2: {...linearAxis("load applied", "", [1]), domain: [0.78, 1], tickCount: 2},
   };
 }
 
-/// The share of the load that is applied, a raised cosine over the ramp of the last run.
+/// The share of the load that is applied at a time since the middle of its ramp (docs/theory.md, Eq. 13).
+function loadShare(time, ramp) {
+  if (time <= -ramp / 2) return 0;
+  if (time >= ramp / 2) return 1;
+  const x = time / ramp;
+  return 0.5 + x + Math.sin(2 * Math.PI * x) / (2 * Math.PI);
+}
+
+/// The load over the ramp of the last run.
 function loadTrace({runs}) {
   const {ramp_s: ramp, time_s: times} = runs.at(-1);
   const half = ramp / 2;
   const x = [Math.min(-half, times[0]), ...Array.from({length: 41}, (_, i) => half * (i / 20 - 1)), times.at(-1)];
-  const share = (t) => t <= -half ? 0 : t >= half ? 1 : 0.5 * (1 + Math.sin(Math.PI * t / ramp));
-  return {x, y: x.map(share), yaxis: "y2", mode: "lines", name: "load", showlegend: false, hoverinfo: "skip",
+  return {x, y: x.map((time) => loadShare(time, ramp)), yaxis: "y2", mode: "lines", name: "load", showlegend: false, hoverinfo: "skip",
     line: {color: currentInks().ink, width: 1.6}};
 }

@@ -66,8 +66,8 @@ function sweepFigure(curves, choice, drawAll) {
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
     document.getElementById("curve-note").textContent = noteOnSweep(seen);
-    return Plotly.react(plot, seen.flatMap((curve) => tracesOf(curve, quantity, lineOfSweepCurve(curve, choice))),
-      layoutOf(quantity, seen), plotOptions);
+    return drawFigure(plot, seen.flatMap((curve) => tracesOf(curve, quantity, lineOfSweepCurve(curve, choice))),
+      layoutOf(quantity, seen));
   };
   document.getElementById("curve-choices").append(...sweepChoices(curves, choice, drawAll));
   const name = () => `${sweep.title} ${sweepContents(curves, choice)[1].title}`;

@@ -21,7 +21,7 @@ function showTasks() {
   const rows = sweep.tasks.map((task) => {
     const name = task.state === "done" ? element("a", {href: `${encodeURIComponent(task.name)}/report.html`}, task.name)
       : task.name;
-    const seconds = task.wall_time_s === null ? "" : `${Number(task.wall_time_s.toPrecision(3))} s`;
+    const seconds = task.wall_time_s === null ? "" : duration(task.wall_time_s);
     return element("tr", {}, ...[name, ...sweptKeys.map(({path}) => String(task.values[path])), task.state, seconds]
       .map((text) => element("td", {}, text)));
   });
@@ -33,9 +33,9 @@ function showTasks() {
 
 /// Mean and spread over the seeds, at whole decades.
 function showSpread() {
-  const rows = readTable("spread.csv", ["time_s", "tasks", "mean_modulus_Pa", "standard_deviation_Pa"]);
+  const rows = readTable("spread.csv");
   document.getElementById("spread").hidden = rows.length === 0;
-  const keys = sweep.keys.filter((path) => rows.length > 0 && path in rows[0]);
+  const keys = sweep.keys.filter((path) => rows.length > 0 && Object.hasOwn(rows[0], path));
   for (const group of groupsOf(rows, [...keys, "stage", "load", "boundary", "method", "cells"])) {
     const {stage, load, boundary, method, cells, tasks} = group[0];
     const times = group.map((row) => row.time_s);

@@ -8,7 +8,7 @@ function listed(words) {
 
 /// A table; columns of numbers are set to the right, long texts may break.
 function table(heads, rows) {
-  const isNumber = heads.map((_, i) => rows.every((row) => /^[-–<]?[\d.]|^$|^∞/.test(row[i])));
+  const isNumber = heads.map((_, i) => rows.every((row) => /^[-−–<]?[\d.]|^$|^∞/.test(row[i])));
   const kind = (i, text) => ({className: isNumber[i] ? "number" : text.length > 40 ? "long" : ""});
   const head = element("tr", {}, ...heads.map((text, i) => element("th", kind(i, ""), text)));
   const body = rows.map((row) => element("tr", {}, ...row.map((text, i) => element("td", kind(i, text), text))));

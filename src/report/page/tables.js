@@ -42,7 +42,7 @@ function showWarnings() {
 
 /// Measured and computed moduli at whole decades, and where they agree best and worst.
 function showComparison() {
-  const rows = readTable("comparison.csv", ["time_s", "modulus_Pa", "measured_Pa", "ratio"]);
+  const rows = readTable("comparison.csv");
   document.getElementById("comparison").hidden = rows.length === 0;
   const place = document.getElementById("comparison-tables");
   for (const group of groupsOf(rows, ["measurement", "stage"])) {
@@ -75,7 +75,15 @@ function nameOfTest(stage, test) {
   return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
 }
 
+/// Of each stage a sentence, as `breccia run` has printed it.
+function showSummaries() {
+  const known = study.stages.filter((stage) => stage.quality?.summary);
+  document.getElementById("quality-summary").append(
+    ...known.map((stage) => element("li", {}, `${stage.name}, this box: ${stage.quality.summary}.`)));
+}
+
 function showQuality() {
+  showSummaries();
   const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test})));
   const place = document.getElementById("quality-tables");
   const add = (title, explanation, heads, rows) => {
@@ -103,7 +111,7 @@ function showQuality() {
 }
 
 function extrapolationRows() {
-  const rows = readTable("extrapolation.csv", ["time_s", "modulus_Pa", "half_band_Pa"]);
+  const rows = readTable("extrapolation.csv");
   return groupsOf(rows, ["stage", "load", "boundary", "method"]).map((group) => {
     const shares = group.map((row) => row.half_band_Pa / row.modulus_Pa);
     const largest = Math.max(...shares);
@@ -120,7 +128,9 @@ function showProvenance() {
     ["program", `${study.program} ${study.version}`],
     ["deck", study.deck],
     ["hash of deck, overrides and data", study.hash],
-    ["wall time", seconds === null || seconds === undefined ? "not complete" : `${Number(seconds.toPrecision(3))} s`],
+    ["completed", study.date === undefined || study.date === null ? "not complete"
+      : study.date.replace("T", " ").replace("Z", " UTC")],
+    ["wall time", seconds === null || seconds === undefined ? "not complete" : duration(seconds)],
   ].map((row) => row.map(String))));
   place.append(table(["stage", "particles", "fraction", "smallest gap", "gap in cells", "seed", "packed in"],
     study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percentOfBox(made.fraction),
@@ -131,5 +141,5 @@ function showProvenance() {
   const secondsOf = (test) => test.wall_time_s ?? test.time_domains?.reduce((sum, one) => sum + one.wall_time_s, 0);
   place.append(table(["stage", "load", "bound", "method", "cells", "volume strain", "solver", "wall time"],
     tests.filter(({test}) => secondsOf(test) !== undefined).map(({stage, test}) => [...nameOfTest(stage, test),
-      String(test.cells), test.volumetric, test.solver ?? test.formulation, display(secondsOf(test), "s", 3)])));
+      String(test.cells), test.volumetric, test.solver ?? test.formulation, duration(secondsOf(test))])));
 }

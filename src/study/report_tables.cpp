@@ -1,0 +1,37 @@
+#include "report_tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+
+#include "breccia/io/csv.hpp"
+
+namespace breccia {
+
+using Json = nlohmann::ordered_json;
+
+Json table_for_page(const std::filesystem::path& file, const std::vector<std::string>& text_columns) {
+  Json columns = Json::object();
+  std::error_code is_no_name_of_a_file;
+  if (!std::filesystem::is_regular_file(file, is_no_name_of_a_file)) return columns;
+  const auto table = read_csv(file, text_columns);
+  for (const auto& name : table.names()) {
+    Json& column = columns[name] = Json::array();
+    if (std::ranges::find(text_columns, name) != text_columns.end()) {
+      for (const auto& text : table.text(name)) column.push_back(text);
+    } else {
+      for (const double number : table.numbers(name)) {
+        column.push_back(std::isfinite(number) ? Json(number) : Json(number > 0.0 ? "inf" : "-inf"));
+      }
+    }
+  }
+  return columns;
+}
+
+std::vector<std::string> text_columns_of_tests() {
+  // Those of quality.csv may be empty.
+  return {"measurement", "stage",    "load",     "boundary",          "method",
+          "cells",       "upper_Pa", "lower_Pa", "relative_distance", "grid_half_band_Pa"};
+}
+
+}  // namespace breccia
