@@ -1,3 +1,4 @@
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -55,6 +56,27 @@ void set_values(Deck& deck, const std::vector<KeyValues>& keys, const std::vecto
   }
 }
 
+/// Warns of the stages whose gap follows the grid where tasks differ in that grid.
+void warn_of_gaps_on_grids(Sweep& sweep) {
+  std::map<std::string, std::set<double>> gaps;  // of each stage, in points
+  for (const auto& task : sweep.tasks) {
+    for (const auto& stage : task.study.stages) {
+      const bool follows = stage.filler && stage.filler->gap_source == GapSource::points;
+      if (follows) gaps[stage.name].insert(stage.filler->gap);
+    }
+  }
+  for (auto& task : sweep.tasks) {
+    for (auto& stage : task.study.stages) {
+      const auto& found = gaps[stage.name];
+      if (found.size() < 2) continue;
+      stage.warnings.push_back(fmt::format(
+          "the gap between particles is given in points and is another in other tasks of this sweep, from {} to {}: "
+          "they differ in their material, too; give it as a length",
+          readable(*found.begin(), Dimension::length), readable(*found.rbegin(), Dimension::length)));
+    }
+  }
+}
+
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
@@ -91,6 +113,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
     sweep.tasks.push_back(std::move(task));
   }
   refuse_mistakes(deck, mistakes);
+  warn_of_gaps_on_grids(sweep);
   return sweep;
 }
 
