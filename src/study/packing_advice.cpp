@@ -44,10 +44,11 @@ double floor_to_two_digits(double value) {
 
 /// The widest gap with which the particles fill no more than a fraction, and the largest fits into the box.
 std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
+  constexpr double roundoff = 1e-6;
   const double largest = std::ranges::max(request.diameters);
   const auto fits = [&](double gap) {
     const auto other = with_gap(stage, request, gap);
-    return largest + gap <= other.side && inflated_fraction<2>(other) <= fraction;
+    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction<2>(other) <= fraction;
   };
   double low = 0.0, high = std::min(request.minimum_gap, stage.side);
   if (!fits(low)) return std::nullopt;
@@ -78,8 +79,9 @@ std::optional<double> largest_fraction(const Stage& stage, const PackingRequest&
 std::string particles_of(const Stage& stage, const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
   const auto sizes = smallest == largest ? length(largest) : fmt::format("{} to {}", length(smallest), length(largest));
+  const auto count = request.diameters.size();
   const auto fraction = stage.filler->fraction ? fmt::format(" at a fraction of {:.6g}", *stage.filler->fraction) : "";
-  return fmt::format("{} particles of {}{}", request.diameters.size(), sizes, fraction);
+  return fmt::format("{} {} of {}{}", count, count == 1 ? "particle" : "particles", sizes, fraction);
 }
 
 std::string in_words(const PackingAdvice& advice) {

@@ -23,6 +23,11 @@ class DeckStages : public testing::Test {
     return stage(test::join("cells = 60\n", lines)).filler.value();
   }
   [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+  /// The mistakes in a stage of given discs with these keys of the packing.
+  [[nodiscard]] std::string mistakes_with(std::string_view packing_keys) const {
+    return mistakes(
+        test::join("cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = ", packing_keys, " }\n"));
+  }
   /// The mistakes in a stage with these keys of the filler and of the packing.
   [[nodiscard]] std::string mistakes(std::string_view filler_keys, std::string_view packing_keys) const {
     return mistakes(test::join("cells = 60\nfiller = { material = \"hmx\", ", filler_keys,
@@ -186,12 +191,12 @@ TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
   const auto periodic = filler(
       "filler = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\", walls = false }");
   EXPECT_EQ(std::get<ExplicitPacking>(periodic.packing).walls, Walls::periodic);
-  EXPECT_THAT(mistakes("", "\"explicit\", discs = \"discs.csv\""), HasSubstr("crosses a wall by 0.0004 m"));
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\""), HasSubstr("crosses a wall by 0.0004 m"));
   directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n5.8e-3,3e-3,1e-3\n");
-  EXPECT_THAT(mistakes("", "\"explicit\", discs = \"discs.csv\", walls = false"), HasSubstr("overlap by 0.0007 m"))
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"), HasSubstr("overlap by 0.0007 m"))
       << "across the sides";
   directory.write("discs.csv", "x_m,y_m,diameter_m\n-0.1e-3,3e-3,1e-3\n");
-  EXPECT_THAT(mistakes("", "\"explicit\", discs = \"discs.csv\", walls = false"),
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"),
               HasSubstr("discs.csv:2: expected a centre in the box"));
 }
 
@@ -207,7 +212,7 @@ TEST_F(DeckStages, WhatIsNotAvailableIsNamed) {
   EXPECT_THAT(mistakes("image = \"grains.png\", sizes = { diameter = \"1 mm\" }", regular_packing), discs_alone);
   EXPECT_THAT(mistakes("cells = 60\nimage = \"grains.png\"\n"), discs_alone);
   directory.write("grains.PNG", "\x89PNG\r\n\x1a\n");
-  EXPECT_THAT(mistakes("", "\"explicit\", discs = \"grains.PNG\""),
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"grains.PNG\""),
               AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), discs_alone));
 }
 

@@ -41,10 +41,11 @@ std::vector<Stage> impossible_stages() {
   std::vector<Stage> stages;
   for (const auto walls : {Walls::hard, Walls::periodic}) {
     stages.push_back(box(120e-6, 0.44, 60e-6, walls));
-    stages.push_back(box(120e-6, 0.35, 56e-6, walls));
     stages.push_back(box(60e-6, 0.6, 20e-6, walls));
     stages.push_back(box(250e-6, 0.5, 90e-6, walls));
   }
+  stages.push_back(box(120e-6, 0.35, 56e-6));
+  stages.push_back(box(120e-6, 0.35, 68e-6, Walls::periodic));
   auto wide = box(50e-6, 0.7, 25e-6);
   wide.filler->sizes = LognormalSizes{{{1.0, 90e-6, 0.6}}};
   wide.filler->smallest = 40e-6;
