@@ -56,23 +56,30 @@ void set_values(Deck& deck, const std::vector<KeyValues>& keys, const std::vecto
   }
 }
 
+/// What tasks have of a stage whose gap follows the grid.
+struct FollowingGap {
+  std::set<double> cell_sizes, gaps;  // [m]
+};
+
 /// Warns of the stages whose gap follows the grid where tasks differ in that grid.
 void warn_of_gaps_on_grids(Sweep& sweep) {
-  std::map<std::string, std::set<double>> gaps;  // of each stage, in points
+  const auto follows = [](const Stage& stage) { return stage.filler && stage.filler->gap_source == GapSource::points; };
+  std::map<std::string, FollowingGap> found;
   for (const auto& task : sweep.tasks) {
     for (const auto& stage : task.study.stages) {
-      const bool follows = stage.filler && stage.filler->gap_source == GapSource::points;
-      if (follows) gaps[stage.name].insert(stage.filler->gap);
+      if (!follows(stage)) continue;
+      found[stage.name].cell_sizes.insert(stage.cell_size());
+      found[stage.name].gaps.insert(stage.filler->gap);
     }
   }
   for (auto& task : sweep.tasks) {
     for (auto& stage : task.study.stages) {
-      const auto& found = gaps[stage.name];
-      if (found.size() < 2) continue;
+      if (!follows(stage) || found[stage.name].cell_sizes.size() < 2) continue;
+      const auto& gaps = found[stage.name].gaps;
       stage.warnings.push_back(fmt::format(
-          "the gap between particles is given in points and is another in other tasks of this sweep, from {} to {}: "
-          "they differ in their material, too; give it as a length",
-          readable(*found.begin(), Dimension::length), readable(*found.rbegin(), Dimension::length)));
+          "the gap between particles is given in points and follows the grids of this sweep, from {} to {}: its tasks "
+          "differ in their material, too; give it as a length",
+          readable(*gaps.begin(), Dimension::length), readable(*gaps.rbegin(), Dimension::length)));
     }
   }
 }

@@ -27,7 +27,8 @@ std::string source_in_words(const Stage& stage) {
 
 std::string gap_in_words(const Stage& stage) {
   const double gap = stage.filler->gap;
-  return fmt::format("{} ({:.3g} cells of {}{})", readable(gap, Dimension::length), gap / stage.cell_size(),
+  const auto cells = fmt::format("{:.3g}", gap / stage.cell_size());
+  return fmt::format("{} ({} {} of {}{})", readable(gap, Dimension::length), cells, cells == "1" ? "cell" : "cells",
                      display(stage.cell_size(), "m", 3), source_in_words(stage));
 }
 

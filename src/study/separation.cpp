@@ -47,10 +47,9 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
   const bool is_near = factor < enough * (1.0 - rounding), is_narrow = gap < below->largest;
   if (!is_near && !is_narrow) return std::nullopt;
   const auto others = fmt::format("the largest of its matrix {}, {}", matrix->name, length(below->largest));
-  const auto sizes = fmt::format(
-      "its smallest particles, {}, are only {:.2g} times as wide as {} (apart would be {:g} "
-      "times or more)",
-      length(own->smallest), factor, others, enough);
+  const auto how_wide = factor < 1.05 ? "no wider than" : fmt::format("only {:.2g} times as wide as", factor);
+  const auto sizes = fmt::format("its smallest particles, {}, are {} {} (apart would be {:g} times or more)",
+                                 length(own->smallest), how_wide, others, enough);
   const auto gaps = fmt::format("its smallest gap, {}, is narrower than {}", length(gap), is_near ? "those" : others);
   return fmt::format("{}{}{}; the result may be tens of per cent off, and its bounds need not be bounds {}",
                      is_near ? sizes : "", is_near && is_narrow ? ", and " : "", is_narrow ? gaps : "", where);

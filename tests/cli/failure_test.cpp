@@ -83,8 +83,8 @@ TEST(RunFailure, ParticlesCannotKeepTheirGap) {
   const StudyDirectory study(test::replaced(good_deck, "fraction = 0.5", "fraction = 0.85"));
   const auto pack = study.breccia("pack");
   EXPECT_EQ(pack.exit_code, 3);
-  EXPECT_THAT(pack.errors, AllOf(testing::StartsWith("A: "),
-                                 HasSubstr("with a gap of 100 um (1 cells of 100 um) cannot be packed")));
+  EXPECT_THAT(pack.errors,
+              AllOf(testing::StartsWith("A: "), HasSubstr("with a gap of 100 um (1 cell of 100 um) cannot be packed")));
 }
 
 TEST(RunFailure, ExplicitDiscsOverlap) {
