@@ -68,6 +68,25 @@ TEST(DeckWarnings, TheFillerOfTheWholeIsTold) {
   EXPECT_EQ(whole["materials"][0]["material"], "particle");
 }
 
+// 80 % with coarse to fine 70:30, fine below 10 um.
+TEST(StagesCommand, DividesATableOfSizes) {
+  const TemporaryDirectory directory;
+  directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-6,0\n10e-6,0.3\n100e-6,1\n");
+  for (const auto* fraction : {"0.8", "80 %"}) {
+    const auto stages = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", fraction, "--at", "10 um"});
+    EXPECT_EQ(stages.exit_code, 0) << stages.errors;
+    EXPECT_THAT(stages.output, AllOf(HasSubstr("fraction = 0.5455, from = \"1 um\", to = \"10 um\"    # 30.0 % of"),
+                                     HasSubstr("fraction = 0.5600, from = \"10 um\", to = \"100 um\"")));
+  }
+  const auto bad = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "most", "--at", "10 s"});
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_THAT(bad.errors, AllOf(HasSubstr("--fraction: expected a number between 0 and 1"),
+                                HasSubstr("--at: expected a length, got \"10 s\"")));
+  const auto outside = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "0.8", "--at", "1 mm"});
+  EXPECT_EQ(outside.exit_code, 2);
+  EXPECT_THAT(outside.errors, HasSubstr("stages: expected two or more rising diameters"));
+}
+
 TEST(DeckWarnings, TheGapIsShownWithItsSource) {
   const StudyDirectory study(good_deck);
   const auto shown = [&](const std::string& gap) {
