@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "breccia/study/stage_warnings.hpp"
 
 #include "command.hpp"
+#include "filler_summary.hpp"
 #include "summary.hpp"
 #include "sweep_summary.hpp"
 
@@ -79,11 +81,14 @@ std::string plan_of(const Study& study, const Stage& stage, const StageMicrostru
 void print_plan(const Study& study) {
   fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
              summary(study));
+  std::vector<double> fractions;
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
+    fractions.push_back(packed.fraction);
     fmt::print("{}", plan_of(study, stage, packed));
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
   }
+  fmt::print("{}", filler_summary(study, fractions));
   require_memory(study, available_memory());
 }
 

@@ -57,5 +57,6 @@ void add_pack(CLI::App& application);
 void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
+void add_stages(CLI::App& application);
 
 }  // namespace breccia::cli

@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   breccia::cli::add_pack(application);
   breccia::cli::add_respond(application);
   breccia::cli::add_report(application);
+  breccia::cli::add_stages(application);
   breccia::cli::add_fit(application);
   breccia::cli::add_bench(application);
   try {

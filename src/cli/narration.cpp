@@ -6,17 +6,18 @@
 #include <fmt/format.h>
 
 #include "breccia/report/display.hpp"
+#include "breccia/study/gap.hpp"
 
 namespace breccia::cli {
 namespace {
 
-std::string describe(const StageResult& stage) {
-  const auto& packed = stage.microstructure;
+std::string describe(const Stage& stage, const StageResult& result) {
+  const auto& packed = result.microstructure;
   auto text = fmt::format("{}: {} particles fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
-                          packed.microstructure.discs.size(), 100.0 * packed.fraction, 100.0 * stage.point_fraction,
-                          stage.points);
-  if (packed.events > 0) text += fmt::format(", packed in {:.2g} s", packed.seconds);
-  for (const auto& warning : stage.warnings) text += "\nwarning: " + warning;
+                          packed.microstructure.discs.size(), 100.0 * packed.fraction, 100.0 * result.point_fraction,
+                          result.points);
+  if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gap_in_words(stage), packed.seconds);
+  for (const auto& warning : result.warnings) text += "\nwarning: " + warning;
   return text;
 }
 
@@ -41,7 +42,9 @@ StudyObserver narrate(Progress& progress) {
     progress.update(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
                     fmt::format("{} events", packing.events));
   };
-  observer.packed = [&progress](const StageResult& stage) { progress.print(describe(stage)); };
+  observer.packed = [&progress](const Stage& stage, const StageResult& result) {
+    progress.print(describe(stage, result));
+  };
   observer.progress = [&progress](const Stage& stage, const std::string& test, double share,
                                   const std::string& details) {
     progress.update(fmt::format("{} {}", stage.name, test), share, details);

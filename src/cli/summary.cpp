@@ -8,7 +8,9 @@
 
 #include "breccia/io/units.hpp"
 #include "breccia/report/display.hpp"
+#include "breccia/study/gap.hpp"
 #include "breccia/study/run.hpp"
+#include "breccia/viscoelasticity/poisson_ratio.hpp"
 
 namespace breccia::cli {
 
@@ -33,9 +35,20 @@ std::string describe(const PronySeries& modulus) {
                      terms.size() == 1 ? "of " + slowest : fmt::format("from {} to {}", fastest, slowest));
 }
 
-std::string describe(const Material& material) {
-  return fmt::format("  {}\n    density  {}\n    bulk     {}\n    shear    {}\n", material.name,
-                     readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear));
+/// Poisson's ratio at the first and last time.
+std::string poisson_ratios(const Material& material, const Tests& tests) {
+  const auto ratio_at = [&](double instant) {
+    return fmt::format("{:.5g}", poisson_ratio(material.bulk.at(instant), material.shear.at(instant)));
+  };
+  const auto first = ratio_at(tests.first_time), last = ratio_at(tests.last_time);
+  if (first == last) return first;
+  return fmt::format("{} at {}, {} at {}", first, time(tests.first_time), last, time(tests.last_time));
+}
+
+std::string describe(const Material& material, const Tests& tests) {
+  return fmt::format("  {}\n    density  {}\n    bulk     {}\n    shear    {}\n    Poisson  {}\n", material.name,
+                     readable(material.density, Dimension::density), describe(material.bulk), describe(material.shear),
+                     poisson_ratios(material, tests));
 }
 
 struct DescribeSizes {
@@ -66,11 +79,13 @@ struct DescribePacking {
     return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
   }
   std::string operator()(const ExplicitPacking& packing) const {
-    return fmt::format("{}, {} discs", packing.file.string(), packing.discs.size());
+    return fmt::format("{}, {} discs{}", packing.file.string(), packing.discs.size(),
+                       packing.walls == Walls::periodic ? ", periodic" : "");
   }
 };
 
-std::string describe(const Filler& filler, double cell_size) {
+std::string describe_filler(const Stage& stage) {
+  const auto& filler = *stage.filler;
   auto text = fmt::format("    filler   {}", filler.material.name);
   if (filler.fraction) text += fmt::format(", {:.6g} of the box", *filler.fraction);
   if (filler.sizes) text += fmt::format("\n    sizes    {}", std::visit(DescribeSizes(), *filler.sizes));
@@ -79,7 +94,9 @@ std::string describe(const Filler& filler, double cell_size) {
   }
   text += fmt::format("\n    packing  {}\n", std::visit(DescribePacking(), filler.packing));
   if (std::holds_alternative<LubachevskyStillingerPacking>(filler.packing)) {
-    text += fmt::format("    gap      {} ({:.4g} cells)\n", length(filler.gap), filler.gap / cell_size);
+    const bool follows_grid = filler.gap_source == GapSource::points;
+    text += fmt::format("    gap      {}{}\n", gap_in_words(stage),
+                        follows_grid ? ": other cells make another gap, and so another material" : "");
   }
   return text;
 }
@@ -93,7 +110,7 @@ std::string describe(const Stage& stage) {
       "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
       name_of(stage.matrix), length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
   text += grids;
-  return text + (stage.filler ? describe(*stage.filler, stage.cell_size()) : "    filler   none\n");
+  return text + (stage.filler ? describe_filler(stage) : "    filler   none\n");
 }
 
 std::string describe(const DynamicOptions& options) {
@@ -138,7 +155,7 @@ std::string describe(const Tests& tests) {
 
 std::string summary(const Study& study) {
   auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.deck.string(), study.hash);
-  for (const auto& material : study.materials) text += describe(material);
+  for (const auto& material : study.materials) text += describe(material, study.tests);
   text += "\nstages\n";
   for (const auto& stage : study.stages) text += describe(stage);
   return text + "\ntests\n" + describe(study.tests);

@@ -11,6 +11,8 @@
 #include "breccia/report/display.hpp"
 #include "breccia/study/quality.hpp"
 
+#include "filler_summary.hpp"
+
 namespace breccia::cli {
 namespace {
 
@@ -113,7 +115,9 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
         stage->comparisons, [&](const Comparison& one) { return one.measurement == measurement.label; });
     if (is_compared) text += table_of(measurement.label, *stage);
   }
-  std::string remarks;
+  std::vector<double> fractions;
+  for (const auto& stage : result.stages) fractions.push_back(stage.microstructure.fraction);
+  auto remarks = filler_summary(study, fractions);
   for (const auto& stage : result.stages) {
     // Some have been told when the stage was packed, hours ago perhaps.
     for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";

@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 #include "breccia/io/deck.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/io/percentage.hpp"
 
 #include "deck_tree.hpp"
 
@@ -100,6 +101,16 @@ Answer<double> read_number(const DeckValue& value, const Range& range) {
   if (const auto* integer = std::get_if<std::int64_t>(&value.content)) number = static_cast<double>(*integer);
   if (accepts(range, number)) return {number, {}};
   return wrong<double>(expected_but_got(described(range, "number"), value));
+}
+
+Answer<double> read_fraction(const DeckValue& value) {
+  const auto range = Range::between(0.0, 1.0);
+  if (const auto* text = std::get_if<std::string>(&value.content)) {
+    const auto share = parse_percentage(*text);
+    if (share && accepts(range, *share)) return {*share, {}};
+    return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
+  }
+  return read_number(value, range);
 }
 
 Answer<std::int64_t> read_integer(const DeckValue& value, const Range& range) {
@@ -253,6 +264,12 @@ double Section::number(const std::string& key, const Range& range) const {
 std::optional<double> Section::optional_number(const std::string& key, const Range& range) const {
   const auto* value = find(key);
   return value == nullptr ? std::nullopt : settle(*this, key, read_number(*value, range));
+}
+
+double Section::fraction(const std::string& key) const {
+  const auto* value = require(key, described(Range::between(0.0, 1.0), "number"));
+  if (value == nullptr) return not_a_number;
+  return settle(*this, key, read_fraction(*value)).value_or(not_a_number);
 }
 
 std::int64_t Section::integer(const std::string& key, const Range& range) const {

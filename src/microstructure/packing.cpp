@@ -69,19 +69,23 @@ void require_possible(const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
   const double gap = request.minimum_gap;
   if (largest + gap > request.side) {
-    throw NumericalError(fmt::format(
-        "packing: a particle of diameter {:.6g} m with a gap of {:.6g} m around it does not fit in a box of "
-        "side {:.6g} m",
-        largest, gap, request.side));
+    throw PackingError(
+        PackingObstacle::size, 0.0,
+        fmt::format(
+            "packing: a particle of diameter {:.6g} m with a gap of {:.6g} m around it does not fit in a box of "
+            "side {:.6g} m",
+            largest, gap, request.side));
   }
   if constexpr (dim == 2) {
-    const double inflated = fraction<dim>(request, gap);
+    const double inflated = inflated_fraction<dim>(request);
     const double densest = densest_packing_of_discs((smallest + gap) / (largest + gap));
     if (inflated > densest) {
-      throw NumericalError(fmt::format(
-          "packing: {} discs at a fraction of {:.4g} cannot keep a gap of {:.6g} m: with half the gap around "
-          "each they would fill {:.4g} of the box, and discs of {:.6g} m to {:.6g} m can fill at most {:.4g}",
-          request.diameters.size(), fraction<dim>(request, 0.0), gap, inflated, smallest, largest, densest));
+      throw PackingError(
+          PackingObstacle::density, densest,
+          fmt::format(
+              "packing: {} discs at a fraction of {:.4g} cannot keep a gap of {:.6g} m: with half the gap around "
+              "each they would fill {:.4g} of the box, and discs of {:.6g} m to {:.6g} m can fill at most {:.4g}",
+              request.diameters.size(), fraction<dim>(request, 0.0), gap, inflated, smallest, largest, densest));
     }
   }
 }
@@ -168,6 +172,13 @@ std::unique_ptr<GrowingBalls<dim>> growing_balls(const PackingRequest& request, 
 }  // namespace
 
 template <int dim>
+double inflated_fraction(const PackingRequest& request) {
+  return fraction<dim>(request, request.minimum_gap);
+}
+
+template double inflated_fraction<2>(const PackingRequest&);
+
+template <int dim>
 PackingRun<dim>::PackingRun(PackingRequest request)
     : request_(std::move(request)), balls_(growing_balls<dim>(request_, request_.seed)) {}
 
@@ -205,11 +216,14 @@ void PackingRun<dim>::advance() {
     return;
   }
   const double final_fraction = fraction<dim>(request_, 0.0);
-  throw NumericalError(fmt::format(
-      "packing: {} particles jam at {:.2f} % of their diameters, at a fraction of {:.4g} and a gap of {:.4g} m "
-      "instead of {:.4g} and {:.4g} m ({} events); ask for a smaller fraction or gap, or a wider range of sizes",
-      request_.diameters.size(), 100.0 * largest_scale_, final_fraction * std::pow(largest_scale_, dim),
-      request_.minimum_gap * largest_scale_, final_fraction, request_.minimum_gap, balls_->events()));
+  const double reached = inflated_fraction<dim>(request_) * std::pow(largest_scale_, dim);
+  throw PackingError(
+      PackingObstacle::jam, reached,
+      fmt::format(
+          "packing: {} particles jam at {:.2f} % of their diameters, at a fraction of {:.4g} and a gap of {:.4g} m "
+          "instead of {:.4g} and {:.4g} m ({} events); ask for a smaller fraction or gap, or a wider range of sizes",
+          request_.diameters.size(), 100.0 * largest_scale_, final_fraction * std::pow(largest_scale_, dim),
+          request_.minimum_gap * largest_scale_, final_fraction, request_.minimum_gap, balls_->events()));
 }
 
 template <int dim>

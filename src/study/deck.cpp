@@ -22,7 +22,7 @@ Study resolve(const Deck& document) {
   study.materials = std::move(materials);
   study.temperature_shifts = std::move(temperature_shifts);
   study.stages = read_stages(root, study.materials);
-  study.tests = read_tests(root);
+  study.tests = read_tests(root, study.stages);
   study.measurements = read_measurements(root, study.stages, study.tests);
   refuse_contradictions(root, study);
   study.inputs = document.files();

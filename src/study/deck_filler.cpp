@@ -1,10 +1,7 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
-
-#include "breccia/error.hpp"
 
 #include "deck_sections.hpp"
 #include "filler_sizes.hpp"
@@ -13,43 +10,9 @@ namespace breccia {
 
 namespace {
 
-constexpr double default_gap_in_points = 6.0;
-
-/// A number of material points such as "6 points".
-std::optional<double> parse_points(const std::string& text) {
-  double points = 0.0;
-  const auto* const end_of_text = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), end_of_text, points);
-  const std::string unit(end, end_of_text);
-  const bool names_points = unit == " points" || unit == " point";
-  return error == std::errc{} && names_points && points >= 0.0 && std::isfinite(points) ? std::optional(points)
-                                                                                        : std::nullopt;
-}
-
-/// The smallest distance between particles [m], given as a length or in material points.
-double read_gap(const Section& filler, const Stage& stage, const PackingMethod& packing) {
-  const double point_spacing = stage.cell_size() / 2.0;
-  const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(packing);
-  if (!is_random) {
-    filler.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
-    return 0.0;
-  }
-  if (!filler.has("gap")) return default_gap_in_points * point_spacing;
-  const auto text = filler.text("gap");
-  if (const auto points = parse_points(text)) return *points * point_spacing;
-  double gap = 0.0;
-  try {
-    if (!text.empty()) gap = parse_quantity(text, Dimension::length);
-  } catch (const InputError&) {
-    gap = -1.0;
-  }
-  if (gap < 0.0) {
-    filler.report("gap", fmt::format("expected a length such as \"0.5 um\" or a number of material points such as "
-                                     "\"6 points\", got \"{}\"",
-                                     text));
-  }
-  return gap;
-}
+constexpr auto several_fillers =
+    "expected one table: several fillers in a box are not available yet; a second one, far smaller or larger than the "
+    "first, goes into a stage of its own (docs/decks.md, Stages)";
 
 bool is_distribution(const Sizes& sizes) {
   return std::holds_alternative<LognormalSizes>(sizes) || std::holds_alternative<TabulatedSizes>(sizes);
@@ -136,7 +99,7 @@ void read_amount(const Section& section, Filler& filler) {
   } else if (filler.sizes && std::holds_alternative<ListedSizes>(*filler.sizes)) {
     section.refuse({"fraction"}, "a list of sizes is packed as it is: its fraction follows");
   } else {
-    filler.fraction = section.number("fraction", Range::between(0.0, 1.0));
+    filler.fraction = section.fraction("fraction");
   }
 }
 
@@ -144,6 +107,11 @@ void read_amount(const Section& section, Filler& filler) {
 
 std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
                                   const std::vector<Material>& materials) {
+  if (stage_section.kind("filler") == Kind::array) {
+    stage_section.report("filler", several_fillers);
+    static_cast<void>(stage_section.has("packing"));
+    return std::nullopt;
+  }
   const auto section = stage_section.optional_section("filler");
   if (!section) {
     stage_section.refuse({"packing"}, "there is no filler to pack");
@@ -151,6 +119,7 @@ std::optional<Filler> read_filler(const Section& stage_section, const Stage& sta
   }
   Filler filler;
   filler.material = read_material_reference(*section, "material", materials);
+  section->refuse({"shape", "image"}, discs_alone);
   const auto packing = read_packing(stage_section, stage.side);
   if (!packing) {
     section->accept_all_keys();
@@ -158,7 +127,7 @@ std::optional<Filler> read_filler(const Section& stage_section, const Stage& sta
   }
   filler.packing = *packing;
   read_amount(*section, filler);
-  filler.gap = read_gap(*section, stage, filler.packing);
+  read_gap(*section, stage, filler);
   check_fit(*section, filler, stage.side);
   return filler;
 }

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -40,18 +44,22 @@ std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
 }
 
 /// Throws InputError where discs overlap or cross a wall.
-void require_room(const std::filesystem::path& path, const std::vector<Disc>& discs, double side) {
+void require_room(const ExplicitPacking& listed, double side) {
   try {
-    require_valid({side, Walls::hard, discs});
+    require_valid({side, listed.walls, listed.discs});
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+    throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
   }
 }
 
+Walls read_walls(const Section& packing) {
+  return packing.optional_boolean("walls").value_or(true) ? Walls::hard : Walls::periodic;
+}
+
 LubachevskyStillingerPacking read_random(const Section& packing) {
-  const bool has_walls = packing.optional_boolean("walls").value_or(true);
+  const auto walls = read_walls(packing);
   const auto seed = packing.optional_integer("seed", Range::not_negative()).value_or(1);
-  return {has_walls ? Walls::hard : Walls::periodic, static_cast<std::uint64_t>(seed)};
+  return {walls, static_cast<std::uint64_t>(seed)};
 }
 
 RegularPacking read_regular(const Section& packing) {
@@ -59,15 +67,36 @@ RegularPacking read_regular(const Section& packing) {
   return {static_cast<int>(packing.integer("columns", range)), static_cast<int>(packing.integer("rows", range))};
 }
 
+bool is_picture(const std::filesystem::path& file) {
+  auto extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  constexpr std::array<std::string_view, 8> pictures = {".png",  ".jpg", ".jpeg", ".tif",
+                                                        ".tiff", ".bmp", ".gif",  ".svg"};
+  return std::ranges::find(pictures, extension) != pictures.end();
+}
+
 ExplicitPacking read_explicit(const Section& packing, double side) {
-  ExplicitPacking listed{packing.file("discs"), {}};
+  ExplicitPacking listed{packing.file("discs"), {}, read_walls(packing)};
   if (listed.file.empty()) return listed;
+  if (is_picture(listed.file)) {
+    packing.report("discs", fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
+                                        listed.file.string(), discs_alone));
+    return listed;
+  }
   packing.report_errors_of("discs", [&] {
     listed.discs = read_discs(listed.file, side);
     const bool box_is_known = side > 0.0;
-    if (box_is_known) require_room(listed.file, listed.discs, side);
+    if (box_is_known) require_room(listed, side);
   });
   return listed;
+}
+
+/// A method that is not there, but that a user may well expect.
+bool asks_for_other_shapes(const Section& packing) {
+  if (packing.kind("method") != Kind::text) return false;
+  constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",
+                                                       "polygons", "ellipses", "tessellation"};
+  return std::ranges::find(methods, packing.text("method")) != methods.end();
 }
 
 }  // namespace
@@ -78,11 +107,18 @@ bool takes_seed(const Section& packing) {
 
 std::optional<PackingMethod> read_packing(const Section& stage, double side) {
   const auto packing = stage.section("packing");
-  const auto method = packing.choice<MethodName>("method", {
-                                                               {random_method, MethodName::lubachevsky_stillinger},
-                                                               {"regular", MethodName::regular},
-                                                               {"explicit", MethodName::listed},
-                                                           });
+  if (asks_for_other_shapes(packing)) {
+    packing.report("method", discs_alone);
+    packing.accept_all_keys();
+    return std::nullopt;
+  }
+  packing.refuse({"image"}, discs_alone);
+  const auto method =
+      packing.choice<MethodName>("method", {
+                                               {random_method, MethodName::lubachevsky_stillinger},
+                                               {"regular", MethodName::regular},
+                                               {"explicit", MethodName::listed},
+                                           });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;

@@ -31,9 +31,16 @@ DeckMaterials read_materials(const Section& deck);
 /// [[stages]], whose materials are among those given.
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);
 
+/// What is said of a key that asks for anything but discs.
+inline constexpr auto discs_alone =
+    "all particles are discs so far: other shapes and images are not available (docs/limitations.md)";
+
 /// `filler` and `packing` of a stage whose box and cells are known; nothing when it has neither.
 std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
                                   const std::vector<Material>& materials);
+
+/// `gap` of a filler whose sizes and packing are known, in a stage whose box and cells are known.
+void read_gap(const Section& section, const Stage& stage, Filler& filler);
 
 /// `sizes` of a filler.
 std::optional<Sizes> read_sizes(const Section& filler);
@@ -48,8 +55,8 @@ bool takes_seed(const Section& packing);
 Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<Material>& materials);
 
-/// [tests].
-Tests read_tests(const Section& deck);
+/// [tests] of these stages.
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages);
 
 /// Two rising times [s] where a section has such a key.
 std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key);

@@ -93,6 +93,17 @@ int read_cells(const Section& section, double side) {
   return static_cast<int>(cells);
 }
 
+/// Of several grids the finest would decide on the material.
+std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
+  const bool follows = stage.filler && stage.filler->gap_source == GapSource::points && !stage.coarser_cells.empty();
+  if (!follows) return std::nullopt;
+  const auto gap = readable(stage.filler->gap, Dimension::length);
+  return fmt::format(
+      "the gap between particles, {}, follows from the finest grid: with other cells it would be another "
+      "material; give it as a length, gap = \"{}\"",
+      gap, gap);
+}
+
 }  // namespace
 
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials) {
@@ -110,7 +121,9 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     } else {
       stage.cells = read_cells(section, stage.side);
     }
+    section.refuse({"image"}, discs_alone);
     stage.filler = read_filler(section, stage, materials);
+    if (auto warning = warning_of_gap_on_grids(stage)) stage.warnings.push_back(*std::move(warning));
     stages.push_back(std::move(stage));
   }
   return stages;

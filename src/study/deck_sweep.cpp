@@ -1,3 +1,4 @@
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -83,6 +84,34 @@ std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& ke
   return overrides;
 }
 
+/// What tasks have of a stage whose gap follows the grid.
+struct FollowingGap {
+  std::set<double> cell_sizes, gaps;  // [m]
+};
+
+/// Warns of the stages whose gap follows the grid where tasks differ in that grid.
+void warn_of_gaps_on_grids(Sweep& sweep) {
+  const auto follows = [](const Stage& stage) { return stage.filler && stage.filler->gap_source == GapSource::points; };
+  std::map<std::string, FollowingGap> found;
+  for (const auto& task : sweep.tasks) {
+    for (const auto& stage : task.study.stages) {
+      if (!follows(stage)) continue;
+      found[stage.name].cell_sizes.insert(stage.cell_size());
+      found[stage.name].gaps.insert(stage.filler->gap);
+    }
+  }
+  for (auto& task : sweep.tasks) {
+    for (auto& stage : task.study.stages) {
+      if (!follows(stage) || found[stage.name].cell_sizes.size() < 2) continue;
+      const auto& gaps = found[stage.name].gaps;
+      stage.warnings.push_back(fmt::format(
+          "the gap between particles is given in points and follows the grids of this sweep, from {} to {}: its tasks "
+          "differ in their material, too; give it as a length",
+          readable(*gaps.begin(), Dimension::length), readable(*gaps.rbegin(), Dimension::length)));
+    }
+  }
+}
+
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
@@ -122,6 +151,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
     sweep.tasks.push_back(std::move(task));
   }
   refuse_mistakes(deck, mistakes);
+  warn_of_gaps_on_grids(sweep);
   return sweep;
 }
 

@@ -111,15 +111,30 @@ DynamicOptions read_dynamic(const Section& section) {
   return options;
 }
 
+bool has_periodic_particles(const Stage& stage) {
+  if (!stage.filler) return false;
+  const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.filler->packing);
+  const auto* listed = std::get_if<ExplicitPacking>(&stage.filler->packing);
+  return (random != nullptr && random->walls == Walls::periodic) ||
+         (listed != nullptr && listed->walls == Walls::periodic);
+}
+
+/// The upper and the lower bound would cut the particles of a periodic box.
+std::vector<Bound> default_bounds(const std::vector<Stage>& stages) {
+  if (std::ranges::any_of(stages, has_periodic_particles)) return {Bound::periodic};
+  return {Bound::upper, Bound::lower};
+}
+
 }  // namespace
 
 std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key) {
   return section.has(key) ? required_time_window(section, key) : std::nullopt;
 }
 
-Tests read_tests(const Section& deck) {
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
   const auto section = deck.section("tests");
   Tests tests;
+  tests.bounds = default_bounds(stages);
   if (section.has("loads")) {
     tests.loads = section.list_of_choices<Load>(
         "loads", {{"shear", Load::shear}, {"shear-xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}});

@@ -1,5 +1,6 @@
 #include "filler_sizes.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,36 @@ struct DistributionOf {
   }
 };
 
+struct DiametersOf {
+  using Answer = std::optional<DiameterRange>;
+  const Filler& filler;
+
+  Answer operator()(const SingleSize& sizes) const { return DiameterRange{sizes.diameter, sizes.diameter}; }
+  Answer operator()(const ListedSizes& sizes) const {
+    if (sizes.diameters.empty()) return std::nullopt;
+    const auto [smallest, largest] = std::ranges::minmax(sizes.diameters);
+    return DiameterRange{smallest, largest};
+  }
+  Answer operator()(const LognormalSizes&) const {
+    if (!filler.smallest || !filler.largest) return std::nullopt;
+    return DiameterRange{*filler.smallest, *filler.largest};
+  }
+  Answer operator()(const TabulatedSizes& sizes) const {
+    const double first = sizes.diameters.front(), last = sizes.diameters.back();
+    return DiameterRange{std::max(first, filler.smallest.value_or(first)),
+                         std::min(last, filler.largest.value_or(last))};
+  }
+};
+
 }  // namespace
+
+std::optional<DiameterRange> diameters_of(const Filler& filler) {
+  if (filler.sizes) return std::visit(DiametersOf{filler}, *filler.sizes);
+  const auto* listed = std::get_if<ExplicitPacking>(&filler.packing);
+  if (listed == nullptr || listed->discs.empty()) return std::nullopt;
+  const auto [smallest, largest] = std::ranges::minmax(listed->discs, {}, &Disc::diameter);
+  return DiameterRange{smallest.diameter, largest.diameter};
+}
 
 std::optional<SizeDistribution> distribution_of(const Filler& filler) {
   if (!filler.sizes) return std::nullopt;

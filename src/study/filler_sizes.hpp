@@ -11,4 +11,13 @@ namespace breccia {
 /// of it lies between the smallest and the largest size of the filler.
 std::optional<SizeDistribution> distribution_of(const Filler& filler);
 
+/// The diameters that a filler may have [m].
+struct DiameterRange {
+  double smallest;
+  double largest;
+};
+
+/// From the smallest to the largest diameter that a filler asks for; nothing where it has no sizes.
+std::optional<DiameterRange> diameters_of(const Filler& filler);
+
 }  // namespace breccia

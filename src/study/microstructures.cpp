@@ -17,6 +17,7 @@
 
 #include "filler_sizes.hpp"
 #include "named_errors.hpp"
+#include "packing_advice.hpp"
 #include "packing_state.hpp"
 
 namespace breccia {
@@ -76,6 +77,15 @@ class StagePacking {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+template <class Pack>
+Packing<2> in_words_of_the_deck(const Stage& stage, const PackingRequest& request, const Pack& pack) {
+  try {
+    return pack();
+  } catch (const PackingError& error) {
+    throw NumericalError(message_on(stage, request, error));
+  }
+}
+
 Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
                               StageMicrostructure& result) {
   const auto& filler = *stage.filler;
@@ -92,7 +102,7 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
   }
-  auto packed = packing.run(request);
+  auto packed = in_words_of_the_deck(stage, request, [&] { return packing.run(request); });
   result.events = packed.events;
   for (auto& ball : packed.balls) {
     for (auto& coordinate : ball.centre) coordinate += inset;
@@ -110,7 +120,7 @@ Microstructure place_particles(const Stage& stage, StagePacking& packing, StageM
                                  return regular_array(stage.side, array.columns, array.rows, size.diameter);
                                },
                                [&](const ExplicitPacking& listed) {
-                                 Microstructure microstructure = {stage.side, Walls::hard, listed.discs};
+                                 Microstructure microstructure = {stage.side, listed.walls, listed.discs};
                                  require_valid(microstructure);
                                  return microstructure;
                                }},

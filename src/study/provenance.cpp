@@ -8,6 +8,7 @@
 
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/quality.hpp"
+#include "breccia/study/whole_filler.hpp"
 
 #include "results.hpp"
 
@@ -71,6 +72,14 @@ Json json_of(const LinearEffort& effort) {
           {"iterations", effort.iterations},
           {"most_iterations", effort.most_iterations},
           {"largest_residual", effort.largest_residual}};
+}
+
+Json json_of(const WholeFiller& filler) {
+  Json materials = Json::array();
+  for (const auto& [material, fraction, mass_fraction] : filler.materials) {
+    materials.push_back({{"material", material}, {"fraction", fraction}, {"mass_fraction", mass_fraction}});
+  }
+  return {{"fraction", filler.fraction}, {"mass_fraction", filler.mass_fraction}, {"materials", std::move(materials)}};
 }
 
 const char* word_of(Volumetric volumetric) {
@@ -235,8 +244,12 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
     const auto shift = study.temperature_shifts.find(material.name);
     if (shift != study.temperature_shifts.end()) materials.back()["temperature_shift"] = json_of(shift->second);
   }
+  std::vector<double> fractions;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     stages.push_back(json_of(study.stages[i], result.stages[i], study));
+    fractions.push_back(result.stages[i].microstructure.fraction);
+    const auto whole = filler_of_the_whole(study, study.stages[i], fractions);
+    if (whole.fraction > 0.0) stages.back()["filler_of_the_whole"] = json_of(whole);
   }
   const Json json = {{"program", "breccia"},
                      {"version", BRECCIA_VERSION},

@@ -98,7 +98,7 @@ StageResult describe(const Study& study, const Stage& stage, StageMicrostructure
     make_directory(directory);
     write_microstructure(directory, stage, result.microstructure);
   });
-  if (observer.packed) observer.packed(result);
+  if (observer.packed) observer.packed(stage, result);
   return result;
 }
 

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "breccia/io/units.hpp"
 #include "breccia/study/quality.hpp"
+
+#include "material_warnings.hpp"
+#include "separation.hpp"
 
 namespace breccia {
 namespace {
@@ -27,13 +31,23 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
       needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
 }
 
+bool has_particles_across_sides(const Microstructure& microstructure) {
+  if (microstructure.walls != Walls::periodic) return false;
+  return std::ranges::any_of(microstructure.discs, [side = microstructure.side](const Disc& disc) {
+    const double radius = 0.5 * disc.diameter;
+    return std::ranges::any_of(disc.centre, [&](double x) { return x < radius || side - x < radius; });
+  });
+}
+
 std::optional<std::string> warning_of_cut_particles(const std::vector<Bound>& bounds,
                                                     const StageMicrostructure& packed) {
   const bool cuts = std::ranges::any_of(bounds, [](Bound bound) { return bound != Bound::periodic; });
-  if (packed.microstructure.walls != Walls::periodic || !cuts) return std::nullopt;
-  return "the boundaries of the upper and lower bound cut the particles that cross the sides of this periodic box; "
-         "under the upper one they bridge it, and the modulus at long times comes out far too high; "
-         "packing.walls = true keeps them inside";
+  if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
+  return "tests.bounds asks for the upper or the lower bound of a periodic box, whose boundaries cut the particles "
+         "that "
+         "cross its sides; under the upper one they bridge it, and the modulus at long times comes out tens of times "
+         "too high; without tests.bounds it is tested under the periodic boundary alone, and packing.walls = true "
+         "keeps its particles inside";
 }
 
 /// A single term is a model of its own; several are data, which end somewhere.
@@ -56,15 +70,16 @@ std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Te
 
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {
-  std::vector<std::string> warnings;
+  auto of_stage = stage.warnings;
   for (const auto& warning :
-       {warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.bounds, microstructure),
+       {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
+        warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.bounds, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
-    if (warning) warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
+    if (warning) of_stage.push_back(*warning);
   }
-  for (const auto& warning : warnings_on_packing(stage, microstructure)) {
-    warnings.push_back(fmt::format("{}: {}", stage.name, warning));
-  }
+  std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));
+  auto warnings = warnings_on_materials(study, stage);
+  for (const auto& warning : of_stage) warnings.push_back(fmt::format("{}: {}", stage.name, warning));
   return warnings;
 }
 

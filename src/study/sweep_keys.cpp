@@ -1,12 +1,13 @@
 #include "sweep_keys.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 
 #include <fmt/format.h>
+
+#include "rounding.hpp"
 
 namespace breccia {
 
@@ -15,13 +16,6 @@ namespace {
 constexpr std::int64_t most_tasks = 1000;
 
 enum class Spacing { linear, logarithmic };
-
-/// The value that a user would have written: 0.6, not 0.6000000000000001.
-double rounded(double value) {
-  const auto digits = fmt::format("{:.12g}", value);
-  std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  return value;
-}
 
 /// From the first to the last there may be more than an integer with a sign can tell.
 std::uint64_t distance(std::int64_t from, std::int64_t to) {
@@ -41,7 +35,7 @@ std::vector<Scalar> numbers_between(double from, double to, std::int64_t count, 
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
     const double value = spacing == Spacing::linear ? std::lerp(from, to, share)
                                                     : std::exp(std::lerp(std::log(from), std::log(to), share));
-    values.emplace_back(rounded(value));
+    values.emplace_back(as_typed(value));
   }
   return values;
 }

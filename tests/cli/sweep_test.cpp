@@ -164,7 +164,7 @@ TEST(Sweep, AFailedTaskDoesNotLoseTheOthers) {
   const auto failed = study.breccia(
       "run", {"--set", R"(sweep."stages.*.packing.seed"=[1])", "--sweep", "stages.A.filler.fraction=[0.85, 0.3]"});
   EXPECT_EQ(failed.exit_code, 3);
-  EXPECT_THAT(failed.errors, AllOf(testing::StartsWith("seed-1_fraction-0.85: A: "), HasSubstr("jam at")));
+  EXPECT_THAT(failed.errors, AllOf(testing::StartsWith("seed-1_fraction-0.85: A: "), HasSubstr("between them jam: ")));
   EXPECT_THAT(states(study), ElementsAre("failed", "done"));
   EXPECT_THAT(read_text(study.result("sweep.csv")), HasSubstr("seed-1_fraction-0.3,1,0.3,A,shear"));
 }

@@ -6,8 +6,10 @@
 namespace breccia {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 class DeckStages : public testing::Test {
  protected:
@@ -21,6 +23,11 @@ class DeckStages : public testing::Test {
     return stage(test::join("cells = 60\n", lines)).filler.value();
   }
   [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+  /// The mistakes in a stage of given discs with these keys of the packing.
+  [[nodiscard]] std::string mistakes_with(std::string_view packing_keys) const {
+    return mistakes(
+        test::join("cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = ", packing_keys, " }\n"));
+  }
   /// The mistakes in a stage with these keys of the filler and of the packing.
   [[nodiscard]] std::string mistakes(std::string_view filler_keys, std::string_view packing_keys) const {
     return mistakes(test::join("cells = 60\nfiller = { material = \"hmx\", ", filler_keys,
@@ -104,16 +111,109 @@ TEST_F(DeckStages, ExplicitPacking) {
 }
 
 // The box has 60 cells of 0.1 mm, so a point every 0.05 mm.
-TEST_F(DeckStages, TheGapMayBeCountedInMaterialPoints) {
-  const auto gap_of = [&](std::string_view gap) {
-    return filler(test::join(R"(filler = { material = "hmx", sizes = { list = ["1 mm"] })", gap,
+TEST_F(DeckStages, TheGapIsALengthOrAShareOfTheSmallestDiameterOrANumberOfPoints) {
+  const auto filler_with = [&](std::string_view gap) {
+    return filler(test::join(R"(filler = { material = "hmx", sizes = { list = ["1 mm", "0.7 mm"] })", gap,
+                             " }\npacking = { method = \"lubachevsky-stillinger\" }"));
+  };
+  const auto gap_of = [&](std::string_view gap) { return filler_with(gap).gap; };
+  EXPECT_EQ(gap_of(""), 0.07e-3);
+  EXPECT_EQ(gap_of(", gap = \"10 %\""), 0.07e-3);
+  EXPECT_EQ(gap_of(", gap = \"25%\""), 0.175e-3);
+  EXPECT_EQ(gap_of(", gap = \"4 points\""), 0.2e-3);
+  EXPECT_EQ(gap_of(", gap = \"0.5 points\""), 0.025e-3);
+  EXPECT_EQ(gap_of(", gap = \"30 um\""), 30e-6);
+  EXPECT_EQ(filler_with("").gap_source, GapSource::default_share);
+  EXPECT_EQ(filler_with(", gap = \"10 %\"").gap_source, GapSource::diameter);
+  EXPECT_EQ(filler_with(", gap = \"4 points\"").gap_source, GapSource::points);
+  EXPECT_EQ(filler_with(", gap = \"30 um\"").gap_source, GapSource::length);
+}
+
+// 6 * (48 um / 300 / 2) in doubles is 4.8000000000000006e-07.
+TEST_F(DeckStages, TheSameGapIsTheSameNumberHoweverItIsGiven) {
+  const auto gap_of = [&](const char* gap) {
+    const auto text = test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"48 um\"\n",
+                                 "cells = 300\nfiller = { material = \"hmx\", sizes = { list = [\"4.8 um\"] }", gap,
+                                 " }\npacking = { method = \"lubachevsky-stillinger\" }\n", test::tests);
+    return directory.study(text).stages.at(0).filler.value().gap;
+  };
+  EXPECT_EQ(gap_of(", gap = \"6 points\""), 0.48e-6);
+  EXPECT_EQ(gap_of(", gap = \"0.48 um\""), 0.48e-6);
+  EXPECT_EQ(gap_of(", gap = \"480 nm\""), 0.48e-6);
+  EXPECT_EQ(gap_of(", gap = \"10 %\""), 0.48e-6);
+  EXPECT_EQ(gap_of(""), 0.48e-6);
+}
+
+TEST_F(DeckStages, TheDefaultGapIsAShareOfTheSmallestDiameterOfACutDistribution) {
+  const auto gap_of = [&](std::string_view sizes) {
+    return filler(test::join("filler = { material = \"hmx\", fraction = 0.5, ", sizes,
                              " }\npacking = { method = \"lubachevsky-stillinger\" }"))
         .gap;
   };
-  EXPECT_DOUBLE_EQ(gap_of(""), 0.3e-3);
-  EXPECT_DOUBLE_EQ(gap_of(", gap = \"4 points\""), 0.2e-3);
-  EXPECT_DOUBLE_EQ(gap_of(", gap = \"0.5 points\""), 0.025e-3);
-  EXPECT_DOUBLE_EQ(gap_of(", gap = \"30 um\""), 30e-6);
+  EXPECT_EQ(gap_of("sizes = { lognormal = [{ median = \"154 um\", sigma = 0.76 }] }, from = \"0.1 mm\", to = \"1 mm\""),
+            10e-6);
+  directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-4,0\n2e-4,0.4\n3e-4,1\n");
+  EXPECT_EQ(gap_of("sizes = \"sizes.csv\""), 10e-6);
+  EXPECT_EQ(gap_of("sizes = \"sizes.csv\", from = \"150 um\""), 15e-6);
+  EXPECT_EQ(gap_of("sizes = \"sizes.csv\", from = \"50 um\""), 10e-6) << "the table begins above";
+  EXPECT_EQ(gap_of("sizes = { diameter = \"1 mm\" }"), 100e-6);
+}
+
+TEST_F(DeckStages, AGapInPointsOnSeveralGridsIsDoubtful) {
+  const auto warnings_of = [&](std::string_view cells, std::string_view gap) {
+    return stage(test::join("cells = ", cells, R"(
+filler = { material = "hmx", sizes = { list = ["1 mm"] }, gap = ")",
+                            gap, "\" }\npacking = { method = \"lubachevsky-stillinger\" }"))
+        .warnings;
+  };
+  EXPECT_THAT(warnings_of("[30, 60]", "6 points"),
+              ElementsAre(AllOf(HasSubstr("300 um, follows from the finest grid"), HasSubstr("gap = \"300 um\""))));
+  EXPECT_THAT(warnings_of("[30, 60]", "0.3 mm"), testing::IsEmpty());
+  EXPECT_THAT(warnings_of("60", "6 points"), testing::IsEmpty());
+}
+
+TEST_F(DeckStages, TheFractionMayBeInPerCent) {
+  const auto fraction_of = [&](std::string_view fraction) {
+    return filler(test::join("filler = { material = \"hmx\", sizes = { diameter = \"1 mm\" }, fraction = ", fraction,
+                             " }\npacking = { method = \"lubachevsky-stillinger\" }"))
+        .fraction;
+  };
+  EXPECT_EQ(fraction_of("\"35 %\""), 0.35);
+  EXPECT_EQ(fraction_of("0.35"), 0.35);
+  EXPECT_THAT(mistakes("fraction = \"35\", sizes = { diameter = \"1 mm\" }", random_packing),
+              HasSubstr(R"(fraction: expected a number between 0 and 1, or per cent as in "35 %", got "35")"));
+  EXPECT_THAT(mistakes("fraction = \"100 %\", sizes = { diameter = \"1 mm\" }", random_packing),
+              HasSubstr(R"(got "100 %")"));
+}
+
+TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n");
+  const auto periodic = filler(
+      "filler = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\", walls = false }");
+  EXPECT_EQ(std::get<ExplicitPacking>(periodic.packing).walls, Walls::periodic);
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\""), HasSubstr("crosses a wall by 0.0004 m"));
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n5.8e-3,3e-3,1e-3\n");
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"), HasSubstr("overlap by 0.0007 m"))
+      << "across the sides";
+  directory.write("discs.csv", "x_m,y_m,diameter_m\n-0.1e-3,3e-3,1e-3\n");
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"),
+              HasSubstr("discs.csv:2: expected a centre in the box"));
+}
+
+TEST_F(DeckStages, WhatIsNotAvailableIsNamed) {
+  const auto discs_alone = HasSubstr("all particles are discs so far: other shapes and images are not available");
+  EXPECT_THAT(mistakes("cells = 60\nfiller = [{ material = \"hmx\" }, { material = \"binder\" }]\npacking = { method = "
+                       "\"regular\" }\n"),
+              AllOf(HasSubstr("stages.a.filler: expected one table: several fillers in a box are not available yet"),
+                    Not(HasSubstr("got an array")), Not(HasSubstr("packing"))));
+  EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"image\", image = \"grains.png\""), discs_alone);
+  EXPECT_THAT(mistakes("shape = \"ellipse\", sizes = { diameter = \"1 mm\" }", regular_packing),
+              AllOf(HasSubstr("a.filler.shape: "), discs_alone, Not(HasSubstr("unknown key"))));
+  EXPECT_THAT(mistakes("image = \"grains.png\", sizes = { diameter = \"1 mm\" }", regular_packing), discs_alone);
+  EXPECT_THAT(mistakes("cells = 60\nimage = \"grains.png\"\n"), discs_alone);
+  directory.write("grains.PNG", "\x89PNG\r\n\x1a\n");
+  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"grains.PNG\""),
+              AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), discs_alone));
 }
 
 TEST_F(DeckStages, MistakesInTheGrid) {
@@ -185,7 +285,16 @@ TEST_F(DeckStages, MistakesInTheAmount) {
   EXPECT_THAT(mistakes("fraction = 0.5, sizes = { diameter = \"1 mm\" }", regular_packing),
               HasSubstr("filler.fraction: a regular packing has the fraction that follows"));
   EXPECT_THAT(mistakes("fraction = 0.5, gap = \"1 s\", sizes = { diameter = \"1 mm\" }", random_packing),
-              HasSubstr("filler.gap: expected a length such as \"0.5 um\" or a number of material points"));
+              HasSubstr("filler.gap: expected a length such as \"0.5 um\", a share of the smallest diameter such as"));
+  for (const auto* gap : {"\"-1 um\"", "\"-5 %\"", "\"1e300 %\"", "\"ten %\"", "\"-6 points\""}) {
+    EXPECT_THAT(mistakes(test::join("sizes = { list = [\"1 mm\"] }, gap = ", gap), random_packing),
+                HasSubstr("filler.gap: expected a length"))
+        << gap;
+  }
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }, gap = 3", random_packing),
+              HasSubstr("filler.gap: expected text in quotes"));
+  EXPECT_THAT(mistakes("sizes = { list = [\"1 mm\"] }, gap = \"900 %\"", random_packing),
+              HasSubstr("a gap of 9 mm does not fit into a box of 6 mm"));
 }
 
 TEST_F(DeckStages, MistakesInTheSizes) {

@@ -40,6 +40,15 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
 }
 
+TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
+  const auto periodic = test::replaced(std::string(test::stage), "stillinger\"", "stillinger\", walls = false");
+  const auto bounds_of = [&](std::string_view lines) {
+    return directory.study(test::join(test::materials, periodic, "[tests]\n", times, lines)).tests.bounds;
+  };
+  EXPECT_THAT(bounds_of(""), ElementsAre(Bound::periodic));
+  EXPECT_THAT(bounds_of("bounds = [\"upper\"]"), ElementsAre(Bound::upper)) << "as the deck wishes";
+}
+
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());

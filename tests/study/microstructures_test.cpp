@@ -96,6 +96,16 @@ TEST(MakeMicrostructure, ExplicitDiscsMustNotOverlap) {
               HasSubstr("overlap by 0.001 m"));
 }
 
+TEST(MakeMicrostructure, ExplicitDiscsGoOnBeyondTheSidesOfAPeriodicBox) {
+  auto filler = listed({{{0.5e-3, 5e-3}, 2e-3}, {{8e-3, 5e-3}, 2e-3}});
+  std::get<ExplicitPacking>(filler.packing).walls = Walls::periodic;
+  const auto packed = make_microstructure(box(filler));
+  EXPECT_EQ(packed.microstructure.walls, Walls::periodic);
+  EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12) << "across the side";
+  EXPECT_NEAR(packed.fraction, 2.0 * pi / 100.0, 1e-12);
+  EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
+}
+
 TEST(MakeMicrostructure, ListedSizesArePackedAsTheyAre) {
   const std::vector<double> sizes{3e-3, 1e-3, 2e-3, 1e-3};
   const auto packed = make_microstructure(box(random(ListedSizes{sizes}, std::nullopt)));
@@ -142,7 +152,9 @@ TEST(MakeMicrostructure, TheSeedDecidesWhereParticlesAre) {
 TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
   const auto message = test::message_of<NumericalError>(
       [] { static_cast<void>(make_microstructure(box(random(SingleSize{1e-3}, 0.85)))); });
-  EXPECT_THAT(message, HasSubstr("cannot keep a gap of 0.00015 m"));
+  EXPECT_THAT(message,
+              AllOf(HasSubstr("A: 108 particles of 1 mm at a fraction of 0.85 with a gap of 150 um (3 cells of 50 um)"),
+                    HasSubstr("cannot be packed")));
 }
 
 /// As a run makes it that is cut off after every part of it. Counts the interruptions.

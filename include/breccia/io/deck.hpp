@@ -67,6 +67,8 @@ class Section {
   [[nodiscard]] double number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<double> optional_number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, const Range& range = {}) const;
+  /// A share above 0 and below 1, given as a number or in per cent: 0.35 or "35 %".
+  [[nodiscard]] double fraction(const std::string& key) const;
   [[nodiscard]] std::int64_t integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<std::int64_t> optional_integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key, const Range& range = {}) const;

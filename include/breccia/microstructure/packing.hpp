@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
+#include "breccia/error.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 
 namespace breccia {
@@ -20,6 +22,34 @@ struct PackingRequest {
   /// packing that jams early is tried again, more slowly. Slow growth packs denser and takes longer.
   double growth_rate = 0.1;
 };
+
+/// What keeps particles from being packed.
+enum class PackingObstacle {
+  size,     ///< the largest of them, with the gap, is wider than the box
+  density,  ///< no arrangement of such particles is so dense
+  jam       ///< they have jammed at every growth rate
+};
+
+/// A packing that is impossible.
+class PackingError : public NumericalError {
+ public:
+  PackingError(PackingObstacle obstacle, double attainable_fraction, const std::string& message)
+      : NumericalError(message), obstacle_(obstacle), attainable_fraction_(attainable_fraction) {}
+  [[nodiscard]] PackingObstacle obstacle() const noexcept { return obstacle_; }
+  /// Of the particles with half the gap around each: the volume fraction at which they have jammed, or that of the
+  /// densest arrangement [-]; 0 where one of them does not fit into the box.
+  [[nodiscard]] double attainable_fraction() const noexcept { return attainable_fraction_; }
+
+ private:
+  PackingObstacle obstacle_;
+  double attainable_fraction_;
+};
+
+/// Volume fraction of the particles with half the gap around each.
+template <int dim>
+[[nodiscard]] double inflated_fraction(const PackingRequest& request);
+
+extern template double inflated_fraction<2>(const PackingRequest&);
 
 /// How far a packing has come.
 struct PackingProgress {
@@ -61,7 +91,7 @@ class GrowingBalls;
 template <int dim>
 class PackingRun {
  public:
-  /// Throws InputError on arguments without meaning, NumericalError if the packing is impossible.
+  /// Throws InputError on arguments without meaning, PackingError if the packing is impossible.
   explicit PackingRun(PackingRequest request);
   /// Goes on from where another run with this request was. Throws InputError, too, if the state is of no such run.
   PackingRun(PackingRequest request, const PackingState<dim>& state);
@@ -72,7 +102,7 @@ class PackingRun {
   ~PackingRun();
 
   [[nodiscard]] bool is_done() const noexcept;
-  /// As far as the particles grow by a tenth, or twenty events come to each. Throws NumericalError if they jam at every
+  /// As far as the particles grow by a tenth, or twenty events come to each. Throws PackingError if they jam at every
   /// growth rate before they have the diameters asked for (the message says how far it came).
   void advance();
   [[nodiscard]] PackingProgress progress() const noexcept;

@@ -99,7 +99,7 @@ struct StudyResult {
 /// Those who follow a running study. What they throw ends it.
 struct StudyObserver {
   std::function<void(const Stage&, const PackingProgress&)> packing = {};
-  std::function<void(const StageResult&)> packed = {};
+  std::function<void(const Stage&, const StageResult&)> packed = {};
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
   std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};

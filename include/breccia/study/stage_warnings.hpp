@@ -8,8 +8,10 @@
 
 namespace breccia {
 
-/// What makes the results of a stage doubtful before anything is computed, each with the name of the stage: gaps that
-/// its grid hardly sees, particles that a boundary cuts, times at which the spectrum of its matrix says nothing.
+/// What makes the results of a stage doubtful before anything is computed, each with the name of the stage: a gap that
+/// follows the grid, particles too near in size to those of its matrix, gaps that its grid hardly sees, particles that
+/// a boundary cuts, times at which the spectrum of its matrix says nothing; and each with the name of the material what
+/// is doubtful in the materials that no earlier stage has.
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage, const StageMicrostructure& microstructure);
 
 }  // namespace breccia

@@ -62,9 +62,18 @@ struct RegularPacking {
 struct ExplicitPacking {
   std::filesystem::path file;
   std::vector<Disc> discs;
+  Walls walls = Walls::hard;
 };
 
 using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
+
+/// What a deck has derived the gap between particles from.
+enum class GapSource {
+  length,         ///< a length
+  diameter,       ///< a share of the smallest diameter
+  default_share,  ///< the share of the smallest diameter that holds where the deck says nothing
+  points          ///< a number of material points, so that the gap follows the grid
+};
 
 /// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
 struct Filler {
@@ -74,6 +83,7 @@ struct Filler {
   std::optional<double> largest;   ///< sizes are cut above this diameter [m]
   std::optional<Sizes> sizes;
   double gap = 0.0;  ///< smallest distance between particles, and between a particle and a wall [m]
+  GapSource gap_source = GapSource::length;
   PackingMethod packing;
 };
 
@@ -93,6 +103,7 @@ struct Stage {
   int cells = 0;                        ///< per side; of the finest grid where there are several
   std::vector<int> coarser_cells = {};  ///< per side of the coarser grids from which curves are extrapolated, rising
   std::optional<Filler> filler;
+  std::vector<std::string> warnings = {};  ///< what is doubtful in the deck itself, without the name of the stage
 
   /// Side of a cell [m].
   [[nodiscard]] double cell_size() const { return side / cells; }

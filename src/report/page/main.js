@@ -1,6 +1,7 @@
 "use strict";
 
 showSummary();
+showWholeFiller();
 showWarnings();
 showComparison();
 showPictures();

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace breccia {
+
+/// The share that a text in per cent stands for: "35 %" is 0.35. Nothing where the text is anything else.
+std::optional<double> parse_percentage(std::string_view text);
+
+}  // namespace breccia

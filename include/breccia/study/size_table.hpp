@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Reads a CSV file with columns diameter_m, rising, and cumulative_volume_fraction, from 0 to 1. Throws InputError
+/// with the place of the mistake, and FileError.
+TabulatedSizes read_size_table(const std::filesystem::path& path);
+
+}  // namespace breccia

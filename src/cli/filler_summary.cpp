@@ -1,0 +1,20 @@
+#include "filler_summary.hpp"
+
+#include <fmt/format.h>
+
+#include "breccia/study/run.hpp"
+#include "breccia/study/whole_filler.hpp"
+
+namespace breccia::cli {
+
+std::string filler_summary(const Study& study, const std::vector<double>& fractions) {
+  std::string text;
+  for (const auto& stage : study.stages) {
+    if (serves_as_matrix(study, stage)) continue;
+    const auto whole = filler_of_the_whole(study, stage, fractions);
+    if (whole.fraction > 0.0) text += fmt::format("{}: filler of the whole: {}\n", stage.name, in_words(whole));
+  }
+  return text;
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,94 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/percentage.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/study/size_table.hpp"
+#include "breccia/study/staging.hpp"
+
+#include "command.hpp"
+
+namespace breccia::cli {
+namespace {
+
+struct StagesArguments {
+  std::filesystem::path sizes;
+  std::string fraction;
+  std::vector<std::string> cuts;
+  std::string from, to;
+};
+
+/// The values of options, and every mistake in them.
+class OptionReader {
+ public:
+  double length(const std::string& option, const std::string& text) {
+    try {
+      return parse_quantity(text, Dimension::length);
+    } catch (const InputError& error) {
+      mistakes_.push_back(fmt::format("{}: {}", option, error.what()));
+      return 0.0;
+    }
+  }
+
+  double fraction(const std::string& option, const std::string& text) {
+    if (const auto share = parse_percentage(text)) return *share;
+    // A plain number is a hundred times as many per cent.
+    if (const auto share = parse_percentage(text + "%")) return 100.0 * *share;
+    mistakes_.push_back(
+        fmt::format(R"({}: expected a number between 0 and 1, or per cent as in "94 %", got "{}")", option, text));
+    return 0.0;
+  }
+
+  /// Throws InputError with the mistakes.
+  void finish() const {
+    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
+  }
+
+ private:
+  std::vector<std::string> mistakes_;
+};
+
+void run_stages(const StagesArguments& arguments) {
+  OptionReader options;
+  const double fraction = options.fraction("--fraction", arguments.fraction);
+  std::vector<double> bounds;
+  for (const auto& cut : arguments.cuts) bounds.push_back(options.length("--at", cut));
+  const double from = arguments.from.empty() ? 0.0 : options.length("--from", arguments.from);
+  const double to = arguments.to.empty() ? 0.0 : options.length("--to", arguments.to);
+  options.finish();
+  const auto table = read_size_table(arguments.sizes);
+  bounds.insert(bounds.begin(), arguments.from.empty() ? table.diameters.front() : from);
+  bounds.push_back(arguments.to.empty() ? table.diameters.back() : to);
+  const auto sizes = SizeDistribution::tabulated(table.diameters, table.cumulative_volume_fractions);
+  fmt::print("each stage is the matrix of the next\n");
+  for (const auto& stage : divide_into_stages(sizes, bounds, fraction)) {
+    fmt::print("  fraction = {:.4f}, from = \"{}\", to = \"{}\"    # {:.1f} % of the filler\n", stage.fraction,
+               readable(stage.smallest, Dimension::length), readable(stage.largest, Dimension::length),
+               100.0 * stage.share);
+  }
+}
+
+}  // namespace
+
+void add_stages(CLI::App& application) {
+  auto* command = application.add_subcommand("stages", "the fractions of stages that divide a table of sizes");
+  auto arguments = std::make_shared<StagesArguments>();
+  command->add_option("SIZES", arguments->sizes, "a table of sizes, as `sizes` of a filler")->required()->type_name("");
+  command->add_option("--fraction", arguments->fraction, R"(filler of the whole by volume, such as 0.94 or "94 %")")
+      ->required()
+      ->type_name("SHARE");
+  command->add_option("--at", arguments->cuts, R"(diameters between the stages, such as "14 um" "100 um")")
+      ->required()
+      ->type_name("LENGTH");
+  command->add_option("--from", arguments->from, "the smallest diameter (default: that of the table)")
+      ->type_name("LENGTH");
+  command->add_option("--to", arguments->to, "the largest diameter (default: that of the table)")->type_name("LENGTH");
+  command->callback([arguments] { run_stages(*arguments); });
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,33 @@
+#include "breccia/io/percentage.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace breccia {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+}  // namespace
+
+std::optional<double> parse_percentage(std::string_view text) {
+  text = trimmed(text);
+  if (!text.ends_with('%')) return std::nullopt;
+  text = trimmed(text.substr(0, text.size() - 1));
+  double number = 0.0;
+  const auto* const end_of_text = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), end_of_text, number);
+  if (error != std::errc{} || end != end_of_text || !std::isfinite(number)) return std::nullopt;
+  // Without the rounding of the division, so that "52.4 %" and 0.524 are the same number.
+  const auto digits = fmt::format("{:.15g}", number / 100.0);
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
+}  // namespace breccia

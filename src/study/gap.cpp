@@ -1,0 +1,35 @@
+#include "breccia/study/gap.hpp"
+
+#include <fmt/format.h>
+
+#include "breccia/io/units.hpp"
+#include "breccia/report/display.hpp"
+
+#include "filler_sizes.hpp"
+
+namespace breccia {
+namespace {
+
+/// Where a gap that is no length comes from, to stand after its cells.
+std::string source_in_words(const Stage& stage) {
+  const auto& filler = *stage.filler;
+  if (filler.gap_source == GapSource::points) {
+    return fmt::format(", from {:.6g} points", filler.gap / (0.5 * stage.cell_size()));
+  }
+  const auto diameters = diameters_of(filler);
+  if (filler.gap_source == GapSource::length || !diameters) return {};
+  return fmt::format(", {}{:.4g} % of the smallest diameter",
+                     filler.gap_source == GapSource::default_share ? "the default of " : "",
+                     100.0 * filler.gap / diameters->smallest);
+}
+
+}  // namespace
+
+std::string gap_in_words(const Stage& stage) {
+  const double gap = stage.filler->gap;
+  const auto cells = fmt::format("{:.3g}", gap / stage.cell_size());
+  return fmt::format("{} ({} {} of {}{})", readable(gap, Dimension::length), cells, cells == "1" ? "cell" : "cells",
+                     display(stage.cell_size(), "m", 3), source_in_words(stage));
+}
+
+}  // namespace breccia

@@ -1,0 +1,160 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/text_file.hpp"
+
+#include "good_deck.hpp"
+#include "messages.hpp"
+#include "model_deck.hpp"
+#include "study_directory.hpp"
+
+namespace breccia::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// The model composite by the quasi-static method, with a second stage of one particle of 2 mm built on it.
+std::string two_stages() {
+  auto deck = replaced(std::string(model_deck), "\"dynamic\"", "\"quasistatic\"");
+  deck = replaced(deck, "cells   = 24", "cells   = 12");
+  return deck + R"(
+[[stages]]
+name    = "B"
+matrix  = "A"
+box     = "6 mm"
+cells   = 12
+filler  = { material = "particle", sizes = { diameter = "2 mm" } }
+packing = { method = "regular", columns = 1, rows = 1 }
+)";
+}
+
+TEST(DeckWarnings, ReachCheckAndRunAndTheRecordAndTheReport) {
+  const StudyDirectory study(replaced(two_stages(), "bulk    = \"1 MPa\"", "bulk    = \"0.2 MPa\""));
+  const auto of_material = HasSubstr("warning: binder: Poisson's ratio is -0.1");
+  const auto of_stage = HasSubstr("warning: B: its smallest particles, 2 mm, are no wider than the largest of");
+  EXPECT_THAT(study.breccia("check").output, AllOf(of_material, of_stage));
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, AllOf(of_material, of_stage));
+  const auto record = Json::parse(read_text(study.result("study.json")));
+  EXPECT_THAT(record["stages"][0]["warnings"][0].get<std::string>(), HasSubstr("binder: Poisson's ratio is -0.1"));
+  EXPECT_THAT(record["stages"][1]["warnings"][0].get<std::string>(), HasSubstr("B: its smallest particles, 2 mm"));
+  EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("B: its smallest particles, 2 mm"));
+}
+
+// Four discs of 2 mm in 36 mm^2 fill pi / 9, and one in the rest pi / 36; densities of 1.5 and 1 g/cm^3.
+TEST(DeckWarnings, TheFillerOfTheWholeIsTold) {
+  const StudyDirectory study(two_stages());
+  const auto line = HasSubstr("B: filler of the whole: 40.6 % by volume, 50.6 % by mass\n");
+  const auto check = study.breccia("check");
+  EXPECT_THAT(check.output, AllOf(line, Not(HasSubstr("A: filler of the whole"))));
+  EXPECT_THAT(check.output, HasSubstr("    Poisson  0.30343 at 1 ms, 0.49832 at 50 ms\n"));
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, line);
+  const auto record = Json::parse(read_text(study.result("study.json")));
+  const double first = M_PI / 9.0, both = 1.0 - (1.0 - first) * (1.0 - M_PI / 36.0);
+  EXPECT_NEAR(record["stages"][0]["filler_of_the_whole"]["fraction"].get<double>(), first, 1e-12);
+  const auto whole = record["stages"][1]["filler_of_the_whole"];
+  EXPECT_NEAR(whole["fraction"].get<double>(), both, 1e-12);
+  EXPECT_NEAR(whole["mass_fraction"].get<double>(), 1.5 * both / (1.0 + 0.5 * both), 1e-12);
+  EXPECT_EQ(whole["materials"][0]["material"], "particle");
+}
+
+// 80 % with coarse to fine 70:30, fine below 10 um.
+TEST(StagesCommand, DividesATableOfSizes) {
+  const TemporaryDirectory directory;
+  directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-6,0\n10e-6,0.3\n100e-6,1\n");
+  for (const auto* fraction : {"0.8", "80 %"}) {
+    const auto stages = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", fraction, "--at", "10 um"});
+    EXPECT_EQ(stages.exit_code, 0) << stages.errors;
+    EXPECT_THAT(stages.output, AllOf(HasSubstr("fraction = 0.5455, from = \"1 um\", to = \"10 um\"    # 30.0 % of"),
+                                     HasSubstr("fraction = 0.5600, from = \"10 um\", to = \"100 um\"")));
+  }
+  const auto bad = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "most", "--at", "10 s"});
+  EXPECT_EQ(bad.exit_code, 2);
+  EXPECT_THAT(bad.errors, AllOf(HasSubstr("--fraction: expected a number between 0 and 1"),
+                                HasSubstr("--at: expected a length, got \"10 s\"")));
+  const auto outside = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "0.8", "--at", "1 mm"});
+  EXPECT_EQ(outside.exit_code, 2);
+  EXPECT_THAT(outside.errors, HasSubstr("stages: expected two or more rising diameters"));
+}
+
+TEST(DeckWarnings, TheGapIsShownWithItsSource) {
+  const StudyDirectory study(good_deck);
+  const auto shown = [&](const std::string& gap) {
+    return study.breccia("check", {"--set", "stages.A.filler.gap=" + gap}).output;
+  };
+  EXPECT_THAT(shown("0.12 mm"), HasSubstr("    gap      120 um (1.2 cells of 100 um)\n"));
+  EXPECT_THAT(shown("3 points"),
+              HasSubstr("    gap      150 um (1.5 cells of 100 um, from 3 points): other cells make another gap"));
+  EXPECT_THAT(shown("12 %"), HasSubstr("    gap      120 um (1.2 cells of 100 um, 12 % of the smallest diameter)\n"));
+  study.write("deck.toml", replaced(std::string(good_deck), ", gap = \"0.1 mm\"", ""));
+  EXPECT_THAT(study.breccia("check").output, HasSubstr("the default of 10 % of the smallest diameter)\n"));
+  EXPECT_THAT(study.breccia("pack").output, HasSubstr(", gap 100 um (1 cell of 100 um, the default of 10 %"));
+}
+
+TEST(DeckWarnings, ASweepOverCellsWithAGapInPoints) {
+  const StudyDirectory study(replaced(std::string(good_deck), "0.1 mm", "2 points"));
+  const std::vector<std::string> cells = {"--sweep", "stages.A.cells=[40, 60]"};
+  const auto warning = HasSubstr(
+      "warning: A: the gap between particles is given in points and follows the grids of this sweep, from 100 um to "
+      "150 um");
+  EXPECT_THAT(study.breccia("check", cells).output, warning);
+  const auto pack = study.breccia("pack", cells);
+  EXPECT_EQ(pack.exit_code, 0) << pack.errors;
+  EXPECT_THAT(pack.output, warning);
+  EXPECT_THAT(read_text(study.result("cells-40/study.json")), HasSubstr("follows the grids of this sweep"));
+  EXPECT_THAT(study.breccia("check", {"--sweep", "stages.A.packing.seed=[1, 2]"}).output,
+              Not(HasSubstr("of this sweep")));
+  study.write("deck.toml", good_deck);
+  EXPECT_THAT(study.breccia("check", cells).output, Not(HasSubstr("of this sweep")));
+}
+
+TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
+  auto deck = replaced(std::string(good_deck), "seed = 1", "walls = false, seed = 1");
+  deck = replaced(deck, "cells   = 60", "cells   = 20");
+  const StudyDirectory packed(deck);
+  ASSERT_EQ(packed.breccia("run").exit_code, 0);
+  const auto curves = read_text(packed.result("curves.csv"));
+  EXPECT_THAT(curves, AllOf(HasSubstr(",periodic,"), Not(HasSubstr(",displacement,"))))
+      << "the default where walls = false";
+
+  deck = replaced(deck, R"(, fraction = 0.5, sizes = { diameter = "1 mm" }, gap = "0.1 mm")", "");
+  deck = replaced(deck, R"("lubachevsky-stillinger", walls = false, seed = 1)",
+                  R"("explicit", discs = "microstructure.csv", walls = false)");
+  const StudyDirectory read(deck);
+  read.write("microstructure.csv", read_text(packed.result("A/microstructure.csv")));
+  const auto run = read.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_EQ(read_text(read.result("curves.csv")), curves);
+  EXPECT_THAT(read.breccia("check").output, HasSubstr("discs, periodic\n"));
+  EXPECT_THAT(read.breccia("check", {"--set", "stages.A.packing.walls=true"}).errors, HasSubstr("crosses a wall"));
+}
+
+TEST(DeckWarnings, BoundsThatCutPeriodicParticlesAreTheWishOfTheDeck) {
+  const StudyDirectory study(replaced(std::string(good_deck), "seed = 1", "walls = false"));
+  EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
+  EXPECT_THAT(study.breccia("check", {"--set", R"(tests.bounds=["upper", "periodic"])"}).output,
+              HasSubstr("warning: A: tests.bounds asks for the upper or the lower bound of a periodic box"));
+}
+
+TEST(DeckWarnings, BytesThatAreNotPrintableStayOffTheTerminal) {
+  const StudyDirectory study(
+      replaced(std::string(good_deck), R"("lubachevsky-stillinger", seed = 1)", R"("explicit", discs = "grains.png")"));
+  study.write("grains.png", "\x89PNG\r\n\x1a\n\x1b[31m");
+  const auto check = study.breccia("check");
+  EXPECT_EQ(check.exit_code, 2);
+  EXPECT_THAT(check.errors, HasSubstr("packing.discs: expected a CSV file with columns x_m, y_m, diameter_m, got "));
+  EXPECT_THAT(check.errors, AllOf(Not(HasSubstr("\x1a")), Not(HasSubstr("\x1b"))));
+}
+
+}  // namespace
+}  // namespace breccia::test
