@@ -89,7 +89,7 @@ std::string in_words(const PackingAdvice& advice) {
   const auto gap =
       advice.gap ? fmt::format("a gap of {} or less{} should pack", display(*advice.gap, "m", 2), cells) : "";
   const auto fraction = advice.fraction ? fmt::format("a fraction of {:.3g} or less", *advice.fraction) : "";
-  if (advice.gap && advice.fraction) return fmt::format("{}, and so will {} with this gap", gap, fraction);
+  if (advice.gap && advice.fraction) return fmt::format("{}, and so should {} with this gap", gap, fraction);
   if (advice.gap) return gap;
   if (advice.fraction) return fmt::format("{} with this gap should pack", fraction);
   return "expected fewer or smaller particles";
