@@ -46,7 +46,8 @@ function keyFigure(curves, choice) {
 }
 
 function keyAxis(key, spread) {
-  const isLogarithmic = Math.min(...key.numbers) > 0 && spread >= 8;
+  const hasOrigin = !/^(deg|°)/.test(key.unit ?? "");
+  const isLogarithmic = hasOrigin && Math.min(...key.numbers) > 0 && spread >= 8;
   const ends = [Math.min(...key.numbers), Math.max(...key.numbers)];
   if (isLogarithmic) {
     const room = 0.05 * Math.log10(spread);
