@@ -207,7 +207,9 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   if (name.size() > longest) return std::nullopt;
   const auto text = without_argument(name);
   if (const auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
-  if (const auto parts = split_at_bracket(text)) return meaning_of(*parts);
+  const auto parts = split_at_bracket(text);
+  const auto in_brackets = parts ? meaning_of(*parts) : std::nullopt;
+  if (in_brackets) return in_brackets;
   if (const auto meaning = meaning_by_sign(text)) return meaning;
   return meaning_by_words(text);
 }

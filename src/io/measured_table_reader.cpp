@@ -116,7 +116,7 @@ class MeasuredTableReader {
     if (std::ranges::all_of(fields, &std::string::empty)) return;
     while (fields.size() > count && fields.back().empty()) fields.pop_back();
     if (fields.size() != count) {
-      const bool may_be_commas = layout_.separator == ',' && fields.size() == 2 * count;
+      const bool may_be_commas = layout_.separator == ',' && fields.size() > count;
       mistakes_.add(place(record.line), fmt::format("expected {} values ({})", count, fmt::join(table_.names_, ", ")),
                     fmt::format("{}{}", fields.size(),
                                 may_be_commas ? " (with decimal commas, separate the columns by semicolons)" : ""));

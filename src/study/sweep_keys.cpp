@@ -70,6 +70,10 @@ std::vector<Scalar> read_steps_of_one(const Section& range) {
 
 /// A number of something, such as "48 um" or "6 points"; nothing after a report.
 std::optional<NumberAndUnit> read_end(const Section& range, const std::string& key) {
+  if (range.kind(key) != Kind::text) {
+    range.report(key, "expected a number with its unit, as the other end of the range has one");
+    return std::nullopt;
+  }
   const auto text = range.text(key);
   const auto end = split_quantity(text);
   if (end && !end->unit.empty()) return end;
@@ -110,7 +114,7 @@ std::vector<Scalar> read_counted(const Section& range) {
     spacing = range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"logarithmic", Spacing::logarithmic}})
                   .value_or(Spacing::linear);
   }
-  if (range.kind("from") == Kind::text && range.kind("to") == Kind::text) return read_quantities(range, count, spacing);
+  if (range.kind("from") == Kind::text || range.kind("to") == Kind::text) return read_quantities(range, count, spacing);
   const auto ends = spacing == Spacing::linear ? Range() : Range::positive();
   const double from = range.number("from", ends), to = range.number("to", ends);
   if (std::isnan(from) || std::isnan(to) || count == 0) return {};
