@@ -28,7 +28,7 @@ const std::map<std::string, ModulusKind> modulus_kinds = {
 struct FitArguments {
   std::filesystem::path file;
   std::string modulus;  ///< of a kind; empty: what the columns say
-  std::string to;  ///< a kind of curve; empty: that of the data
+  std::string to;       ///< a kind of curve; empty: that of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -203,7 +203,8 @@ std::string table(const FitResult& result, CurveKind kind) {
   const auto curve = converted(result, kind, 1);
   if (kind == CurveKind::dynamic) return dynamic_table(curve, symbol(result.kind));
   if (kind == CurveKind::relaxation) return time_table(curve, symbol(result.kind), pressure);
-  return time_table(curve, compliance_symbol(result.kind), [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
+  return time_table(curve, compliance_symbol(result.kind),
+                    [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
 }
 
 /// Not that of a study of the same name.

@@ -123,8 +123,8 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
 
 [[noreturn]] void refuse_columns(const MeasuredTable& table) {
   using enum Quantity;
-  table.refuse_unknown_units({time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus,
-                              angular_frequency, temperature});
+  table.refuse_unknown_units(
+      {time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus, angular_frequency, temperature});
   throw InputError(fmt::format(
       "{}: expected the columns of one of\n"
       "  a relaxation modulus  time_s, modulus_Pa\n"

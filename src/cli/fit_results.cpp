@@ -54,8 +54,7 @@ void draw(ModulusPlot& plot, CurveKind kind, const ConvertedCurve& curve, Modulu
   if (kind == CurveKind::dynamic) {
     plot.curves.push_back(
         {.label = fmt::format("{}'", letter), .times = curve.at, .moduli = curve.values, .colour = 0});
-    plot.curves.push_back(
-        {.label = fmt::format("{}''", letter), .times = curve.at, .moduli = curve.loss, .colour = 1});
+    plot.curves.push_back({.label = fmt::format("{}''", letter), .times = curve.at, .moduli = curve.loss, .colour = 1});
   } else {
     const auto label = fmt::format("{}(t)", kind == CurveKind::creep ? compliance_symbol(modulus) : letter);
     plot.curves.push_back({.label = label, .times = curve.at, .moduli = curve.values, .colour = 0});

@@ -33,7 +33,6 @@ struct FitResult {
 /// J, D of tension or B of pressure.
 std::string_view compliance_symbol(ModulusKind kind);
 
-
 /// A curve at logarithmic times or frequencies over the reach of the data.
 struct ConvertedCurve {
   std::vector<double> at;      ///< times [s] or angular frequencies [rad/s]

@@ -99,8 +99,8 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
   const std::string_view unit = meaning.unit;
   if (meaning.quantity == Quantity::cumulative_volume_fraction) return fraction(unit);
   if (unit.empty()) {
-    throw InputError(fmt::format("expected one in the name of the column, as in \"[{}]\", got none",
-                                 example_of_unit(meaning)));
+    throw InputError(
+        fmt::format("expected one in the name of the column, as in \"[{}]\", got none", example_of_unit(meaning)));
   }
   switch (meaning.quantity) {
     case Quantity::time:

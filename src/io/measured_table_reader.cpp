@@ -96,13 +96,13 @@ class MeasuredTableReader {
       try {
         sources_.push_back({i, detail::conversion_of(*meanings_[i])});
       } catch (const InputError& error) {
-        table_.unknown_units_.push_back(
-            {quantity, fmt::format("the unit of {}: {}", shown_value(name), error.what())});
+        table_.unknown_units_.push_back({quantity, fmt::format("the unit of {}: {}", shown_value(name), error.what())});
         continue;
       }
-      const auto earlier = std::ranges::find_if(table_.columns_, [&, wanted = quantity, same = kind](const auto& column) {
-        return column.quantity == wanted && column.kind == same;
-      });
+      const auto earlier =
+          std::ranges::find_if(table_.columns_, [&, wanted = quantity, same = kind](const auto& column) {
+            return column.quantity == wanted && column.kind == same;
+          });
       if (earlier != table_.columns_.end()) {
         mistakes_.add("", fmt::format("{} says the same as {}", shown_value(name), shown_value(earlier->name)));
       }

@@ -43,11 +43,11 @@ std::optional<ModulusKind> kind_of_word(std::string_view word) {
   using enum ModulusKind;
   // An "elastic modulus" is Young's to most who write so; a rheologist's elastic modulus is called storage modulus.
   constexpr std::array<std::pair<std::string_view, ModulusKind>, 19> words{{
-      {"shear", shear},         {"young", young},           {"youngs", young},      {"young's", young},
-      {"tensile", young},       {"tension", young},         {"extensional", young}, {"uniaxial", young},
-      {"flexural", young},      {"bending", young},         {"elastic", young},     {"bulk", bulk},
-      {"volumetric", bulk},     {"compression", other},     {"compressive", other}, {"constrained", other},
-      {"longitudinal", other},  {"oedometric", other},      {"plane", other},
+      {"shear", shear},        {"young", young},       {"youngs", young},      {"young's", young},
+      {"tensile", young},      {"tension", young},     {"extensional", young}, {"uniaxial", young},
+      {"flexural", young},     {"bending", young},     {"elastic", young},     {"bulk", bulk},
+      {"volumetric", bulk},    {"compression", other}, {"compressive", other}, {"constrained", other},
+      {"longitudinal", other}, {"oedometric", other},  {"plane", other},
   }};
   const auto* found = std::ranges::find(words, word, &std::pair<std::string_view, ModulusKind>::first);
   return found == words.end() ? std::nullopt : std::optional(found->second);
@@ -59,7 +59,8 @@ std::string conversion_hint(ModulusKind held, ModulusKind wanted) {
     const auto* formula = wanted == ModulusKind::bulk ? "K = E / (3 (1 - 2 nu))" : "G = E / (2 (1 + nu))";
     return fmt::format("convert it by {}, nu being Poisson's ratio, and call the column {}", formula, column);
   }
-  return fmt::format("a {} does not follow from it; if it is one all the same, call the column {}", name(wanted), column);
+  return fmt::format("a {} does not follow from it; if it is one all the same, call the column {}", name(wanted),
+                     column);
 }
 
 }  // namespace breccia

@@ -10,8 +10,8 @@ namespace breccia::detail {
 /// How a table is written.
 struct TableLayout {
   char separator = ',';
-  CsvRecord header;              ///< the first row that names two known columns, or else the first row
-  std::size_t known_columns = 0; ///< that the header names
+  CsvRecord header;               ///< the first row that names two known columns, or else the first row
+  std::size_t known_columns = 0;  ///< that the header names
   bool has_decimal_commas = false;
 };
 

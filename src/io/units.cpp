@@ -108,9 +108,8 @@ std::optional<double> convert(const NumberAndUnit& quantity, const std::string& 
 }
 
 bool are_equal_but_for_case(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](unsigned char one, unsigned char other) {
-    return std::tolower(one) == std::tolower(other);
-  });
+  return std::ranges::equal(
+      a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
 }
 
 /// What was probably meant by a text that is no quantity of the dimension: the end of a message.

@@ -87,8 +87,11 @@ std::vector<Scalar> read_quantities(const Section& range, std::int64_t count, Sp
   if (!from || !to || count == 0) return {};
   const auto last = number_in_unit(*to, from->unit);
   if (!last) {
-    range.report("to", fmt::format(R"(expected a quantity in "{}", the unit of from, or in another that can be converted to it, got "{}")",
-                                   from->unit, range.text("to")));
+    range.report(
+        "to",
+        fmt::format(
+            R"(expected a quantity in "{}", the unit of from, or in another that can be converted to it, got "{}")",
+            from->unit, range.text("to")));
     return {};
   }
   if (!(*last > from->number)) {

@@ -23,7 +23,8 @@ std::string safe(const std::string& text) {
 
 /// The text of a value; "-40 degC" as "minus 40 degC", for a dash in a name joins words.
 std::string with_sign_in_words(const std::string& text) {
-  const bool is_negative = text.size() > 1 && text[0] == '-' && (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
+  const bool is_negative =
+      text.size() > 1 && text[0] == '-' && (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
   return is_negative ? "minus " + text.substr(1) : text;
 }
 

@@ -149,10 +149,10 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
     if (swept) quantities[sweep.keys[key].path] = {{"unit", swept->unit}, {"numbers", swept->numbers}};
   }
   const auto& study = sweep.tasks.front().study;
-  const Json json = {{"program", "breccia"},        {"version", BRECCIA_VERSION},   {"title", study.title},
-                     {"deck", study.deck.string()}, {"deck_text", study.deck_text}, {"overrides", study.overrides},
-                     {"keys", std::move(keys)},     {"quantities", std::move(quantities)},
-                     {"tasks", std::move(tasks)}};
+  const Json json = {
+      {"program", "breccia"},        {"version", BRECCIA_VERSION},          {"title", study.title},
+      {"deck", study.deck.string()}, {"deck_text", study.deck_text},        {"overrides", study.overrides},
+      {"keys", std::move(keys)},     {"quantities", std::move(quantities)}, {"tasks", std::move(tasks)}};
   write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -98,7 +98,9 @@ TEST_F(Csv, RefusesWhatIsNoText) {
   using namespace std::string_literals;
   EXPECT_EQ(mistakes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s),
             "table.csv: expected text, got a binary file, such as a picture");
-  for (const auto& text : {"\xff\xfe" "a\0\n\0"s, "\xfe\xff\0a\0\n"s, "a\0,\0b\0\n\0"s}) {
+  for (const auto& text : {"\xff\xfe"
+                           "a\0\n\0"s,
+                           "\xfe\xff\0a\0\n"s, "a\0,\0b\0\n\0"s}) {
     EXPECT_EQ(mistakes(text), "table.csv: saved as UTF-16; save it as UTF-8");
   }
 }
@@ -114,7 +116,8 @@ TEST_F(Csv, ReportsBadHeaders) {
   EXPECT_EQ(mistakes(""), "table.csv: expected a header line");
   EXPECT_EQ(mistakes("# only a comment\n"), "table.csv: expected a header line");
   EXPECT_EQ(mistakes("a,a\n1,2\n"), "table.csv:1: two columns are called \"a\"");
-  EXPECT_THAT(mistakes("1,2\n3,4\n"), HasSubstr("table.csv:1: expected the name of a column (the first line is the header), got \"1\""));
+  EXPECT_THAT(mistakes("1,2\n3,4\n"),
+              HasSubstr("table.csv:1: expected the name of a column (the first line is the header), got \"1\""));
 }
 
 TEST_F(Csv, NamesTheColumnsThereAreWhenOneIsMissing) {

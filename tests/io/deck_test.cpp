@@ -206,8 +206,9 @@ TEST_F(DeckTest, SyntaxErrorsHaveAPlace) {
 TEST_F(DeckTest, ListsOfTextHaveNoControlCharacters) {
   const auto deck = read("x = [1, \"a\\u0085b\"]\n");
   EXPECT_EQ(deck.root().scalars("x").size(), 1U);
-  EXPECT_EQ(mistakes(deck),
-            "deck.toml:1:9: x: expected text without line breaks, tabs and other control characters, got \"a\\u0085b\"");
+  EXPECT_EQ(
+      mistakes(deck),
+      "deck.toml:1:9: x: expected text without line breaks, tabs and other control characters, got \"a\\u0085b\"");
 }
 
 TEST_F(DeckTest, TypographicQuotesAreNamed) {
@@ -225,10 +226,11 @@ TEST_F(DeckTest, OtherEncodingsAreNamed) {
   const auto mistake = [&](const std::string& text) {
     return without_directory(test::message_of<InputError>([&] { static_cast<void>(read(text)); }));
   };
-  EXPECT_EQ(mistake("\xff\xfe" "a\0 \0=\0 \0001\0"s), "deck.toml: saved as UTF-16; save it as UTF-8");
-  EXPECT_EQ(mistake("a = 1\nb = \"\xb5m\"\n"),
-            "deck.toml:2:6: the byte \\xb5 is not UTF-8; save the file as UTF-8");
-  EXPECT_EQ(mistake("a\0b"s), "deck.toml: expected text, got a binary file, such as a picture");
+  EXPECT_EQ(mistake("\xff\xfe"
+                    "a\0 \0=\0 \0001\0"s),
+            "deck.toml: saved as UTF-16; save it as UTF-8");
+  EXPECT_EQ(mistake("a = 1\nb = \"\xb5m\"\n"), "deck.toml:2:6: the byte \\xb5 is not UTF-8; save the file as UTF-8");
+  EXPECT_EQ(mistake("ab\0c"s), "deck.toml: expected text, got a binary file, such as a picture");
 }
 
 TEST_F(DeckTest, AMissingDeckIsBadUsage) {

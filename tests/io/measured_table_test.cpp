@@ -106,8 +106,9 @@ TEST_F(MeasuredTableTest, OtherUnitsGiveTheSameBits) {
 }
 
 TEST_F(MeasuredTableTest, OtherColumnsMayHoldAnything) {
-  const auto table = read("time_stamp,time_s,,temperature_setpoint_degC,Note,Note,modulus_Pa,log_modulus_Pa\n"
-                          "12:01,1,,-,\"a, b\",c,2,x\n");
+  const auto table = read(
+      "time_stamp,time_s,,temperature_setpoint_degC,Note,Note,modulus_Pa,log_modulus_Pa\n"
+      "12:01,1,,-,\"a, b\",c,2,x\n");
   EXPECT_THAT(table.column(time).values, ElementsAre(1.0));
   EXPECT_THAT(table.column(modulus).values, ElementsAre(2.0));
   EXPECT_FALSE(table.has({temperature}));
@@ -115,10 +116,16 @@ TEST_F(MeasuredTableTest, OtherColumnsMayHoldAnything) {
 
 TEST_F(MeasuredTableTest, AnUnknownUnitMattersWhereNothingElseServes) {
   const auto* text = "time_stamp,modulus_PA\n1,2\n";
-  EXPECT_EQ(mistakes(text, [](const MeasuredTable& table) { table.require({time, modulus}); }),
+  EXPECT_EQ(mistakes(text,
+                     [](const MeasuredTable& table) {
+                       table.require({time, modulus});
+                     }),
             "table.csv: the unit of \"time_stamp\": expected a time, got \"1 stamp\": unknown unit \"stamp\"\n"
             "table.csv: the unit of \"modulus_PA\": expected a pressure, got \"1 PA\", did you mean \"Pa\"?");
-  EXPECT_EQ(mistakes("time,modulus_Pa\n1,2\n", [](const MeasuredTable& table) { table.require({time, modulus}); }),
+  EXPECT_EQ(mistakes("time,modulus_Pa\n1,2\n",
+                     [](const MeasuredTable& table) {
+                       table.require({time, modulus});
+                     }),
             "table.csv: the unit of \"time\": expected one in the name of the column, as in \"[s]\", got none");
   EXPECT_EQ(mistakes("a,modulus_Pa\n1,2\n", [](const MeasuredTable& table) { table.require({time}); }),
             "table.csv: no column of times, such as time_s; it has \"a\", \"modulus_Pa\"");
@@ -147,8 +154,9 @@ TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
 }
 
 TEST_F(MeasuredTableTest, Latin1) {
-  const auto table = read("Temp [\xb0"
-                          "C];Frequency [Hz]\n20;1\n");
+  const auto table = read(
+      "Temp [\xb0"
+      "C];Frequency [Hz]\n20;1\n");
   EXPECT_DOUBLE_EQ(table.column(temperature).values.at(0), 293.15);
 }
 
@@ -174,8 +182,8 @@ TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {
             "table.csv: expected a shear modulus, got \"youngs_modulus_Pa\" (Young's modulus): convert it by "
             "G = E / (2 (1 + nu)), nu being Poisson's ratio, and call the column shear_modulus_Pa");
   EXPECT_THAT(mistakes(young, of_kind(ModulusKind::bulk)), HasSubstr("K = E / (3 (1 - 2 nu))"));
-  for (const auto* name : {"tensile_modulus_Pa", "elastic_modulus_MPa", "bulk_modulus_Pa", "E [GPa]",
-                           "constrained_modulus_Pa"}) {
+  for (const auto* name :
+       {"tensile_modulus_Pa", "elastic_modulus_MPa", "bulk_modulus_Pa", "E [GPa]", "constrained_modulus_Pa"}) {
     EXPECT_THAT(mistakes(std::string("time_s,") + name + "\n1,2\n", of_kind(ModulusKind::shear)),
                 HasSubstr("expected a shear modulus, got"))
         << name;

@@ -17,12 +17,12 @@ TEST(Printable, ControlCharactersAndBrokenBytesAreEscaped) {
       {"a\nb", "a\\u000ab"},
       {"\x1b[2J", "\\u001b[2J"},
       {"\x7f", "\\u007f"},
-      {"\xc2\x85", "\\u0085"},          // next line
+      {"\xc2\x85", "\\u0085"},  // next line
       {"\xb0"
        "C",
-       "\\xb0C"},                       // Latin-1
-      {"\xc3", "\\xc3"},                 // cut
-      {"\xc0\xaf", "\\xc0\\xaf"},       // longer than need be
+       "\\xb0C"},                           // Latin-1
+      {"\xc3", "\\xc3"},                    // cut
+      {"\xc0\xaf", "\\xc0\\xaf"},           // longer than need be
       {"\xed\xa0\x80", "\\xed\\xa0\\x80"},  // half of a pair
   };
   for (const auto& [text, escaped] : cases) {

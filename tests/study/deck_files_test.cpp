@@ -15,13 +15,14 @@ using testing::HasSubstr;
 class DeckFiles : public testing::Test {
  protected:
   [[nodiscard]] Stage stage(const std::string& filler, const std::string& packing) const {
-    const auto text = test::join(test::materials, "[[stages]]\nname = \"A\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 300\n",
-                                 "filler = ", filler, "\npacking = ", packing, "\n", test::tests);
+    const auto text =
+        test::join(test::materials, "[[stages]]\nname = \"A\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 300\n",
+                   "filler = ", filler, "\npacking = ", packing, "\n", test::tests);
     return directory.study(text).stages.at(0);
   }
   [[nodiscard]] static std::string measured(const std::string& name, const std::string& shear) {
-    return test::join(test::materials, test::stage, test::tests, "[[measurements]]\nname = \"", name, "\"\nshear = ", shear,
-                      "\n");
+    return test::join(test::materials, test::stage, test::tests, "[[measurements]]\nname = \"", name,
+                      "\"\nshear = ", shear, "\n");
   }
 
   test::DeckDirectory directory;
@@ -68,9 +69,11 @@ TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {
 
 TEST_F(DeckFiles, NamesHaveNoControlCharacters) {
   directory.write("curve.csv", "time_s,modulus_Pa\n1,3\n2,2\n");
-  EXPECT_THAT(directory.mistakes("title = \"a\\nb\"\n" + measured("c\\rd", "{ curve = \"curve.csv\" }")),
-              AllOf(HasSubstr("deck.toml:1:9: title: expected text without line breaks"),
-                    HasSubstr(".name: expected text without line breaks, tabs and other control characters, got \"c\\u000dd\"")));
+  EXPECT_THAT(
+      directory.mistakes("title = \"a\\nb\"\n" + measured("c\\rd", "{ curve = \"curve.csv\" }")),
+      AllOf(
+          HasSubstr("deck.toml:1:9: title: expected text without line breaks"),
+          HasSubstr(".name: expected text without line breaks, tabs and other control characters, got \"c\\u000dd\"")));
 }
 
 }  // namespace

@@ -75,8 +75,9 @@ TEST_F(DeckMaterials, MistakesInAFileHaveItsLine) {
   EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:3: a second term with an infinite relaxation time"));
   directory.write("g.csv", "time,modulus_Pa\n1,2\n");
   EXPECT_EQ(mistakes(shear),
-            test::join(place, "g.csv: no column of relaxation times, such as relaxation_time_s; it has \"time\", "
-                              "\"modulus_Pa\""));
+            test::join(place,
+                       "g.csv: no column of relaxation times, such as relaxation_time_s; it has \"time\", "
+                       "\"modulus_Pa\""));
   directory.write("g.csv", "relaxation_time_s,G\n1,2\n");
   EXPECT_THAT(mistakes(shear), HasSubstr("g.csv: the unit of \"G\": expected one in the name of the column"));
   directory.write("g.csv", "relaxation_time_s,storage_modulus_Pa\n1,2\n");
@@ -99,7 +100,8 @@ TEST_F(DeckMaterials, AnotherModulusIsNotTakenForShear) {
 
 TEST_F(DeckMaterials, NamesHaveNoControlCharacters) {
   const auto text = test::replaced(deck("shear = \"1 MPa\""), "materials.binder", "materials.\"b\\nb\"");
-  EXPECT_THAT(directory.mistakes(text), HasSubstr("deck.toml:1:1: materials.b\\u000ab: expected a name without line breaks"));
+  EXPECT_THAT(directory.mistakes(text),
+              HasSubstr("deck.toml:1:1: materials.b\\u000ab: expected a name without line breaks"));
 }
 
 TEST_F(DeckMaterials, Mistakes) {

@@ -40,8 +40,7 @@ TEST(PronyFile, SaysWhichModulusItHolds) {
 TEST(PronyFile, InOtherUnitsIsTheSame) {
   const test::TemporaryDirectory directory;
   const auto si = read_prony_file(directory.written("a.csv", "relaxation_time_s,modulus_Pa\n7e-3,1.1e6\ninf,3e5\n"));
-  const auto other =
-      read_prony_file(directory.written("b.csv", "Relaxation time [ms];G [MPa]\n7;1,1\ninf;0,3\n"));
+  const auto other = read_prony_file(directory.written("b.csv", "Relaxation time [ms];G [MPa]\n7;1,1\ninf;0,3\n"));
   EXPECT_EQ(PronySeries(*si.equilibrium, si.terms), PronySeries(*other.equilibrium, other.terms));
 }
 

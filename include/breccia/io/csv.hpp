@@ -37,9 +37,9 @@ class CsvTable {
 
 /// Reads a CSV file: a header line with the names of the columns, then one row a line. All columns hold numbers (`inf`
 /// is one) except those named as text. Empty lines, lines that begin with #, spaces around values, double quotes (with
-/// separators and line breaks within them), CRLF and a UTF-8 byte order mark are allowed. For tables that Breccia writes
-/// itself; read_measured_table reads what people and instruments write.
-/// Throws InputError with what is wrong (FileMistakes), and FileError when the file cannot be read.
+/// separators and line breaks within them), CRLF and a UTF-8 byte order mark are allowed. For tables that Breccia
+/// writes itself; read_measured_table reads what people and instruments write. Throws InputError with what is wrong
+/// (FileMistakes), and FileError when the file cannot be read.
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& text_columns = {});
 
 /// A column to be written.

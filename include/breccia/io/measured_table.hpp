@@ -56,7 +56,8 @@ class MeasuredTable {
   /// The column of a quantity that has no kind. Throws InputError without one.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity) const;
   /// The column of a modulus or compliance of some kind, or else one whose kind is not said; any where no kind is
-  /// wanted. Throws InputError where there are but columns of other kinds, with what is to be done, and without a column.
+  /// wanted. Throws InputError where there are but columns of other kinds, with what is to be done, and without a
+  /// column.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity, ModulusKind wanted) const;
 
  private:

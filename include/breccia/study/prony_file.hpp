@@ -16,8 +16,9 @@ struct PronyFile {
   std::vector<MaxwellTerm> terms;
 };
 
-/// Reads a table (read_measured_table) of relaxation times and moduli of some kind; an infinite relaxation time marks the
-/// equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind, and FileError.
+/// Reads a table (read_measured_table) of relaxation times and moduli of some kind; an infinite relaxation time marks
+/// the equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind, and
+/// FileError.
 PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind = ModulusKind::unspecified);
 
 /// Writes such a file; the second column is called `modulus_Pa`, with the kind before it where that is known. Throws
