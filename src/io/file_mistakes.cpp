@@ -25,7 +25,7 @@ void FileMistakes::add(std::string_view place, std::string_view expected, std::s
     ++others_;
     return;
   }
-  if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), {std::string(expected), 0});
+  if (kind == kinds_.end()) kind = kinds_.insert(kinds_.end(), Kind{std::string(expected), 0});
   if (++kind->count > most_of_a_kind) return;
   const auto end = got.empty() ? "" : fmt::format(", got {}", got);
   lines_.push_back(printable(fmt::format("{}: {}{}", place.empty() ? file_ : place, expected, end)));

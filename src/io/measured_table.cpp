@@ -43,6 +43,11 @@ std::string_view example_of(Quantity quantity) {
   return {};
 }
 
+/// "the shear modulus", "Young's modulus"
+std::string with_article(ModulusKind kind) {
+  return fmt::format("{}{}", kind == ModulusKind::young ? "" : "the ", name(kind));
+}
+
 }  // namespace
 
 std::string MeasuredTable::place(std::size_t row) const {
@@ -114,10 +119,9 @@ const MeasuredColumn& MeasuredTable::column(Quantity quantity, ModulusKind wante
         columns_, [&](const MeasuredColumn& column) { return column.quantity == quantity && column.kind == kind; });
     if (found != columns_.end()) return *found;
   }
-  throw InputError(fmt::format("{}: expected a {}, got {}{}: {}", path_.string(), breccia::name(wanted),
-                               shown_value(any.name),
-                               any.kind == ModulusKind::other ? "" : fmt::format(" ({})", breccia::name(any.kind)),
-                               conversion_hint(any.kind, wanted)));
+  const auto held = any.kind == ModulusKind::other ? "" : fmt::format(", that of {}", with_article(any.kind));
+  throw InputError(fmt::format("{}: expected a column of {}, got {}{}: {}", path_.string(), with_article(wanted),
+                               shown_value(any.name), held, conversion_hint(any.kind, wanted)));
 }
 
 }  // namespace breccia

@@ -54,13 +54,13 @@ std::optional<ModulusKind> kind_of_word(std::string_view word) {
 }
 
 std::string conversion_hint(ModulusKind held, ModulusKind wanted) {
-  const auto column = fmt::format("{}modulus_Pa", column_prefix(wanted));
+  const auto rename = fmt::format("begin the name of the column with {}", column_prefix(wanted));
   if (held == ModulusKind::young) {
     const auto* formula = wanted == ModulusKind::bulk ? "K = E / (3 (1 - 2 nu))" : "G = E / (2 (1 + nu))";
-    return fmt::format("convert it by {}, nu being Poisson's ratio, and call the column {}", formula, column);
+    return fmt::format("convert it by {}, nu being Poisson's ratio, and {}", formula, rename);
   }
-  return fmt::format("a {} does not follow from it; if it is one all the same, call the column {}", name(wanted),
-                     column);
+  return fmt::format("it cannot be converted without another modulus; if it is the {} all the same, {}", name(wanted),
+                     rename);
 }
 
 }  // namespace breccia

@@ -175,8 +175,9 @@ TEST_F(Fit, CarriesTheKindOfTheModulus) {
                                               R"({ prony = "results/dma-fit/prony.csv" })"));
   const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
   EXPECT_EQ(check.exit_code, 2);
-  EXPECT_THAT(check.errors,
-              HasSubstr("expected a shear modulus, got \"youngs_modulus_Pa\" (Young's modulus): convert"));
+  EXPECT_THAT(
+      check.errors,
+      HasSubstr("expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: convert"));
 }
 
 TEST_F(Fit, IsToldTheKindOfTheModulus) {
@@ -188,7 +189,9 @@ TEST_F(Fit, IsToldTheKindOfTheModulus) {
   write_curve("e.csv", "time_s,tensile_modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
   const auto wrong = run({"e.csv", "--modulus", "shear"});
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_THAT(wrong.errors, HasSubstr("e.csv: expected a shear modulus, got \"tensile_modulus_Pa\" (Young's modulus)"));
+  EXPECT_THAT(
+      wrong.errors,
+      HasSubstr("e.csv: expected a column of the shear modulus, got \"tensile_modulus_Pa\", that of Young's modulus"));
 }
 
 struct BadData {

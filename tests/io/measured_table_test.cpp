@@ -179,17 +179,18 @@ TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {
   };
   const auto* young = "time_s,youngs_modulus_Pa\n1,2\n";
   EXPECT_EQ(mistakes(young, of_kind(ModulusKind::shear)),
-            "table.csv: expected a shear modulus, got \"youngs_modulus_Pa\" (Young's modulus): convert it by "
-            "G = E / (2 (1 + nu)), nu being Poisson's ratio, and call the column shear_modulus_Pa");
+            "table.csv: expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: "
+            "convert it by "
+            "G = E / (2 (1 + nu)), nu being Poisson's ratio, and begin the name of the column with shear_");
   EXPECT_THAT(mistakes(young, of_kind(ModulusKind::bulk)), HasSubstr("K = E / (3 (1 - 2 nu))"));
   for (const auto* name :
        {"tensile_modulus_Pa", "elastic_modulus_MPa", "bulk_modulus_Pa", "E [GPa]", "constrained_modulus_Pa"}) {
     EXPECT_THAT(mistakes(std::string("time_s,") + name + "\n1,2\n", of_kind(ModulusKind::shear)),
-                HasSubstr("expected a shear modulus, got"))
+                HasSubstr("expected a column of the shear modulus, got"))
         << name;
   }
   EXPECT_THAT(mistakes("time_s,shear_modulus_Pa\n1,2\n", of_kind(ModulusKind::bulk)),
-              HasSubstr("expected a bulk modulus, got \"shear_modulus_Pa\""));
+              HasSubstr("expected a column of the bulk modulus, got \"shear_modulus_Pa\""));
   const auto both = read("time_s,youngs_modulus_Pa,shear_modulus_Pa\n1,3,1\n");
   EXPECT_EQ(both.column(modulus, ModulusKind::shear).values.at(0), 1.0);
   EXPECT_THAT(both.kinds(), ElementsAre(ModulusKind::young, ModulusKind::shear));

@@ -1,5 +1,9 @@
 #include "breccia/io/printable.hpp"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace breccia {
@@ -13,7 +17,7 @@ TEST(Printable, TextOfAnyLanguageStaysAsItIs) {
 }
 
 TEST(Printable, ControlCharactersAndBrokenBytesAreEscaped) {
-  const std::pair<std::string, const char*> cases[] = {
+  const std::vector<std::pair<std::string, const char*>> cases = {
       {"a\nb", "a\\u000ab"},
       {"\x1b[2J", "\\u001b[2J"},
       {"\x7f", "\\u007f"},

@@ -61,10 +61,12 @@ TEST_F(DeckFiles, MeasuredCurvesInOtherUnits) {
 TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {
   directory.write("curve.csv", "time_s,E [MPa]\n1,3\n2,2\n");
   directory.write("prony.csv", "relaxation_time_s,tensile_modulus_Pa\n1,3\n");
-  EXPECT_THAT(directory.mistakes(measured("DMA", "{ curve = \"curve.csv\" }")),
-              HasSubstr("shear.curve: curve.csv: expected a shear modulus, got \"E [MPa]\" (Young's modulus)"));
+  EXPECT_THAT(
+      directory.mistakes(measured("DMA", "{ curve = \"curve.csv\" }")),
+      HasSubstr(
+          "shear.curve: curve.csv: expected a column of the shear modulus, got \"E [MPa]\", that of Young's modulus"));
   EXPECT_THAT(directory.mistakes(measured("DMA", "{ prony = \"prony.csv\" }")),
-              HasSubstr("shear.prony: prony.csv: expected a shear modulus, got \"tensile_modulus_Pa\""));
+              HasSubstr("shear.prony: prony.csv: expected a column of the shear modulus, got \"tensile_modulus_Pa\""));
 }
 
 TEST_F(DeckFiles, NamesHaveNoControlCharacters) {

@@ -88,14 +88,15 @@ TEST_F(DeckMaterials, AnotherModulusIsNotTakenForShear) {
   const auto* shear = "shear = { prony = \"g.csv\" }";
   directory.write("g.csv", "relaxation_time_s,youngs_modulus_Pa\n1,3e6\ninf,1e6\n");
   EXPECT_EQ(mistakes(shear),
-            "deck.toml:4:19: materials.binder.shear.prony: g.csv: expected a shear modulus, got \"youngs_modulus_Pa\" "
-            "(Young's modulus): convert it by G = E / (2 (1 + nu)), nu being Poisson's ratio, and call the column "
-            "shear_modulus_Pa");
+            "deck.toml:4:19: materials.binder.shear.prony: g.csv: expected a column of the shear modulus, got "
+            "\"youngs_modulus_Pa\", that of Young's modulus: convert it by G = E / (2 (1 + nu)), nu being Poisson's "
+            "ratio, and begin the name of the column with shear_");
   directory.write("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,3e6\n");
-  EXPECT_THAT(mistakes(shear), HasSubstr("expected a shear modulus, got \"bulk_modulus_Pa\""));
+  EXPECT_THAT(mistakes(shear), HasSubstr("expected a column of the shear modulus, got \"bulk_modulus_Pa\""));
   directory.write("g.csv", "relaxation_time_s,shear_modulus_Pa\n1,3e6\n");
   const auto bulk = directory.mistakes(test::replaced(deck("shear = \"1 MPa\""), "\"3 GPa\"", "{ prony = \"g.csv\" }"));
-  EXPECT_THAT(bulk, HasSubstr("binder.bulk.prony: g.csv: expected a bulk modulus, got \"shear_modulus_Pa\""));
+  EXPECT_THAT(bulk, HasSubstr("binder.bulk.prony: g.csv: expected a column of the bulk modulus, got "
+                              "\"shear_modulus_Pa\", that of the shear modulus"));
 }
 
 TEST_F(DeckMaterials, NamesHaveNoControlCharacters) {
