@@ -194,7 +194,7 @@ std::optional<ColumnMeaning> meaning_by_sign(std::string_view name) {
 std::optional<ColumnMeaning> meaning_by_words(std::string_view name) {
   auto end = name.find_last_of("_ ");
   while (end != std::string_view::npos && end > 0) {
-    if (const auto meaning = meaning_of({name.substr(0, end), name.substr(end + 1)})) return meaning;
+    if (auto meaning = meaning_of({name.substr(0, end), name.substr(end + 1)})) return meaning;
     end = name.find_last_of("_ ", end - 1);
   }
   return std::nullopt;
@@ -206,11 +206,11 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   constexpr std::size_t longest = 200;
   if (name.size() > longest) return std::nullopt;
   const auto text = without_argument(name);
-  if (const auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
+  if (auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
   const auto parts = split_at_bracket(text);
-  const auto in_brackets = parts ? meaning_of(*parts) : std::nullopt;
+  auto in_brackets = parts ? meaning_of(*parts) : std::nullopt;
   if (in_brackets) return in_brackets;
-  if (const auto meaning = meaning_by_sign(text)) return meaning;
+  if (auto meaning = meaning_by_sign(text)) return meaning;
   return meaning_by_words(text);
 }
 

@@ -75,7 +75,7 @@ std::optional<NumberAndUnit> read_end(const Section& range, const std::string& k
     return std::nullopt;
   }
   const auto text = range.text(key);
-  const auto end = split_quantity(text);
+  auto end = split_quantity(text);
   if (end && !end->unit.empty()) return end;
   range.report(key, fmt::format(R"(expected a number with its unit, such as "48 um", got "{}")", text));
   return std::nullopt;
