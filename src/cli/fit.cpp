@@ -22,9 +22,13 @@ namespace {
 const std::map<std::string, CurveKind> kinds = {
     {"relaxation", CurveKind::relaxation}, {"creep", CurveKind::creep}, {"dynamic", CurveKind::dynamic}};
 
+const std::map<std::string, ModulusKind> modulus_kinds = {
+    {"shear", ModulusKind::shear}, {"young", ModulusKind::young}, {"bulk", ModulusKind::bulk}};
+
 struct FitArguments {
   std::filesystem::path file;
-  std::string to;  ///< a kind of curve; empty: that of the data
+  std::string modulus;  ///< of a kind; empty: what the columns say
+  std::string to;       ///< a kind of curve; empty: that of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -162,8 +166,10 @@ std::string shifts(const FitResult& result) {
   return text;
 }
 
-std::string describe(const PronySeries& series) {
-  return fmt::format("{} terms; {} relaxing to {}", series.terms().size(), pressure(series.unrelaxed()),
+std::string describe(const FitResult& result) {
+  const auto& series = result.modulus;
+  const auto kind = result.kind == ModulusKind::unspecified ? "" : fmt::format("{}, ", name(result.kind));
+  return fmt::format("{}{} terms; {} relaxing to {}", kind, series.terms().size(), pressure(series.unrelaxed()),
                      pressure(series.equilibrium()));
 }
 
@@ -175,8 +181,9 @@ std::string quality(const FitResult& result) {
       100.0 * median, 100.0 * worst, where, 100.0 * *std::ranges::max_element(standard_errors));
 }
 
-std::string dynamic_table(const ConvertedCurve& curve) {
-  auto text = fmt::format("\n{:>16}  {:>14}  {:>14}  {:>10}\n", "frequency", "G'", "G''", "tan delta");
+std::string dynamic_table(const ConvertedCurve& curve, std::string_view letter) {
+  auto text = fmt::format("\n{:>16}  {:>14}  {:>14}  {:>10}\n", "frequency", fmt::format("{}'", letter),
+                          fmt::format("{}''", letter), "tan delta");
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
     text += fmt::format("{:>16}  {:>14}  {:>14}  {:>10.4g}\n", fmt::format("{:.4g} rad/s", curve.at[i]),
                         pressure(curve.values[i]), pressure(curve.loss[i]), curve.loss[i] / curve.values[i]);
@@ -184,8 +191,8 @@ std::string dynamic_table(const ConvertedCurve& curve) {
   return text;
 }
 
-std::string time_table(const ConvertedCurve& curve, const char* symbol, std::string (*in_words)(double)) {
-  auto text = fmt::format("\n{:>16}  {:>18}\n", "time", symbol);
+std::string time_table(const ConvertedCurve& curve, std::string_view letter, std::string (*in_words)(double)) {
+  auto text = fmt::format("\n{:>16}  {:>18}\n", "time", letter);
   for (std::size_t i = 0; i < curve.at.size(); ++i) {
     text += fmt::format("{:>16}  {:>18}\n", time(curve.at[i]), in_words(curve.values[i]));
   }
@@ -195,9 +202,10 @@ std::string time_table(const ConvertedCurve& curve, const char* symbol, std::str
 /// The wanted curve at whole decades.
 std::string table(const FitResult& result, CurveKind kind) {
   const auto curve = converted(result, kind, 1);
-  if (kind == CurveKind::dynamic) return dynamic_table(curve);
-  if (kind == CurveKind::relaxation) return time_table(curve, "G", pressure);
-  return time_table(curve, "J", [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
+  if (kind == CurveKind::dynamic) return dynamic_table(curve, symbol(result.kind));
+  if (kind == CurveKind::relaxation) return time_table(curve, symbol(result.kind), pressure);
+  return time_table(curve, compliance_symbol(result.kind),
+                    [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
 }
 
 /// Not that of a study of the same name.
@@ -207,13 +215,15 @@ std::filesystem::path default_directory(const std::filesystem::path& file) {
 
 void fit(const FitArguments& arguments) {
   require_gnuplot();
-  const auto data = read_fit_data(arguments.file);
-  const auto result = std::visit(Fitter(arguments), data);
+  const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
+  const auto [data, modulus_kind] = read_fit_data(arguments.file, given);
+  auto result = std::visit(Fitter(arguments), data);
+  result.kind = modulus_kind;
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
   const auto files = write_fit({directory, arguments.file, arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
-  fmt::print("{}: {}\n", arguments.file.string(), describe(result.modulus));
+  fmt::print("{}: {}\n", arguments.file.string(), describe(result));
   if (result.quality) fmt::print("{}", quality(result));
   if (result.master_curve) fmt::print("{}", shifts(result));
   fmt::print("{}\nResults are in {}: {}\n", table(result, kind), directory.string(), fmt::join(files, ", "));
@@ -231,6 +241,10 @@ void add_fit(CLI::App& application) {
   command->add_option("--to", arguments->to, "the curve wanted (default: of the kind of the data)")
       ->check(CLI::IsMember(kinds).description(""))
       ->type_name("relaxation|creep|dynamic");
+  command
+      ->add_option("--modulus", arguments->modulus, "what was measured, where the names of the columns do not say it")
+      ->check(CLI::IsMember(modulus_kinds).description(""))
+      ->type_name("shear|young|bulk");
   command
       ->add_option("--times-per-decade", arguments->times_per_decade,
                    "relaxation times among which the fit chooses (default: 10)")

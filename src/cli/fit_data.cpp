@@ -5,52 +5,32 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table.hpp"
 #include "breccia/study/prony_file.hpp"
-
-#include "fit_columns.hpp"
 
 namespace breccia::cli {
 namespace {
 
-using Columns = std::map<Quantity, MeasuredColumn>;
-
-bool has(const Columns& columns, std::initializer_list<Quantity> quantities) {
-  return std::ranges::all_of(quantities, [&](Quantity quantity) { return columns.contains(quantity); });
-}
-
-[[noreturn]] void throw_mistakes(std::vector<std::string> mistakes, const std::string& file) {
-  constexpr std::size_t most_shown = 20;
-  if (mistakes.size() > most_shown) {
-    const auto more = mistakes.size() - most_shown;
-    mistakes.resize(most_shown);
-    mistakes.push_back(fmt::format("{}: {} more", file, more));
-  }
-  throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-}
-
 /// Measured quantities have logarithms: each must be positive, and finite.
-void require_positive(const CsvTable& table, const Columns& columns, const std::vector<Quantity>& quantities) {
-  const auto file = table.path().string();
-  std::vector<std::string> mistakes;
+void require_positive(const MeasuredTable& table, const std::vector<const MeasuredColumn*>& columns) {
+  FileMistakes mistakes(table.path());
   constexpr std::size_t fewest = 3;
   if (table.rows() < fewest) {
-    mistakes.push_back(fmt::format("{}: expected at least {} rows, got {}", file, fewest, table.rows()));
+    mistakes.add("", fmt::format("expected at least {} rows", fewest), fmt::format("{}", table.rows()));
   }
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    for (const auto quantity : quantities) {
-      const auto& column = columns.at(quantity);
-      if (column.values[row] > 0.0 && std::isfinite(column.values[row])) continue;
-      mistakes.push_back(
-          fmt::format("{}: {}: expected {}, got {}", table.place(row), column.name,
-                      quantity == Quantity::temperature ? "a temperature above absolute zero" : "a positive number",
-                      table.numbers(column.name)[row]));
+    for (const auto* column : columns) {
+      if (column->values[row] > 0.0 && std::isfinite(column->values[row])) continue;
+      const auto* expected =
+          column->quantity == Quantity::temperature ? "a temperature above absolute zero" : "a positive number";
+      mistakes.add(table.place(row), fmt::format("{}: expected {}", column->name, expected),
+                   fmt::format("{}", column->written[row]));
     }
   }
-  if (!mistakes.empty()) throw_mistakes(std::move(mistakes), file);
+  mistakes.refuse();
 }
 
 /// The rows in an order by which a column rises.
@@ -79,69 +59,99 @@ std::vector<std::vector<std::size_t>> rows_by_temperature(const std::vector<doub
   return groups;
 }
 
-DynamicData dynamic_data(const CsvTable& table, const Columns& columns) {
-  const auto& frequencies = columns.at(Quantity::angular_frequency);
-  const auto& storage = columns.at(Quantity::storage_modulus).values;
-  const auto& loss = columns.at(Quantity::loss_modulus).values;
-  const auto found = columns.find(Quantity::temperature);
-  const auto temperatures =
-      found == columns.end() ? std::vector<double>(table.rows(), 0.0) : std::vector<double>(found->second.values);
-  DynamicData data;
-  std::vector<std::string> mistakes;
-  for (auto& rows : rows_by_temperature(temperatures)) {
-    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return frequencies.values[row]; });
+/// Frequencies stand once at each temperature.
+void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequencies,
+                     const std::vector<std::vector<std::size_t>>& sweeps) {
+  FileMistakes mistakes(table.path());
+  for (const auto& rows : sweeps) {
     for (std::size_t i = 1; i < rows.size(); ++i) {
       if (frequencies.values[rows[i]] > frequencies.values[rows[i - 1]]) continue;
-      mistakes.push_back(fmt::format("{}: {}: {} stands already at {}, at the same temperature", table.place(rows[i]),
-                                     frequencies.name, table.numbers(frequencies.name)[rows[i]],
-                                     table.place(rows[i - 1])));
+      mistakes.add(table.place(rows[i]),
+                   fmt::format("{}: expected each frequency once at a temperature", frequencies.name),
+                   fmt::format("{}, as at {}", frequencies.written[rows[i]], table.place(rows[i - 1])));
     }
+  }
+  mistakes.refuse();
+}
+
+DynamicData dynamic_data(const MeasuredTable& table, ModulusKind kind) {
+  using enum Quantity;
+  table.refuse_unknown_units({temperature});
+  const auto& frequencies = table.column(angular_frequency);
+  const auto& storage = table.column(storage_modulus, kind);
+  const auto& loss = table.column(loss_modulus, kind);
+  std::vector columns = {&frequencies, &storage, &loss};
+  if (table.has({temperature})) columns.push_back(&table.column(temperature));
+  require_positive(table, columns);
+  const auto temperatures =
+      table.has({temperature}) ? table.column(temperature).values : std::vector<double>(table.rows(), 0.0);
+  auto sweeps = rows_by_temperature(temperatures);
+  for (auto& rows : sweeps) {
+    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return frequencies.values[row]; });
+  }
+  refuse_repeated(table, frequencies, sweeps);
+  DynamicData data;
+  for (const auto& rows : sweeps) {
     const auto of_sweep = in_order(temperatures, rows);
     const double mean = std::reduce(of_sweep.begin(), of_sweep.end()) / static_cast<double>(of_sweep.size());
-    data.sweeps.push_back({mean, in_order(frequencies.values, rows), in_order(storage, rows), in_order(loss, rows)});
+    data.sweeps.push_back(
+        {mean, in_order(frequencies.values, rows), in_order(storage.values, rows), in_order(loss.values, rows)});
   }
-  if (!mistakes.empty()) throw_mistakes(std::move(mistakes), table.path().string());
   return data;
 }
 
-}  // namespace
+PronySeries series(const std::filesystem::path& path, ModulusKind kind) {
+  const auto file = read_prony_file(path, kind);
+  if (file.terms.empty()) {
+    throw InputError(fmt::format("{}: a Prony series without a term has nothing to convert", path.string()));
+  }
+  return {file.equilibrium.value_or(0.0), file.terms};
+}
 
-FitData read_fit_data(const std::filesystem::path& path) {
+/// The kind of the moduli in a file, of which the columns may tell one, several or none.
+ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
+  auto kinds = table.kinds();
+  std::erase(kinds, ModulusKind::unspecified);
+  if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is asked for
+  if (kinds.empty()) return ModulusKind::unspecified;
+  if (kinds.size() == 1 && kinds.front() != ModulusKind::other) return kinds.front();
+  throw InputError(fmt::format(
+      "{}: expected one modulus, of shear, Young's or of bulk, got {}: of several choose one by --modulus; one that is "
+      "none of these is fitted when its column is called modulus_Pa",
+      table.path().string(), table.list_of_names()));
+}
+
+[[noreturn]] void refuse_columns(const MeasuredTable& table) {
   using enum Quantity;
-  const auto table = read_csv(path);
-  const auto columns = measured_columns(table);
-  if (has(columns, {relaxation_time, modulus})) {
-    const auto file = read_prony_file(path);
-    if (file.terms.empty()) {
-      throw InputError(fmt::format("{}: a Prony series without a term has nothing to convert", path.string()));
-    }
-    return PronySeries(file.equilibrium.value_or(0.0), file.terms);
-  }
-  if (has(columns, {angular_frequency, storage_modulus, loss_modulus})) {
-    std::vector quantities = {angular_frequency, storage_modulus, loss_modulus};
-    if (has(columns, {temperature})) quantities.push_back(temperature);
-    require_positive(table, columns, quantities);
-    return dynamic_data(table, columns);
-  }
-  const bool is_relaxation = has(columns, {time, modulus}), is_creep = has(columns, {time, compliance});
-  if (is_relaxation != is_creep) {
-    const auto value = is_relaxation ? modulus : compliance;
-    require_positive(table, columns, {time, value});
-    const auto rows = rising_rows(columns.at(time).values);
-    auto times = in_order(columns.at(time).values, rows), values = in_order(columns.at(value).values, rows);
-    if (is_relaxation) return RelaxationData{std::move(times), std::move(values)};
-    return CreepData{std::move(times), std::move(values)};
-  }
+  table.refuse_unknown_units(
+      {time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus, angular_frequency, temperature});
   throw InputError(fmt::format(
       "{}: expected the columns of one of\n"
       "  a relaxation modulus  time_s, modulus_Pa\n"
       "  a creep compliance    time_s, compliance_1_per_Pa\n"
       "  dynamic moduli        frequency_Hz or angular_frequency_rad_per_s, storage_modulus_Pa, loss_modulus_Pa and,\n"
       "                        for a master curve, temperature_K or temperature_degC\n"
-      "with any unit at the end of a name, or\n"
       "  a Prony series        relaxation_time_s, modulus_Pa\n"
-      "; it has \"{}\"",
-      path.string(), fmt::join(table.names(), "\", \"")));
+      "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}",
+      table.path().string(), table.list_of_names()));
+}
+
+}  // namespace
+
+FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given) {
+  using enum Quantity;
+  const auto table = read_measured_table(path);
+  const auto kind = kind_of(table, given);
+  if (table.has({relaxation_time, modulus})) return {series(path, kind), kind};
+  if (table.has({angular_frequency, storage_modulus, loss_modulus})) return {dynamic_data(table, kind), kind};
+  const bool is_relaxation = table.has({time, modulus}), is_creep = table.has({time, compliance});
+  if (is_relaxation == is_creep) refuse_columns(table);
+  const auto& times = table.column(time);
+  const auto& values = table.column(is_relaxation ? modulus : compliance, kind);
+  require_positive(table, {&times, &values});
+  const auto rows = rising_rows(times.values);
+  if (is_relaxation) return {RelaxationData{in_order(times.values, rows), in_order(values.values, rows)}, kind};
+  return {CreepData{in_order(times.values, rows), in_order(values.values, rows)}, kind};
 }
 
 }  // namespace breccia::cli

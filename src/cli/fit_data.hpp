@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
@@ -29,8 +30,15 @@ struct DynamicData {
 /// What `breccia fit` can begin with; a Prony series needs no fit.
 using FitData = std::variant<RelaxationData, CreepData, DynamicData, PronySeries>;
 
-/// Reads a CSV file; its columns say what it is, and their names end with their units (docs/fitting.md).
-/// Throws InputError with one line for each mistake, and FileError.
-FitData read_fit_data(const std::filesystem::path& path);
+/// What a file holds, and of which modulus.
+struct FitInput {
+  FitData data;
+  ModulusKind kind = ModulusKind::unspecified;
+};
+
+/// Reads a table; the names of its columns say what it is, and of which modulus where they tell. Where they do not,
+/// or tell several, it is the kind given.
+/// Throws InputError with what is wrong, as where the file holds another modulus than that given, and FileError.
+FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given = ModulusKind::unspecified);
 
 }  // namespace breccia::cli

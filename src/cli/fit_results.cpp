@@ -31,6 +31,11 @@ std::string file_stem(CurveKind kind) {
   return {};
 }
 
+/// The name of a column of a modulus or compliance: "shear_modulus_Pa".
+std::string column_of(const char* name, ModulusKind kind) {
+  return fmt::format("{}{}", column_prefix(kind), name);
+}
+
 /// Axes for curves of a kind.
 ModulusPlot empty_plot(CurveKind kind, const std::string& title) {
   ModulusPlot plot = {.title = title, .curves = {}};
@@ -45,12 +50,14 @@ ModulusPlot empty_plot(CurveKind kind, const std::string& title) {
   return plot;
 }
 
-void draw(ModulusPlot& plot, CurveKind kind, const ConvertedCurve& curve) {
+void draw(ModulusPlot& plot, CurveKind kind, const ConvertedCurve& curve, ModulusKind modulus) {
+  const auto letter = symbol(modulus);
   if (kind == CurveKind::dynamic) {
-    plot.curves.push_back({.label = "G'", .times = curve.at, .moduli = curve.values, .colour = 0});
-    plot.curves.push_back({.label = "G''", .times = curve.at, .moduli = curve.loss, .colour = 1});
+    plot.curves.push_back(
+        {.label = fmt::format("{}'", letter), .times = curve.at, .moduli = curve.values, .colour = 0});
+    plot.curves.push_back({.label = fmt::format("{}''", letter), .times = curve.at, .moduli = curve.loss, .colour = 1});
   } else {
-    const auto* label = kind == CurveKind::creep ? "J(t)" : "G(t)";
+    const auto label = fmt::format("{}(t)", kind == CurveKind::creep ? compliance_symbol(modulus) : letter);
     plot.curves.push_back({.label = label, .times = curve.at, .moduli = curve.values, .colour = 0});
   }
 }
@@ -65,18 +72,25 @@ struct DrawData {
     plot.curves.push_back(
         {.label = label, .times = at, .moduli = values, .style = PlotStyle::points, .colour = colour});
   }
-  void operator()(const RelaxationData& data) const { marks("G(t), data", data.times, data.moduli, 0); }
-  void operator()(const CreepData& data) const { marks("J(t), data", data.times, data.compliances, 0); }
+  void operator()(const RelaxationData& data) const {
+    marks(fmt::format("{}(t), data", symbol(result.kind)), data.times, data.moduli, 0);
+  }
+  void operator()(const CreepData& data) const {
+    marks(fmt::format("{}(t), data", compliance_symbol(result.kind)), data.times, data.compliances, 0);
+  }
   void operator()(const DynamicData& data) const {
     if (result.master_curve) {
       const auto& curve = *result.master_curve;
-      marks("G', data", curve.frequencies, curve.storage, 0);
-      marks("G'', data", curve.frequencies, curve.loss, 1);
+      dynamic(curve.frequencies, curve.storage, curve.loss);
     } else {
       const auto& sweep = data.sweeps.front();
-      marks("G', data", sweep.frequencies, sweep.storage, 0);
-      marks("G'', data", sweep.frequencies, sweep.loss, 1);
+      dynamic(sweep.frequencies, sweep.storage, sweep.loss);
     }
+  }
+  void dynamic(const std::vector<double>& frequencies, const std::vector<double>& storage,
+               const std::vector<double>& loss) const {
+    marks(fmt::format("{}', data", symbol(result.kind)), frequencies, storage, 0);
+    marks(fmt::format("{}'', data", symbol(result.kind)), frequencies, loss, 1);
   }
   void operator()(const PronySeries&) const {}
 };
@@ -101,7 +115,7 @@ struct FitColumns {
   std::vector<CsvColumn> operator()(const RelaxationData& data) const {
     const auto& quality = *result.quality;
     return {{"time_s", data.times},
-            {"modulus_Pa", data.moduli},
+            {column_of("modulus_Pa", result.kind), data.moduli},
             {"fit_Pa", quality.fitted},
             {"deviation", deviations(quality.fitted, data.moduli)},
             {"standard_error", quality.standard_errors}};
@@ -109,7 +123,7 @@ struct FitColumns {
   std::vector<CsvColumn> operator()(const CreepData& data) const {
     const auto& quality = *result.quality;
     return {{"time_s", data.times},
-            {"compliance_1_per_Pa", data.compliances},
+            {column_of("compliance_1_per_Pa", result.kind), data.compliances},
             {"fit_1_per_Pa", quality.fitted},
             {"deviation", deviations(quality.fitted, data.compliances)},
             {"standard_error", quality.standard_errors}};
@@ -130,8 +144,8 @@ struct FitColumns {
     const auto& quality = *result.quality;
     const auto fitted_storage = first_half(quality.fitted), fitted_loss = second_half(quality.fitted);
     return {{name, frequencies},
-            {"storage_modulus_Pa", storage},
-            {"loss_modulus_Pa", loss},
+            {column_of("storage_modulus_Pa", result.kind), storage},
+            {column_of("loss_modulus_Pa", result.kind), loss},
             {"fit_storage_Pa", fitted_storage},
             {"fit_loss_Pa", fitted_loss},
             {"storage_deviation", deviations(fitted_storage, storage)},
@@ -141,24 +155,24 @@ struct FitColumns {
   }
 };
 
-std::vector<CsvColumn> curve_columns(CurveKind kind, const ConvertedCurve& curve) {
+std::vector<CsvColumn> curve_columns(CurveKind kind, const ConvertedCurve& curve, ModulusKind modulus) {
   switch (kind) {
     case CurveKind::relaxation:
-      return {{"time_s", curve.at}, {"modulus_Pa", curve.values}};
+      return {{"time_s", curve.at}, {column_of("modulus_Pa", modulus), curve.values}};
     case CurveKind::creep:
-      return {{"time_s", curve.at}, {"compliance_1_per_Pa", curve.values}};
+      return {{"time_s", curve.at}, {column_of("compliance_1_per_Pa", modulus), curve.values}};
     case CurveKind::dynamic:
       break;
   }
   std::vector<double> loss_factors(curve.at.size());
   std::ranges::transform(curve.loss, curve.values, loss_factors.begin(), std::divides{});
   return {{"angular_frequency_rad_per_s", curve.at},
-          {"storage_modulus_Pa", curve.values},
-          {"loss_modulus_Pa", curve.loss},
+          {column_of("storage_modulus_Pa", modulus), curve.values},
+          {column_of("loss_modulus_Pa", modulus), curve.loss},
           {"tan_delta", loss_factors}};
 }
 
-std::vector<CsvColumn> retardation_columns(const CreepCompliance& compliance) {
+std::vector<CsvColumn> retardation_columns(const CreepCompliance& compliance, ModulusKind modulus) {
   std::vector<double> times, compliances;
   for (const auto& term : compliance.terms()) {
     times.push_back(term.retardation_time);
@@ -166,7 +180,7 @@ std::vector<CsvColumn> retardation_columns(const CreepCompliance& compliance) {
   }
   times.push_back(0.0);
   compliances.push_back(compliance.instantaneous());
-  return {{"retardation_time_s", times}, {"compliance_1_per_Pa", compliances}};
+  return {{"retardation_time_s", times}, {column_of("compliance_1_per_Pa", modulus), compliances}};
 }
 
 std::vector<CsvColumn> shift_columns(const FitResult& result) {
@@ -195,8 +209,8 @@ class Writer {
     write_csv(results_.place() / name, columns, comment);
     names_.push_back(name);
   }
-  void series(const std::string& name, const PronySeries& series, const std::string& comment) {
-    write_prony_file(results_.place() / name, series, comment);
+  void series(const std::string& name, const PronySeries& series, ModulusKind kind, const std::string& comment) {
+    write_prony_file(results_.place() / name, series, kind, comment);
     names_.push_back(name);
   }
   void picture(const std::string& name, const ModulusPlot& plot) {
@@ -229,6 +243,11 @@ class Writer {
 
 }  // namespace
 
+std::string_view compliance_symbol(ModulusKind kind) {
+  if (kind == ModulusKind::young) return "D";
+  return kind == ModulusKind::bulk ? "B" : "J";
+}
+
 ConvertedCurve converted(const FitResult& result, CurveKind kind, int per_decade) {
   ConvertedCurve curve;
   if (kind == CurveKind::dynamic) {
@@ -256,9 +275,12 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
   if (result.master_curve) origin += fmt::format(" At {:.6g} K.", result.master_curve->reference_temperature);
   const auto reach = fmt::format("The data reach from {:.3g} to {:.3g} s.", result.reach.begin, result.reach.end);
 
-  writer.series("prony.csv", result.modulus, fmt::format("Prony series. {}\n{}", origin, reach));
+  writer.series("prony.csv", result.modulus, result.kind,
+                fmt::format("Prony series of {}. {}\n{}",
+                            result.kind == ModulusKind::unspecified ? "a modulus of unknown kind" : name(result.kind),
+                            origin, reach));
   if (result.measured == CurveKind::creep || kind == CurveKind::creep) {
-    writer.table("retardation.csv", retardation_columns(result.compliance),
+    writer.table("retardation.csv", retardation_columns(result.compliance, result.kind),
                  fmt::format("Retardation spectrum; time 0: the instantaneous compliance. {}\n{}\n"
                              "Fluidity [1/(Pa s)]: {}",
                              origin, reach, result.compliance.fluidity()));
@@ -268,7 +290,7 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
                  fmt::format("Data and fit; deviations and standard errors are relative. {}", origin));
   }
   const auto curve = converted(result, kind, points_per_decade);
-  writer.table(file_stem(kind) + ".csv", curve_columns(kind, curve), fmt::format("{} {}", origin, reach));
+  writer.table(file_stem(kind) + ".csv", curve_columns(kind, curve, result.kind), fmt::format("{} {}", origin, reach));
   if (result.master_curve) {
     writer.table("shift_factors.csv", shift_columns(result), fmt::format("Shift factors a_T. {}", origin));
   }
@@ -276,12 +298,12 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
   if (result.quality) {
     auto plot = empty_plot(result.measured, title);
     std::visit(DrawData{plot, result}, data);
-    draw(plot, result.measured, converted(result, result.measured, points_per_decade));
+    draw(plot, result.measured, converted(result, result.measured, points_per_decade), result.kind);
     writer.picture("fit.svg", plot);
   }
   if (!result.quality || kind != result.measured) {
     auto plot = empty_plot(kind, title);
-    draw(plot, kind, curve);
+    draw(plot, kind, curve, result.kind);
     writer.picture(file_stem(kind) + ".svg", plot);
   }
   return writer.commit();

@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
@@ -25,7 +27,11 @@ struct FitResult {
   std::optional<FitQuality> quality = {};  ///< none of a Prony series as given
   std::optional<MasterCurve> master_curve = {};
   std::optional<WilliamsLandelFerryFit> law = {};
+  ModulusKind kind = ModulusKind::unspecified;  ///< what the columns of the data say, or the user
 };
+
+/// J, D of tension or B of pressure.
+std::string_view compliance_symbol(ModulusKind kind);
 
 /// A curve at logarithmic times or frequencies over the reach of the data.
 struct ConvertedCurve {

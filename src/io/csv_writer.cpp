@@ -17,7 +17,8 @@ std::size_t rows(const CsvColumn& column) {
 
 /// Text in double quotes where it needs them.
 std::string escaped(const std::string& text) {
-  if (text.find_first_of(",\"#") == std::string::npos) return text;
+  const bool has_spaces_around = text.starts_with(' ') || text.ends_with(' ');
+  if (text.find_first_of(",\"#\r\n\t") == std::string::npos && !has_spaces_around) return text;
   std::string quoted(1, '"');
   for (const char letter : text) quoted.append(letter == '"' ? 2 : 1, letter);
   quoted += '"';

@@ -11,6 +11,7 @@
 #include "breccia/io/text_file.hpp"
 
 #include "deck_tree.hpp"
+#include "text_encoding.hpp"
 
 namespace breccia {
 
@@ -42,6 +43,8 @@ Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& ov
   }
   state_->path = path;
   state_->text = read_text(path);
+  detail::refuse_binary(path, state_->text);
+  detail::require_utf8(path, state_->text);
   state_->root = detail::parse_deck(path, state_->text);
   for (const auto& text : overrides) detail::apply_override(state_->root, text, state_->mistakes);
 }

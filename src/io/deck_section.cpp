@@ -10,6 +10,7 @@
 #include "breccia/io/deck.hpp"
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/io/percentage.hpp"
+#include "breccia/io/printable.hpp"
 
 #include "deck_tree.hpp"
 
@@ -125,13 +126,18 @@ Answer<bool> read_boolean(const DeckValue& value) {
   return wrong<bool>(expected_but_got("true or false", value));
 }
 
+constexpr auto printable_text = "text without line breaks, tabs and other control characters";
+
 Answer<std::string> read_string(const DeckValue& value) {
   const auto* text = std::get_if<std::string>(&value.content);
-  if (text != nullptr) return {*text, {}};
+  if (text != nullptr && is_printable(*text)) return {*text, {}};
+  if (text != nullptr) return wrong<std::string>(expected_but_got(printable_text, value));
   return wrong<std::string>(expected_but_got("text in quotes", value));
 }
 
 Answer<PlacedScalar> read_scalar(const DeckValue& value) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text != nullptr && !is_printable(*text)) return wrong<PlacedScalar>(expected_but_got(printable_text, value));
   if (auto scalar = detail::scalar_of(value)) return {PlacedScalar{*std::move(scalar), value.place}, {}};
   return wrong<PlacedScalar>(expected_but_got("a number, text, true or false", value));
 }
@@ -381,7 +387,9 @@ std::vector<Section> Section::sections(const std::string& key) const {
   if (value == nullptr) return all;
   const auto* array = std::get_if<DeckArray>(&value->content);
   if (array == nullptr) {
-    report(key, expected_but_got("an array of tables", *value));
+    const bool may_be_header = kind_of(*value) == Kind::table;
+    const auto hint = may_be_header ? fmt::format(": write [[{0}]] in the place of [{0}]", path_of(key)) : "";
+    report(key, expected_but_got("an array of tables", *value) + hint);
     return all;
   }
   if (array->values.empty()) report(key, "expected at least one, got an empty array");

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/printable.hpp"
 
 namespace breccia {
 
@@ -19,19 +20,6 @@ bool is_control(char letter) {
 
 std::string escaped(char letter) {
   return fmt::format("\\u{:04x}", static_cast<int>(letter));
-}
-
-/// A message on one line, which changes nothing else on a terminal.
-std::string printable(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    if (is_control(letter)) {
-      result += escaped(letter);
-    } else {
-      result += letter;
-    }
-  }
-  return result;
 }
 
 std::string line_of(const std::filesystem::path& deck, const Mistake& mistake) {

@@ -48,6 +48,24 @@ DeckTable convert(const toml::table& table) {
 
 namespace {
 
+/// The first typographic quote in a line of a text that stands in none of TOML's own; empty without one.
+std::string_view first_typographic_quote(std::string_view text, std::uint32_t line) {
+  for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  text = text.substr(0, text.find('\n'));
+  char open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (open == 0 && (text[i] == '"' || text[i] == '\'')) {
+      open = text[i];
+    } else if (open != 0 && text[i] == open) {
+      open = 0;
+    }
+    for (const std::string_view quote : {"“", "”", "„", "‟", "‘", "’", "‚", "«", "»", "″", "´"}) {
+      if (open == 0 && text.substr(i).starts_with(quote)) return text.substr(i, quote.size());
+    }
+  }
+  return {};
+}
+
 /// Tables within tables, which `a.a.a. ... = 1` makes, would exhaust the stack of the parser.
 void refuse_endless_keys(const std::filesystem::path& path, const std::string& text) {
   constexpr std::size_t most = 4096;
@@ -65,6 +83,17 @@ void refuse_endless_keys(const std::filesystem::path& path, const std::string& t
 
 }  // namespace
 
+namespace {
+
+/// What the parser says of a mistake. It takes typographic quotes for the beginning of a value of some unknown kind.
+std::string description_of(const std::string& text, const toml::parse_error& error) {
+  const auto typographic = first_typographic_quote(text, error.source().begin.line);
+  if (typographic.empty()) return std::string(error.description());
+  return fmt::format("the character {} is no quote of TOML: write \" in its place", typographic);
+}
+
+}  // namespace
+
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text) {
   refuse_endless_keys(path, text);
   try {
@@ -72,7 +101,7 @@ DeckTable parse_deck(const std::filesystem::path& path, const std::string& text)
   } catch (const toml::parse_error& error) {
     const auto place = place_of(error.source());
     throw InputError(
-        fmt::format("{}:{}:{}: not TOML: {}", path.string(), place.line, place.column, error.description()));
+        fmt::format("{}:{}:{}: not TOML: {}", path.string(), place.line, place.column, description_of(text, error)));
   }
 }
 
@@ -141,7 +170,7 @@ std::string shown(const DeckValue& value) {
     case Kind::integer:
       return fmt::format("{}", std::get<std::int64_t>(value.content));
     case Kind::number:
-      return fmt::format("{}", std::get<double>(value.content));
+      return toml_text(std::get<double>(value.content));
     case Kind::text:
       return fmt::format("\"{}\"", std::get<std::string>(value.content));
     case Kind::date:

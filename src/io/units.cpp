@@ -1,6 +1,8 @@
 #include "breccia/io/units.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -8,11 +10,13 @@
 #include <optional>
 #include <span>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <udunits2.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/nearest_name.hpp"
 
 namespace breccia {
 
@@ -28,6 +32,7 @@ struct DimensionFacts {
   std::string_view example;
   const char* si_unit;
   std::span<const ReadableUnit> readable;  ///< rising
+  std::vector<std::string> common;         ///< units that a misspelt one may have been meant to be
 };
 
 constexpr std::array<ReadableUnit, 4> lengths{{{1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1.0, "m"}}};
@@ -41,14 +46,14 @@ constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm
 
 const DimensionFacts& facts(Dimension dimension) {
   static const std::array<DimensionFacts, 8> all{{
-      {"length", "48 um", "m", lengths},
-      {"time", "10 ns", "s", times},
-      {"frequency", "1 kHz", "s-1", frequencies},
-      {"pressure", "3.6 GPa", "Pa", pressures},
-      {"density", "1.48 g/cm^3", "kg m-3", densities},
-      {"temperature", "19 degC", "K", temperatures},
-      {"temperature difference", "120 K", "K", temperatures},
-      {"reciprocal length", "12500 /mm", "m-1", inverse_lengths},
+      {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
+      {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
+      {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
+      {"pressure", "3.6 GPa", "Pa", pressures, {"Pa", "kPa", "MPa", "GPa", "bar", "psi", "N/mm^2"}},
+      {"density", "1.48 g/cm^3", "kg m-3", densities, {"kg/m^3", "g/cm^3"}},
+      {"temperature", "19 degC", "K", temperatures, {"degC", "K", "degF"}},
+      {"temperature difference", "120 K", "K", temperatures, {"K", "degC", "degF"}},
+      {"reciprocal length", "12500 /mm", "m-1", inverse_lengths, {"1/m", "1/mm", "1/um"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }
@@ -95,23 +100,40 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
-struct NumberAndUnit {
-  double number;
-  std::string unit;
-};
+std::optional<double> convert(const NumberAndUnit& quantity, const std::string& unit) {
+  const std::lock_guard lock(udunits_mutex);
+  const auto from = parse_unit(quantity.unit), to = parse_unit(unit);
+  const auto converter = to ? converter_to(from, to) : nullptr;
+  return converter ? std::optional(cv_convert_double(converter.get(), quantity.number)) : std::nullopt;
+}
 
-/// Cuts "3.6 GPa" in two. No answer without a number, or when a second number follows it (as in "3 10 um").
-std::optional<NumberAndUnit> split(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  text = trimmed(text);
-  if (text.starts_with('/')) return NumberAndUnit{number, fmt::format("1{}", text)};
-  if (text.find_first_of("0123456789+-.") == 0 && !text.starts_with("1/")) return std::nullopt;
-  return NumberAndUnit{number, std::string(text)};
+bool are_equal_but_for_case(std::string_view a, std::string_view b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
+}
+
+/// What was probably meant by a text that is no quantity of the dimension: the end of a message.
+std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
+  const auto& unit = quantity.unit;
+  constexpr std::string_view digits = "0123456789";
+  if (unit.size() > 1 && unit[0] == ',' && digits.find(unit[1]) != std::string_view::npos) {
+    return ": expected a decimal point, got a comma";
+  }
+  const auto& common = facts(dimension).common;
+  std::optional<std::string> meant;
+  const bool is_temperature = dimension == Dimension::temperature || dimension == Dimension::temperature_difference;
+  if (is_temperature && (unit == "C" || unit == "F")) {
+    meant = "deg" + unit;  // to UDUNITS-2 they are the coulomb and the farad
+  } else {
+    const auto same = std::ranges::find_if(common, [&](const auto& one) { return are_equal_but_for_case(one, unit); });
+    constexpr std::size_t fewest_letters = 3;  // of shorter ones any is near to any other
+    if (same != common.end()) {
+      meant = *same;
+    } else if (unit.size() >= fewest_letters) {
+      meant = nearest_name(unit, common);
+    }
+  }
+  return meant && *meant != unit ? fmt::format(", did you mean \"{}\"?", *meant) : "";
 }
 
 /// A converted value without the rounding of the conversion: "1 g/cm^3" is 1000 kg/m^3, not 999.9999999999999.
@@ -126,9 +148,10 @@ double as_written(double converted) {
 std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
   const std::lock_guard lock(udunits_mutex);
   const auto unit = parse_unit(quantity.unit);
-  if (!unit) return fmt::format(": unknown unit \"{}\"", quantity.unit);
+  if (!unit && quantity.unit.starts_with(',')) return hint(quantity, dimension);
+  if (!unit) return fmt::format(": unknown unit \"{}\"{}", quantity.unit, hint(quantity, dimension));
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
-  if (!converter) return std::string();
+  if (!converter) return hint(quantity, dimension);
   const bool is_difference = dimension == Dimension::temperature_difference;
   const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
   return as_written(cv_convert_double(converter.get(), quantity.number) - origin);
@@ -144,8 +167,27 @@ std::string_view example(Dimension dimension) {
   return facts(dimension).example;
 }
 
+std::optional<NumberAndUnit> split_quantity(std::string_view text) {
+  text = trimmed(text);
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  text = trimmed(text);
+  if (text.starts_with('/')) return NumberAndUnit{number, fmt::format("1{}", text)};
+  if (text.find_first_of("0123456789+-.") == 0 && !text.starts_with("1/")) return std::nullopt;
+  return NumberAndUnit{number, std::string(text)};
+}
+
+std::optional<double> number_in_unit(const NumberAndUnit& quantity, const std::string& unit) {
+  if (quantity.unit == unit) return quantity.number;
+  const auto number = convert(quantity, unit);
+  return number && std::isfinite(*number) ? std::optional(as_written(*number)) : std::nullopt;
+}
+
 double parse_quantity(std::string_view text, Dimension dimension) {
-  const auto quantity = split(text);
+  const auto quantity = split_quantity(text);
   if (!quantity) {
     throw InputError(fmt::format(R"(expected a {}, a number and its unit such as "{}", got "{}")", name(dimension),
                                  example(dimension), text));

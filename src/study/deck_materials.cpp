@@ -6,6 +6,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/io/printable.hpp"
 #include "breccia/study/prony_file.hpp"
 #include "breccia/study/respond.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
@@ -32,7 +33,7 @@ bool is_out_of_scale(const MaxwellTerm& term) {
 }
 
 /// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
-PronySeries read_series(const Section& modulus) {
+PronySeries read_series(const Section& modulus, ModulusKind kind) {
   PronyFile spectrum;
   bool is_known = false;
   const auto source = modulus.exactly_one({"prony", "terms"});
@@ -40,7 +41,7 @@ PronySeries read_series(const Section& modulus) {
     const auto path = modulus.file("prony");
     if (!path.empty())
       modulus.report_errors_of("prony", [&] {
-        spectrum = read_prony_file(path);
+        spectrum = read_prony_file(path, kind);
         is_known = true;
       });
   } else if (source == "terms") {
@@ -65,12 +66,12 @@ PronySeries read_series(const Section& modulus) {
   return series;
 }
 
-PronySeries read_modulus(const Section& material, const std::string& key) {
+PronySeries read_modulus(const Section& material, const std::string& key, ModulusKind kind) {
   if (material.kind(key) != Kind::table) {
     const double modulus = material.quantity(key, Dimension::pressure, Range::positive());
     return std::isnan(modulus) ? PronySeries() : PronySeries(modulus);
   }
-  return read_series(material.section(key));
+  return read_series(material.section(key), kind);
 }
 
 /// `temperature_shift`; nothing without it, and after a report.
@@ -95,8 +96,8 @@ std::optional<TemperatureShift> read_temperature_shift(const Section& material) 
 
 /// As the deck gives it, at the reference temperature of its shift.
 Material read_reference_material(const Section& section, const std::string& name) {
-  return {name, section.quantity("density", Dimension::density, Range::positive()), read_modulus(section, "bulk"),
-          read_modulus(section, "shear")};
+  return {name, section.quantity("density", Dimension::density, Range::positive()),
+          read_modulus(section, "bulk", ModulusKind::bulk), read_modulus(section, "shear", ModulusKind::shear)};
 }
 
 Material shifted(const Material& material, const std::optional<TemperatureShift>& shift) {
@@ -109,6 +110,7 @@ DeckMaterials read_materials(const Section& deck) {
   const auto section = deck.section("materials");
   DeckMaterials read;
   for (const auto& name : section.keys()) {
+    if (!is_printable(name)) section.report(name, "expected a name without line breaks and other control characters");
     const auto material = section.section(name);
     const auto reference = read_reference_material(material, name);
     const auto shift = read_temperature_shift(material);

@@ -2,10 +2,9 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table.hpp"
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/study/prony_file.hpp"
 
@@ -15,31 +14,31 @@ namespace breccia {
 namespace {
 
 PronySeries read_measured_series(const std::filesystem::path& path) {
-  auto [equilibrium, terms] = read_prony_file(path);
+  auto [equilibrium, terms] = read_prony_file(path, ModulusKind::shear);
   return {equilibrium.value_or(0.0), std::move(terms)};
 }
 
 Curve read_measured_curve(const std::filesystem::path& path) {
-  const auto table = read_csv(path);
-  const auto& times = table.numbers("time_s");
-  const auto& moduli = table.numbers("modulus_Pa");
-  std::vector<std::string> mistakes;
+  const auto table = read_measured_table(path);
+  table.require({Quantity::time, Quantity::modulus});
+  const auto& times = table.column(Quantity::time);
+  const auto& moduli = table.column(Quantity::modulus, ModulusKind::shear);
+  FileMistakes mistakes(path);
   Curve curve;
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double time = times.values[row], modulus = moduli.values[row];
     const double earlier = curve.empty() ? 0.0 : curve.back().time;
-    if (!(times[row] > earlier) || !std::isfinite(times[row])) {
-      mistakes.push_back(fmt::format("{}: expected rising positive times, got {}", table.place(row), times[row]));
-    } else if (!(moduli[row] > 0.0) || !std::isfinite(moduli[row])) {
-      mistakes.push_back(fmt::format("{}: expected a positive modulus, got {}", table.place(row), moduli[row]));
+    if (!(time > earlier) || !std::isfinite(time)) {
+      mistakes.add(table.place(row), "expected rising positive times", fmt::format("{}", times.written[row]));
+    } else if (!(modulus > 0.0) || !std::isfinite(modulus)) {
+      mistakes.add(table.place(row), "expected a positive modulus", fmt::format("{}", moduli.written[row]));
     } else {
-      curve.push_back({times[row], moduli[row]});
+      curve.push_back({time, modulus});
     }
   }
   constexpr std::size_t fewest = 2;
-  if (mistakes.empty() && curve.size() < fewest) {
-    mistakes.push_back(fmt::format("{}: expected at least {} rows", path.string(), fewest));
-  }
-  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  if (mistakes.empty() && curve.size() < fewest) mistakes.add("", fmt::format("expected at least {} rows", fewest));
+  mistakes.refuse();
   return curve;
 }
 

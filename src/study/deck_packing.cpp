@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/io/measured_table.hpp"
 #include "breccia/microstructure/validity.hpp"
 
 #include "deck_sections.hpp"
@@ -23,10 +23,11 @@ enum class MethodName { lubachevsky_stillinger, regular, listed };
 constexpr double most_rows = 1e4;
 
 std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
-  const auto table = read_csv(path);
-  const auto& x = table.numbers("x_m");
-  const auto& y = table.numbers("y_m");
-  const auto& diameters = table.numbers("diameter_m");
+  const auto table = read_measured_table(path);
+  table.require({Quantity::x, Quantity::y, Quantity::diameter});
+  const auto& x = table.column(Quantity::x).values;
+  const auto& y = table.column(Quantity::y).values;
+  const auto& diameters = table.column(Quantity::diameter).values;
   std::vector<Disc> discs;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (!(diameters[row] > 0.0) || !std::isfinite(diameters[row])) {

@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/io/measured_table.hpp"
 
 namespace breccia {
 
 TabulatedSizes read_size_table(const std::filesystem::path& path) {
-  const auto table = read_csv(path);
-  const auto& diameters = table.numbers("diameter_m");
-  const auto& fractions = table.numbers("cumulative_volume_fraction");
+  const auto table = read_measured_table(path);
+  table.require({Quantity::diameter, Quantity::cumulative_volume_fraction});
+  const auto& diameters = table.column(Quantity::diameter).values;
+  const auto& fractions = table.column(Quantity::cumulative_volume_fraction).values;
   if (table.rows() < 2) throw InputError(fmt::format("{}: expected at least two rows", path.string()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double below = row == 0 ? 0.0 : diameters[row - 1];

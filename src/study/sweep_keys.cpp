@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
+
+#include "breccia/io/units.hpp"
 
 #include "rounding.hpp"
 
@@ -59,6 +62,47 @@ std::vector<Scalar> read_steps_of_one(const Section& range) {
   return integers_from(from, 1, static_cast<std::int64_t>(count));
 }
 
+/// A number of something, such as "48 um" or "6 points"; nothing after a report.
+std::optional<NumberAndUnit> read_end(const Section& range, const std::string& key) {
+  if (range.kind(key) != Kind::text) {
+    range.report(key, "expected a number with its unit, as the other end of the range has one");
+    return std::nullopt;
+  }
+  const auto text = range.text(key);
+  auto end = split_quantity(text);
+  if (end && !end->unit.empty()) return end;
+  range.report(key, fmt::format(R"(expected a number with its unit, such as "48 um", got "{}")", text));
+  return std::nullopt;
+}
+
+/// `{ from = "-40 degC", to = "60 degC", count = 3 }`, in the unit of the first.
+std::vector<Scalar> read_quantities(const Section& range, std::int64_t count, Spacing spacing) {
+  const auto from = read_end(range, "from"), to = read_end(range, "to");
+  if (!from || !to || count == 0) return {};
+  const auto last = number_in_unit(*to, from->unit);
+  if (!last) {
+    range.report(
+        "to",
+        fmt::format(
+            R"(expected a quantity in "{}", the unit of from, or in another that can be converted to it, got "{}")",
+            from->unit, range.text("to")));
+    return {};
+  }
+  if (!(*last > from->number)) {
+    range.report("to", fmt::format(R"(expected more than "{}", got "{}")", range.text("from"), range.text("to")));
+    return {};
+  }
+  if (spacing == Spacing::logarithmic && !(from->number > 0.0)) {
+    range.report("from", fmt::format(R"(expected a positive quantity, got "{}")", range.text("from")));
+    return {};
+  }
+  std::vector<Scalar> values;
+  for (const auto& number : numbers_between(from->number, *last, count, spacing)) {
+    values.emplace_back(fmt::format("{} {}", plain_text(number), from->unit));
+  }
+  return values;
+}
+
 /// `{ from = 0.5, to = 0.7, count = 5, spacing = "logarithmic" }`
 std::vector<Scalar> read_counted(const Section& range) {
   const auto count = range.integer("count", {.lower = 2.0, .upper = static_cast<double>(most_tasks)});
@@ -67,6 +111,7 @@ std::vector<Scalar> read_counted(const Section& range) {
     spacing = range.choice<Spacing>("spacing", {{"linear", Spacing::linear}, {"logarithmic", Spacing::logarithmic}})
                   .value_or(Spacing::linear);
   }
+  if (range.kind("from") == Kind::text || range.kind("to") == Kind::text) return read_quantities(range, count, spacing);
   const auto ends = spacing == Spacing::linear ? Range() : Range::positive();
   const double from = range.number("from", ends), to = range.number("to", ends);
   if (std::isnan(from) || std::isnan(to) || count == 0) return {};

@@ -21,6 +21,13 @@ std::string safe(const std::string& text) {
   return result;
 }
 
+/// The text of a value; "-40 degC" as "minus 40 degC", for a dash in a name joins words.
+std::string with_sign_in_words(const std::string& text) {
+  const bool is_negative =
+      text.size() > 1 && text[0] == '-' && (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
+  return is_negative ? "minus " + text.substr(1) : text;
+}
+
 /// The last steps of a path.
 std::string ending(const std::vector<std::string>& steps, std::size_t length) {
   std::string result;
@@ -71,7 +78,7 @@ std::vector<std::string> labels_of_keys(const std::vector<std::string>& paths) {
 std::vector<std::string> labels_of_values(const std::vector<Scalar>& values) {
   std::vector<std::string> short_labels, full_labels, numbers;
   for (const auto& value : values) {
-    const auto text = plain_text(value);
+    const auto text = with_sign_in_words(plain_text(value));
     short_labels.push_back(safe(without_directory(text)));
     full_labels.push_back(safe(text));
     numbers.push_back(std::to_string(numbers.size() + 1));

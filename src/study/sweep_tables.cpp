@@ -9,6 +9,7 @@
 
 #include "results.hpp"
 #include "sweep_results.hpp"
+#include "swept_quantities.hpp"
 
 namespace breccia {
 
@@ -142,10 +143,16 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
   for (std::size_t i = 0; i < result.size(); ++i) tasks.push_back(json_of(sweep, sweep.tasks[i], result[i]));
   Json keys = Json::array();
   for (const auto& key : sweep.keys) keys.push_back(key.path);
+  Json quantities = Json::object();
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+    const auto swept = swept_quantity(sweep, key);
+    if (swept) quantities[sweep.keys[key].path] = {{"unit", swept->unit}, {"numbers", swept->numbers}};
+  }
   const auto& study = sweep.tasks.front().study;
-  const Json json = {{"program", "breccia"},        {"version", BRECCIA_VERSION},   {"title", study.title},
-                     {"deck", study.deck.string()}, {"deck_text", study.deck_text}, {"overrides", study.overrides},
-                     {"keys", std::move(keys)},     {"tasks", std::move(tasks)}};
+  const Json json = {
+      {"program", "breccia"},        {"version", BRECCIA_VERSION},          {"title", study.title},
+      {"deck", study.deck.string()}, {"deck_text", study.deck_text},        {"overrides", study.overrides},
+      {"keys", std::move(keys)},     {"quantities", std::move(quantities)}, {"tasks", std::move(tasks)}};
   write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

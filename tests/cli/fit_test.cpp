@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -78,7 +79,7 @@ TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g-fit: prony.csv, retardation.csv, fit.csv, creep.csv, "
                                         "fit.svg, creep.svg"));
-  EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "compliance_1_per_Pa", creep), 3e-3);
+  EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "shear_compliance_1_per_Pa", creep), 3e-3);
   EXPECT_LT(worst_difference(result("results/g-fit/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
   for (const auto* name : {"fit.svg", "creep.svg"}) {
     EXPECT_EQ(testing::xml_mistake(read_text(directory.path() / "results/g-fit" / name)), "");
@@ -145,6 +146,54 @@ TEST_F(Fit, ItsSeriesGoesIntoADeck) {
   EXPECT_THAT(check.output, ::testing::ContainsRegex("relaxing to (1[.]99|2[.]00)[0-9]* MPa"));
 }
 
+// DMA in tension as an instrument may export it: of Young's modulus, which no deck must take for that of shear.
+TEST_F(Fit, CarriesTheKindOfTheModulus) {
+  std::string text = "Instrument;DMA\n\nFrequency;E';E\";Note\nHz;MPa;MPa;\n";
+  for (const double hertz : logarithmic(1e-2, 1e2, 5)) {
+    const double turns = 2.0 * std::numbers::pi * hertz * tau, share = turns * turns / (1.0 + turns * turns);
+    text += fmt::format("{:.9g};{:.9g};{:.9g};\n", hertz, 1e-6 * (spring + maxwell * share),
+                        1e-6 * maxwell * share / turns);
+  }
+  std::ranges::replace(text, '.', ',');
+  directory.write("dma.csv", text);
+  const auto outcome = run({"dma.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("dma.csv: Young's modulus, "));
+  EXPECT_THAT(outcome.output, ::testing::ContainsRegex("frequency +E' +E''"));
+  const auto series = read_text(directory.path() / "results/dma-fit/prony.csv");
+  EXPECT_THAT(series, HasSubstr("# Prony series of Young's modulus. "));
+  EXPECT_THAT(series, HasSubstr("\nrelaxation_time_s,youngs_modulus_Pa\n"));
+  const auto dynamic = result("results/dma-fit/dynamic.csv");
+  EXPECT_LT(worst_difference(dynamic, "angular_frequency_rad_per_s", "youngs_storage_modulus_Pa",
+                             [](double omega) {
+                               const double turns = omega * tau;
+                               return spring + maxwell * turns * turns / (1.0 + turns * turns);
+                             }),
+            3e-3);
+  directory.write("deck.toml", test::replaced(std::string(test::good_deck),
+                                              R"({ terms = [ { time = "10 ms", modulus = "1 MPa" } ] })",
+                                              R"({ prony = "results/dma-fit/prony.csv" })"));
+  const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
+  EXPECT_EQ(check.exit_code, 2);
+  EXPECT_THAT(
+      check.errors,
+      HasSubstr("expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: convert"));
+}
+
+TEST_F(Fit, IsToldTheKindOfTheModulus) {
+  write_curve("g.csv", "time_s,modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
+  ASSERT_EQ(run({"g.csv", "--modulus", "bulk", "--quiet"}).exit_code, 0);
+  EXPECT_TRUE(result("results/g-fit/prony.csv").has("bulk_modulus_Pa"));
+  ASSERT_EQ(run({"g.csv", "--quiet"}).exit_code, 0);
+  EXPECT_TRUE(result("results/g-fit/prony.csv").has("modulus_Pa"));
+  write_curve("e.csv", "time_s,tensile_modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
+  const auto wrong = run({"e.csv", "--modulus", "shear"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(
+      wrong.errors,
+      HasSubstr("e.csv: expected a column of the shear modulus, got \"tensile_modulus_Pa\", that of Young's modulus"));
+}
+
 struct BadData {
   const char* text;
   const char* message;
@@ -163,7 +212,7 @@ TEST_F(Fit, RefusesBadFiles) {
        "bad.csv:3: modulus_Pa: expected a positive number, got -2"},
       {"time_s,modulus_Pa\n1,x\n", "bad.csv:2: modulus_Pa: expected a number, got \"x\""},
       {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa\n1,2,3\n2,3,4\n1,2,3\n",
-       "bad.csv:4: frequency_Hz: 1 stands already at bad.csv:2, at the same temperature"},
+       "bad.csv:4: frequency_Hz: expected each frequency once at a temperature, got 1, as at bad.csv:2"},
       {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa,temperature_degC\n1,2,3,-300\n2,3,4,5\n3,4,5,6\n",
        "bad.csv:2: temperature_degC: expected a temperature above absolute zero, got -300"},
       {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa,temperature_degC\n1,2,3,0\n2,3,4,0\n1,4,5,60\n",
@@ -171,6 +220,10 @@ TEST_F(Fit, RefusesBadFiles) {
       {"relaxation_time_s,modulus_Pa\n0,2\n1,-2\n",
        "bad.csv:2: expected a positive relaxation time, got 0\nbad.csv:3: expected a non-negative modulus, got -2"},
       {"relaxation_time_s,modulus_Pa\ninf,2\n", "without a term"},
+      {"frequency_Hz,storage_modulus_Pa,loss_modulus_Pa,temperature_degX\n1,2,3,0\n2,3,4,0\n3,4,5,60\n",
+       R"(bad.csv: the unit of "temperature_degX": expected a temperature)"},
+      {"time_s,youngs_modulus_Pa,bulk_modulus_Pa\n1,2,3\n", "of several choose one by --modulus"},
+      {"time_s,constrained_modulus_Pa\n1,2\n", "is fitted when its column is called modulus_Pa"},
   };
   for (const auto& [text, message] : cases) {
     directory.write("bad.csv", text);
@@ -190,6 +243,7 @@ TEST_F(Fit, RefusesBadOptions) {
       {{}, "FILE is required"},
       {{"none.csv"}, "none.csv"},
       {{"g.csv", "--to", "loss"}, "--to"},
+      {{"g.csv", "--modulus", "tensile"}, "--modulus"},
       {{"g.csv", "--times-per-decade", "0"}, "--times-per-decade"},
       {{"g.csv", "--ramp", "1 um"}, "--ramp: expected a time, got \"1 um\""},
       {{"g.csv", "--ramp=-1 s"}, "--ramp: expected a time, got -1 s"},
@@ -197,6 +251,8 @@ TEST_F(Fit, RefusesBadOptions) {
       {{"maxwell.csv", "--ramp", "1 s"}, "--ramp: expected data against time"},
       {{dma, "--reference-temperature", "20 degC"}, "no sweep at 20 degC; the sweeps are at -41 degC, -31 degC"},
       {{dma, "--reference-temperature", "20 m"}, "--reference-temperature: expected a temperature, got \"20 m\""},
+      {{dma, "--reference-temperature", "20 C"},
+       R"(--reference-temperature: expected a temperature, got "20 C", did you mean "degC"?)"},
       {{dma, "--reference-temperature", "19 degC", "--ramp", "1 s"}, "--ramp: expected data against time"},
   };
   for (const auto& [arguments, message] : cases) {

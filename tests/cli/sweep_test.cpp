@@ -185,6 +185,15 @@ TEST(Sweep, AnInterruptionKeepsFinishedTasks) {
   EXPECT_THAT(study.results(), Contains("sweep.csv"));
 }
 
+TEST(Sweep, QuantitiesAreNumbersInOneUnit) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const auto run = study.breccia(
+      "run", {"--sweep", R"(stages.A.filler.gap=["0.1 mm", "150 um"])", "--sweep", R"(tests.volumetric=["averaged"])"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto json = Json::parse(read_text(study.result("sweep.json")));
+  EXPECT_EQ(json["quantities"], Json::parse(R"({ "stages.A.filler.gap": { "unit": "mm", "numbers": [0.1, 0.15] } })"));
+}
+
 TEST(Sweep, CheckShowsTheTasks) {
   const StudyDirectory study(deck);
   const auto check = study.breccia("check");

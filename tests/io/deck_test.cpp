@@ -119,7 +119,7 @@ TEST_F(DeckTest, SaysWhatItExpected) {
       {"x = 1", [](const Section& s) { static_cast<void>(s.integer("x", Range::at_least(2))); },
        "expected an integer of at least 2, got 1"},
       {"x = 0.0", [](const Section& s) { static_cast<void>(s.number("x", Range::above_and_up_to(0, 1))); },
-       "expected a number above 0 and up to 1, got 0"},
+       "expected a number above 0 and up to 1, got 0.0"},
       {"x = \"-1 um\"",
        [](const Section& s) { static_cast<void>(s.quantity("x", Dimension::length, Range::positive())); },
        "expected a positive length, got \"-1 um\""},
@@ -144,7 +144,12 @@ TEST_F(DeckTest, SaysWhatItExpected) {
        "expected at least one, got an empty array"},
       {"x = 1", [](const Section& s) { static_cast<void>(s.section("x")); }, "expected a table, got 1"},
       {"x = {}", [](const Section& s) { static_cast<void>(s.sections("x")); },
-       "expected an array of tables, got a table"},
+       "expected an array of tables, got a table: write [[x]] in the place of [x]"},
+      {"x = 150.0", [](const Section& s) { static_cast<void>(s.integer("x")); }, "expected an integer, got 150.0"},
+      {R"(x = "a\nb")", [](const Section& s) { static_cast<void>(s.text("x")); },
+       R"(expected text without line breaks, tabs and other control characters, got "a\u000ab")"},
+      {R"(x = "a\tb")", [](const Section& s) { static_cast<void>(s.file("x")); },
+       R"(expected text without line breaks, tabs and other control characters, got "a\u0009b")"},
   };
   for (const auto& wrong : cases) {
     const auto deck = read(wrong.text);
@@ -196,6 +201,36 @@ TEST_F(DeckTest, SyntaxErrorsHaveAPlace) {
     const auto message = without_directory(test::message_of<InputError>([&] { static_cast<void>(read(text)); }));
     EXPECT_THAT(message, testing::MatchesRegex("deck.toml:[12]:[0-9]+: not TOML: .*")) << text;
   }
+}
+
+TEST_F(DeckTest, ListsOfTextHaveNoControlCharacters) {
+  const auto deck = read("x = [1, \"a\\u0085b\"]\n");
+  EXPECT_EQ(deck.root().scalars("x").size(), 1U);
+  EXPECT_EQ(
+      mistakes(deck),
+      "deck.toml:1:9: x: expected text without line breaks, tabs and other control characters, got \"a\\u0085b\"");
+}
+
+TEST_F(DeckTest, TypographicQuotesAreNamed) {
+  const auto mistake = [&](const char* text) {
+    return without_directory(test::message_of<InputError>([&] { static_cast<void>(read(text)); }));
+  };
+  EXPECT_EQ(mistake("# “here”\nbulk = “2 GPa”\n"),
+            "deck.toml:2:8: not TOML: the character “ is no quote of TOML: write \" in its place");
+  EXPECT_THAT(mistake("a = [ \"“1”\", „2“ ]\n"), HasSubstr("the character „ is no quote of TOML"));
+  EXPECT_THAT(mistake("a = \"“1”\" x\n"), testing::Not(HasSubstr("no quote of TOML")));
+}
+
+TEST_F(DeckTest, OtherEncodingsAreNamed) {
+  using namespace std::string_literals;
+  const auto mistake = [&](const std::string& text) {
+    return without_directory(test::message_of<InputError>([&] { static_cast<void>(read(text)); }));
+  };
+  EXPECT_EQ(mistake("\xff\xfe"
+                    "a\0 \0=\0 \0001\0"s),
+            "deck.toml: saved as UTF-16; save it as UTF-8");
+  EXPECT_EQ(mistake("a = 1\nb = \"\xb5m\"\n"), "deck.toml:2:6: the byte \\xb5 is not UTF-8; save the file as UTF-8");
+  EXPECT_EQ(mistake("ab\0c"s), "deck.toml: expected text, got a binary file, such as a picture");
 }
 
 TEST_F(DeckTest, AMissingDeckIsBadUsage) {

@@ -63,14 +63,22 @@ TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
       {"10 Hz", Dimension::time, "expected a time, got \"10 Hz\""},
       {"10 s", Dimension::frequency, "expected a frequency, got \"10 s\""},
       {"120 m", Dimension::temperature, "expected a temperature, got \"120 m\""},
-      {"3.6 Gpa", Dimension::pressure, R"(expected a pressure, got "3.6 Gpa": unknown unit "Gpa")"},
+      {"3.6 Gpa", Dimension::pressure,
+       R"(expected a pressure, got "3.6 Gpa": unknown unit "Gpa", did you mean "GPa"?)"},
+      {"3.6 GPPa", Dimension::pressure,
+       R"(expected a pressure, got "3.6 GPPa": unknown unit "GPPa", did you mean "GPa"?)"},
+      {"3.6 foo", Dimension::pressure, R"(expected a pressure, got "3.6 foo": unknown unit "foo")"},
+      {"10 S", Dimension::time, R"(expected a time, got "10 S", did you mean "s"?)"},
+      {"20 C", Dimension::temperature, R"(expected a temperature, got "20 C", did you mean "degC"?)"},
+      {"5 F", Dimension::temperature_difference,
+       R"(expected a temperature difference, got "5 F", did you mean "degF"?)"},
       {"3.6", Dimension::pressure, R"(expected a pressure with its unit, such as "3.6 GPa", got "3.6")"},
       {"GPa", Dimension::pressure, R"(expected a pressure, a number and its unit such as "3.6 GPa", got "GPa")"},
       {"", Dimension::length, R"(expected a length, a number and its unit such as "48 um", got "")"},
       {"3 10 um", Dimension::length, R"(expected a length, a number and its unit such as "48 um", got "3 10 um")"},
       {"inf s", Dimension::time, R"(expected a time, a number and its unit such as "10 ns", got "inf s")"},
       {"nan s", Dimension::time, R"(expected a time, a number and its unit such as "10 ns", got "nan s")"},
-      {"12,5 um", Dimension::length, R"(expected a length, got "12,5 um": unknown unit ",5 um")"},
+      {"12,5 um", Dimension::length, R"(expected a length, got "12,5 um": expected a decimal point, got a comma)"},
       {"1e400 um", Dimension::length, R"(expected a length, a number and its unit such as "48 um", got "1e400 um")"},
   };
   for (const auto& refused : cases) {
@@ -78,6 +86,21 @@ TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
         test::message_of<InputError>([&] { static_cast<void>(parse_quantity(refused.text, refused.dimension)); });
     EXPECT_EQ(message, refused.message);
   }
+}
+
+TEST(Units, NumbersInOtherUnits) {
+  const auto quantity = split_quantity(" -40 degC");
+  ASSERT_TRUE(quantity);
+  EXPECT_EQ(quantity->number, -40.0);
+  EXPECT_EQ(quantity->unit, "degC");
+  EXPECT_EQ(number_in_unit(*quantity, "degC"), -40.0);
+  EXPECT_DOUBLE_EQ(number_in_unit(*quantity, "K").value(), 233.15);
+  EXPECT_NEAR(number_in_unit(*quantity, "degF").value(), -40.0, 1e-12);
+  EXPECT_EQ(number_in_unit({1.0, "mm"}, "um"), 1000.0);
+  EXPECT_EQ(number_in_unit({6.0, "points"}, "points"), 6.0);
+  EXPECT_FALSE(number_in_unit({6.0, "points"}, "um"));
+  EXPECT_FALSE(number_in_unit({1.0, "s"}, "um"));
+  EXPECT_FALSE(split_quantity("um"));
 }
 
 TEST(Units, ReadableQuantitiesHaveUnitsThatSuitTheirSize) {

@@ -75,9 +75,34 @@ TEST_F(DeckMaterials, MistakesInAFileHaveItsLine) {
   EXPECT_EQ(mistakes(shear), test::join(place, "g.csv:3: a second term with an infinite relaxation time"));
   directory.write("g.csv", "time,modulus_Pa\n1,2\n");
   EXPECT_EQ(mistakes(shear),
-            test::join(place, "g.csv: no column \"relaxation_time_s\"; it has \"time\", \"modulus_Pa\""));
+            test::join(place,
+                       "g.csv: no column of relaxation times, such as relaxation_time_s; it has \"time\", "
+                       "\"modulus_Pa\""));
   directory.write("g.csv", "relaxation_time_s,G\n1,2\n");
-  EXPECT_THAT(mistakes(shear), HasSubstr("g.csv: expected one column whose name ends in modulus_Pa"));
+  EXPECT_THAT(mistakes(shear), HasSubstr("g.csv: the unit of \"G\": expected one in the name of the column"));
+  directory.write("g.csv", "relaxation_time_s,storage_modulus_Pa\n1,2\n");
+  EXPECT_THAT(mistakes(shear), HasSubstr("g.csv: no column of moduli"));
+}
+
+TEST_F(DeckMaterials, AnotherModulusIsNotTakenForShear) {
+  const auto* shear = "shear = { prony = \"g.csv\" }";
+  directory.write("g.csv", "relaxation_time_s,youngs_modulus_Pa\n1,3e6\ninf,1e6\n");
+  EXPECT_EQ(mistakes(shear),
+            "deck.toml:4:19: materials.binder.shear.prony: g.csv: expected a column of the shear modulus, got "
+            "\"youngs_modulus_Pa\", that of Young's modulus: convert it by G = E / (2 (1 + nu)), nu being Poisson's "
+            "ratio, and begin the name of the column with shear_");
+  directory.write("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,3e6\n");
+  EXPECT_THAT(mistakes(shear), HasSubstr("expected a column of the shear modulus, got \"bulk_modulus_Pa\""));
+  directory.write("g.csv", "relaxation_time_s,shear_modulus_Pa\n1,3e6\n");
+  const auto bulk = directory.mistakes(test::replaced(deck("shear = \"1 MPa\""), "\"3 GPa\"", "{ prony = \"g.csv\" }"));
+  EXPECT_THAT(bulk, HasSubstr("binder.bulk.prony: g.csv: expected a column of the bulk modulus, got "
+                              "\"shear_modulus_Pa\", that of the shear modulus"));
+}
+
+TEST_F(DeckMaterials, NamesHaveNoControlCharacters) {
+  const auto text = test::replaced(deck("shear = \"1 MPa\""), "materials.binder", "materials.\"b\\nb\"");
+  EXPECT_THAT(directory.mistakes(text),
+              HasSubstr("deck.toml:1:1: materials.b\\u000ab: expected a name without line breaks"));
 }
 
 TEST_F(DeckMaterials, Mistakes) {
@@ -100,7 +125,8 @@ c1 = 6.5
 c2 = "120 K"
 reference = "19 degC"
 temperature = "-120 degC")")),
-              HasSubstr("temperature_shift.temperature: the WLF law has no meaning"));
+              HasSubstr("temperature_shift.temperature: the WLF law has no meaning at or below 172.15 K (-101 degC) "
+                        "(reference temperature - c2), got 153.15 K (-120 degC)"));
   EXPECT_THAT(mistakes(shift("law = \"arrhenius\"")), HasSubstr("expected \"wlf\" (nothing else is available)"));
 }
 

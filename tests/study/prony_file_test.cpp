@@ -15,7 +15,7 @@ TEST(PronyFile, ReadsWhatItWrites) {
   const test::TemporaryDirectory directory;
   const auto path = directory.path() / "g.csv";
   const PronySeries series(1.5e5, {{1.0 / 3.0, 2e6}, {1e-7, 3e8}});
-  write_prony_file(path, series, "Made up.");
+  write_prony_file(path, series, ModulusKind::unspecified, "Made up.");
   EXPECT_EQ(read_text(path),
             "# Made up.\nrelaxation_time_s,modulus_Pa\ninf,150000\n0.3333333333333333,2000000\n"
             "1e-07,300000000\n");
@@ -26,6 +26,22 @@ TEST(PronyFile, ReadsWhatItWrites) {
 TEST(PronyFile, WithoutAnEquilibriumModulusSaysSo) {
   const test::TemporaryDirectory directory;
   EXPECT_FALSE(read_prony_file(directory.written("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,2\n")).equilibrium);
+}
+
+TEST(PronyFile, SaysWhichModulusItHolds) {
+  const test::TemporaryDirectory directory;
+  const auto path = directory.path() / "g.csv";
+  write_prony_file(path, PronySeries(2.0, {{1.0, 3.0}}), ModulusKind::young);
+  EXPECT_TRUE(read_text(path).starts_with("relaxation_time_s,youngs_modulus_Pa\n"));
+  EXPECT_EQ(read_prony_file(path, ModulusKind::young).equilibrium, 2.0);
+  EXPECT_THROW(static_cast<void>(read_prony_file(path, ModulusKind::shear)), InputError);
+}
+
+TEST(PronyFile, InOtherUnitsIsTheSame) {
+  const test::TemporaryDirectory directory;
+  const auto si = read_prony_file(directory.written("a.csv", "relaxation_time_s,modulus_Pa\n7e-3,1.1e6\ninf,3e5\n"));
+  const auto other = read_prony_file(directory.written("b.csv", "Relaxation time [ms];G [MPa]\n7;1,1\ninf;0,3\n"));
+  EXPECT_EQ(PronySeries(*si.equilibrium, si.terms), PronySeries(*other.equilibrium, other.terms));
 }
 
 TEST(PronyFile, TellsAllMistakesAtOnce) {

@@ -108,6 +108,28 @@ TEST_F(SweepDeck, RangesOfNumbers) {
               ElementsAre("tolerance-1e-06", "tolerance-1e-05", "tolerance-0.0001"));
 }
 
+TEST_F(SweepDeck, RangesOfQuantities) {
+  const auto sweep = read("[sweep]\n\"stages.0.filler.to\" = { from = \"10 um\", to = \"0.02 mm\", count = 3 }\n");
+  ASSERT_EQ(sweep.tasks.size(), 3U);
+  EXPECT_EQ(sweep.tasks[1].name, "to-15-um");
+  EXPECT_EQ(sweep.tasks[1].values.at(0), Scalar(std::string("15 um")));
+  EXPECT_EQ(sweep.tasks[2].study.stages.at(0).filler->largest, 20e-6);
+  EXPECT_THAT(names("[sweep]\n\"stages.0.filler.gap\" = { from = \"4 points\", to = \"6 points\", count = 2 }\n"),
+              ElementsAre("gap-4-points", "gap-6-points"));
+  EXPECT_THAT(names("[sweep]\n\"materials.hmx.shear\" = "
+                    "{ from = \"10 MPa\", to = \"1 GPa\", count = 3, spacing = \"logarithmic\" }\n"),
+              ElementsAre("shear-10-MPa", "shear-100-MPa", "shear-1000-MPa"));
+}
+
+TEST_F(SweepDeck, RangesOfTemperatures) {
+  deck = test::replaced(deck, "shear = \"1 MPa\"",
+                        "shear = { terms = [{ time = \"1 s\", modulus = \"1 MPa\" }] }\ntemperature_shift = { law = "
+                        "\"wlf\", c1 = 6.5, c2 = \"120 K\", reference = \"19 degC\", temperature = \"19 degC\" }");
+  EXPECT_THAT(names("[sweep]\n\"materials.binder.temperature_shift.temperature\" = "
+                    "{ from = \"-40 degC\", to = \"60 degC\", count = 3 }\n"),
+              ElementsAre("temperature-minus-40-degC", "temperature-10-degC", "temperature-60-degC"));
+}
+
 TEST_F(SweepDeck, RangesReachAsFarAsNumbersDo) {
   constexpr auto seeds = "[sweep]\n\"stages.0.packing.seed\" = ";
   EXPECT_THAT(names(test::join(seeds, "{ from = 9223372036854775806, to = 9223372036854775807 }\n")),
@@ -180,6 +202,18 @@ const std::vector<BadSweep> bad_sweeps{
      "fraction.from: expected a positive number, got 0"},
     {"\"stages.0.filler.fraction\" = { from = 0.5, to = 0.6, cuont = 3 }",
      R"(unknown key "cuont", did you mean "count"?)"},
+    {R"("stages.0.filler.gap" = { from = "1 um", to = "2 s", count = 3 })",
+     R"(gap.to: expected a quantity in "um", the unit of from, or in another that can be converted to it, got "2 s")"},
+    {R"("stages.0.filler.gap" = { from = "2 mm", to = "3 um", count = 3 })",
+     R"(gap.to: expected more than "2 mm", got "3 um")"},
+    {R"("stages.0.filler.gap" = { from = "1 um", to = 3, count = 3 })",
+     "gap.to: expected a number with its unit, as the other end of the range has one"},
+    {R"("stages.0.filler.gap" = { from = "um", to = "3 um", count = 3 })",
+     R"(gap.from: expected a number with its unit, such as "48 um", got "um")"},
+    {R"("stages.0.filler.gap" = { from = "1 um", to = "3 um" })", "gap: expected count, the number of values"},
+    {R"("stages.0.filler.gap" = { from = "0 um", to = "3 um", count = 3, spacing = "logarithmic" })",
+     R"(gap.from: expected a positive quantity, got "0 um")"},
+    {R"("tests.volumetric" = ["a\nb"])", "expected text without line breaks"},
     {R"("stages.0.cells" = { from = 5, to = 8, spacing = "linear" })", "spacing: goes with count"},
     {"\"stages.0.cells\" = { from = 1, to = 5000 }", "to: expected at most 1000 values, got 5000"},
     {"\"stages.0.cells\" = { from = 2, to = 50 }\n\"stages.0.packing.seed\" = { from = 1, to = 50 }",

@@ -36,9 +36,10 @@ class CsvTable {
 };
 
 /// Reads a CSV file: a header line with the names of the columns, then one row a line. All columns hold numbers (`inf`
-/// is one) except those named as text. Empty lines, lines that begin with #, spaces around values, double quotes, CRLF
-/// and a UTF-8 byte order mark are allowed.
-/// Throws InputError with one line for each bad line, at most 20, and FileError when the file cannot be read.
+/// is one) except those named as text. Empty lines, lines that begin with #, spaces around values, double quotes (with
+/// separators and line breaks within them), CRLF and a UTF-8 byte order mark are allowed. For tables that Breccia
+/// writes itself; read_measured_table reads what people and instruments write. Throws InputError with what is wrong
+/// (FileMistakes), and FileError when the file cannot be read.
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& text_columns = {});
 
 /// A column to be written.
@@ -47,8 +48,8 @@ struct CsvColumn {
   std::variant<std::vector<double>, std::vector<std::string>> values;
 };
 
-/// Writes columns of equal length atomically; numbers are the shortest that read back as the same double. Each line of
-/// the comment gets a leading "# ". Throws FileError.
+/// Writes columns of equal length atomically; numbers are the shortest that read back as the same double, and so is
+/// text of any kind. Each line of the comment gets a leading "# ". Throws FileError.
 void write_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, std::string_view comment = {});
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
 namespace breccia {
@@ -15,11 +16,14 @@ struct PronyFile {
   std::vector<MaxwellTerm> terms;
 };
 
-/// Reads a CSV file with a column relaxation_time_s and one whose name ends in modulus_Pa; an infinite relaxation time
-/// marks the equilibrium modulus. Throws InputError with one line for each mistake, and FileError.
-PronyFile read_prony_file(const std::filesystem::path& path);
+/// Reads a table (read_measured_table) of relaxation times and moduli of some kind; an infinite relaxation time marks
+/// the equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind, and
+/// FileError.
+PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind = ModulusKind::unspecified);
 
-/// Writes such a file, with modulus_Pa as its second column. Throws FileError.
-void write_prony_file(const std::filesystem::path& path, const PronySeries& series, std::string_view comment = {});
+/// Writes such a file; the second column is called `modulus_Pa`, with the kind before it where that is known. Throws
+/// FileError.
+void write_prony_file(const std::filesystem::path& path, const PronySeries& series,
+                      ModulusKind kind = ModulusKind::unspecified, std::string_view comment = {});
 
 }  // namespace breccia

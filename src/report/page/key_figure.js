@@ -47,7 +47,8 @@ function keyFigure(curves, choice) {
 }
 
 function keyAxis(key, spread) {
-  const isLogarithmic = Math.min(...key.numbers) > 0 && spread >= 8;
+  const hasOrigin = !/^(deg|°)/.test(key.unit ?? "");
+  const isLogarithmic = hasOrigin && Math.min(...key.numbers) > 0 && spread >= 8;
   const ends = [Math.min(...key.numbers), Math.max(...key.numbers)];
   const title = axisTitle(key.label, key.unit);
   if (isLogarithmic) {

@@ -8,7 +8,7 @@ const sweep = data.sweep;
 /// The swept keys: {path, label, values, numbers}, `numbers` only where all values are numbers in one unit.
 const sweptKeys = sweep.keys.map((path) => {
   const values = [...new Set(sweep.tasks.map((task) => task.values[path]))];
-  return {path, label: labelOfKey(path), values, isSeed: path.split(".").at(-1) === "seed", ...numbersOf(values)};
+  return {path, label: labelOfKey(path), values, isSeed: path.split(".").at(-1) === "seed", ...numbersOf(path, values)};
 });
 
 /// The last step of a path, or all of it where another key ends like it.
@@ -17,7 +17,13 @@ function labelOfKey(path) {
   return sweep.keys.filter((other) => last(other) === last(path)).length === 1 ? last(path) : path;
 }
 
-function numbersOf(values) {
+/// Quantities of different units are numbers in that of the first.
+function numbersOf(path, values) {
+  const quantity = sweep.quantities?.[path];
+  if (quantity !== undefined) {
+    const taskWith = (value) => sweep.tasks.findIndex((task) => task.values[path] === value);
+    return {numbers: values.map((value) => quantity.numbers[taskWith(value)]), unit: quantity.unit};
+  }
   const read = values.map((value) => /^([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*)$/.exec(String(value)));
   const units = new Set(read.map((match) => match?.[2]));
   if (read.includes(null) || units.size > 1) return {};

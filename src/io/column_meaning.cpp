@@ -1,0 +1,217 @@
+#include "column_meaning.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+#include <fmt/ranges.h>
+
+#include "csv_records.hpp"
+
+namespace breccia::detail {
+
+namespace {
+
+using enum Quantity;
+
+struct Stem {
+  std::string_view text;
+  Quantity quantity;
+  ModulusKind kind = ModulusKind::unspecified;
+  bool counts_cycles = false;
+};
+
+/// Names in words, in small letters.
+constexpr std::array<Stem, 19> stems{{
+    {"time", time},
+    {"relaxation time", relaxation_time},
+    {"tau", relaxation_time},
+    {"storage", storage_modulus},
+    {"loss", loss_modulus},
+    {"angular frequency", angular_frequency},
+    {"angular freq", angular_frequency},
+    {"ang. frequency", angular_frequency},
+    {"ang. freq", angular_frequency},
+    {"omega", angular_frequency},
+    {"frequency", angular_frequency, ModulusKind::unspecified, true},
+    {"freq", angular_frequency, ModulusKind::unspecified, true},
+    {"freq.", angular_frequency, ModulusKind::unspecified, true},
+    {"temperature", temperature},
+    {"temp", temperature},
+    {"temp.", temperature},
+    {"diameter", diameter},
+    {"cumulative volume fraction", cumulative_volume_fraction},
+    {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},
+}};
+
+/// Letters that stand for a quantity, in which capitals differ from small letters.
+constexpr std::array<Stem, 18> symbols{{
+    {"t", time},
+    {"T", temperature},
+    {"f", angular_frequency, ModulusKind::unspecified, true},
+    {"ω", angular_frequency},
+    {"x", x},
+    {"y", y},
+    {"G", modulus, ModulusKind::shear},
+    {"E", modulus, ModulusKind::young},
+    {"K", modulus, ModulusKind::bulk},
+    {"J", compliance, ModulusKind::shear},
+    {"D", compliance, ModulusKind::young},
+    {"G'", storage_modulus, ModulusKind::shear},
+    {"E'", storage_modulus, ModulusKind::young},
+    {"K'", storage_modulus, ModulusKind::bulk},
+    {"G''", loss_modulus, ModulusKind::shear},
+    {"E''", loss_modulus, ModulusKind::young},
+    {"K''", loss_modulus, ModulusKind::bulk},
+    {"τ", relaxation_time},
+}};
+
+/// What may have words before it, as in "shear storage modulus"; the longer of two that end alike comes first.
+constexpr std::array<Stem, 4> moduli{{
+    {"storage modulus", storage_modulus},
+    {"loss modulus", loss_modulus},
+    {"modulus", modulus},
+    {"compliance", compliance},
+}};
+
+std::string with_replaced(std::string_view text, std::string_view from, std::string_view to) {
+  std::string result;
+  for (auto at = text.find(from); at != std::string_view::npos; at = text.find(from)) {
+    result += text.substr(0, at);
+    result += to;
+    text.remove_prefix(at + from.size());
+  }
+  result += text;
+  return result;
+}
+
+/// The words of a name; primes of any kind become apostrophes.
+std::vector<std::string> words_of(std::string_view stem) {
+  std::string text(stem);
+  for (const auto* prime : {"′", "’", "´"}) text = with_replaced(text, prime, "'");
+  for (const auto* double_prime : {"″", "”", "\""}) text = with_replaced(text, double_prime, "''");
+  std::vector<std::string> words(1);
+  for (const char letter : text) {
+    const bool is_space = letter == ' ' || letter == '_' || letter == '-' || letter == '\t';
+    if (!is_space) {
+      words.back() += letter;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+std::string in_small_letters(std::string text) {
+  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+const Stem* symbol_of(const std::string& word) {
+  const auto* found = std::ranges::find(symbols, word, &Stem::text);
+  return found == symbols.end() ? nullptr : found;
+}
+
+/// The words before that of a modulus: do they say that it is none, as in "log modulus"?
+bool say_something_else(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 9> others{"log",        "log10",      "lg",       "ln",   "complex",
+                                                   "normalised", "normalized", "relative", "error"};
+  return std::ranges::any_of(words, [&](const auto& word) { return std::ranges::find(others, word) != others.end(); });
+}
+
+ModulusKind kind_of_words(const std::vector<std::string>& words) {
+  for (const auto& word : words) {
+    if (const auto kind = kind_of_word(word)) return *kind;
+  }
+  return ModulusKind::unspecified;
+}
+
+std::optional<Stem> modulus_in_words(const std::vector<std::string>& words) {
+  const auto text = fmt::format(" {}", fmt::join(words, " "));
+  for (const auto& known : moduli) {
+    if (!text.ends_with(fmt::format(" {}", known.text))) continue;
+    if (say_something_else(words)) return std::nullopt;
+    return Stem{known.text, known.quantity, kind_of_words(words)};
+  }
+  return std::nullopt;
+}
+
+/// What a name without its unit means.
+std::optional<Stem> stem_of(std::string_view text) {
+  if (text.find_first_of(",;[](){}=/") != std::string_view::npos) return std::nullopt;
+  auto words = words_of(text);
+  if (words.empty()) return std::nullopt;
+  const auto* symbol = symbol_of(words.back());
+  if (symbol != nullptr && words.size() == 1) return *symbol;
+  if (symbol != nullptr) words.pop_back();  // as in "Storage modulus G'"
+  for (auto& word : words) word = in_small_letters(std::move(word));
+  const auto* known = std::ranges::find(stems, fmt::format("{}", fmt::join(words, " ")), &Stem::text);
+  auto stem = known != stems.end() ? std::optional(*known) : modulus_in_words(words);
+  if (symbol == nullptr || !stem) return stem;
+  if (stem->quantity != symbol->quantity) return std::nullopt;
+  if (stem->kind == ModulusKind::unspecified) stem->kind = symbol->kind;
+  return stem;
+}
+
+/// "G(t) [MPa]" as "G [MPa]".
+std::string without_argument(std::string_view name) {
+  std::string text(name);
+  for (const auto* argument : {"(t)", "(ω)", "(omega)", "(f)"}) text = with_replaced(text, argument, "");
+  return text;
+}
+
+struct StemAndUnit {
+  std::string_view stem, unit;
+};
+
+/// "Temp [°C]", "time (s)".
+std::optional<StemAndUnit> split_at_bracket(std::string_view name) {
+  if (!name.ends_with(']') && !name.ends_with(')')) return std::nullopt;
+  const auto opening = name.find(name.ends_with(']') ? '[' : '(');
+  if (opening == std::string_view::npos) return std::nullopt;
+  return StemAndUnit{trimmed(name.substr(0, opening)), trimmed(name.substr(opening + 1, name.size() - opening - 2))};
+}
+
+std::optional<ColumnMeaning> meaning_of(const StemAndUnit& parts) {
+  const auto stem = stem_of(parts.stem);
+  if (!stem) return std::nullopt;
+  return ColumnMeaning{stem->quantity, stem->kind, stem->counts_cycles, std::string(parts.unit)};
+}
+
+/// The unit after a slash or a comma: "time / s", "Frequency, Hz", "omega/(rad/s)".
+std::optional<ColumnMeaning> meaning_by_sign(std::string_view name) {
+  const auto sign = name.find_first_of("/,");
+  if (sign == std::string_view::npos) return std::nullopt;
+  auto unit = trimmed(name.substr(sign + 1));
+  if (unit.starts_with('(') && unit.ends_with(')')) unit = unit.substr(1, unit.size() - 2);
+  return meaning_of({trimmed(name.substr(0, sign)), unit});
+}
+
+/// The unit after an underscore or a space, the name as long as it can be: "relaxation_time_s", "Temp °C".
+std::optional<ColumnMeaning> meaning_by_words(std::string_view name) {
+  auto end = name.find_last_of("_ ");
+  while (end != std::string_view::npos && end > 0) {
+    if (auto meaning = meaning_of({name.substr(0, end), name.substr(end + 1)})) return meaning;
+    end = name.find_last_of("_ ", end - 1);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ColumnMeaning> meaning_of(std::string_view name) {
+  constexpr std::size_t longest = 200;
+  if (name.size() > longest) return std::nullopt;
+  const auto text = without_argument(name);
+  if (auto meaning = meaning_of(StemAndUnit{trimmed(text), {}})) return meaning;
+  const auto parts = split_at_bracket(text);
+  auto in_brackets = parts ? meaning_of(*parts) : std::nullopt;
+  if (in_brackets) return in_brackets;
+  if (auto meaning = meaning_by_sign(text)) return meaning;
+  return meaning_by_words(text);
+}
+
+}  // namespace breccia::detail

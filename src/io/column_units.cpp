@@ -1,0 +1,124 @@
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
+
+#include "column_meaning.hpp"
+
+namespace breccia::detail {
+
+namespace {
+
+/// Of a unit that is so many SI units.
+Conversion by_factor(double factor) {
+  const double parts = std::round(1.0 / factor);
+  constexpr double tolerance = 1e-12;
+  if (factor < 1.0 && std::abs(parts * factor - 1.0) < tolerance) return {1.0, parts};
+  return {factor};
+}
+
+Conversion reciprocal(const Conversion& conversion) {
+  return {conversion.divisor, conversion.factor};
+}
+
+Conversion by_unit(std::string_view unit, Dimension dimension) {
+  return by_factor(parse_quantity(fmt::format("1 {}", unit), dimension));
+}
+
+/// "1_per_Pa", "1/Pa", "/Pa", "Pa^-1" or "Pa-1" as "Pa".
+Conversion reciprocal_pressure(std::string_view unit) {
+  for (const std::string_view beginning : {"1_per_", "1/", "1 / ", "/"}) {
+    if (unit.starts_with(beginning)) return reciprocal(by_unit(unit.substr(beginning.size()), Dimension::pressure));
+  }
+  for (const std::string_view ending : {"^-1", "-1", "⁻¹"}) {
+    if (unit.ends_with(ending)) {
+      return reciprocal(by_unit(unit.substr(0, unit.size() - ending.size()), Dimension::pressure));
+    }
+  }
+  throw InputError(fmt::format("expected a unit such as 1_per_Pa, got \"{}\"", unit));
+}
+
+/// A frequency is an angular one where its unit says so.
+Conversion frequency(std::string_view unit, bool counts_cycles) {
+  for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
+    if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));
+  }
+  for (const std::string_view rate : {"rad s-1", "rad s^-1", "rad·s-1", "rad*s^-1", "rad s⁻¹"}) {
+    if (unit == rate) return {};
+  }
+  if (counts_cycles) return {2.0 * std::numbers::pi * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
+  if (unit == "1/s" || unit == "s-1" || unit == "s^-1") return {};
+  throw InputError(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit));
+}
+
+Conversion temperature(std::string_view unit) {
+  // In UDUNITS-2 C is the coulomb and F the farad.
+  if (unit == "C" || unit == "deg C" || unit == "deg. C" || unit == "ºC") unit = "degC";
+  if (unit == "F" || unit == "deg F" || unit == "ºF") unit = "degF";
+  return {parse_quantity(fmt::format("1 {}", unit), Dimension::temperature_difference), 1.0,
+          parse_quantity(fmt::format("0 {}", unit), Dimension::temperature)};
+}
+
+Conversion fraction(std::string_view unit) {
+  if (unit.empty() || unit == "-" || unit == "1") return {};
+  if (unit == "%") return {1.0, 100.0};
+  throw InputError(fmt::format("expected none, or %, got \"{}\"", unit));
+}
+
+std::string_view example_of_unit(const ColumnMeaning& meaning) {
+  switch (meaning.quantity) {
+    case Quantity::time:
+    case Quantity::relaxation_time:
+      return "s";
+    case Quantity::compliance:
+      return "1/Pa";
+    case Quantity::angular_frequency:
+      return meaning.counts_cycles ? "Hz" : "rad/s";
+    case Quantity::temperature:
+      return "degC";
+    case Quantity::diameter:
+    case Quantity::x:
+    case Quantity::y:
+      return "um";
+    default:
+      return "Pa";
+  }
+}
+
+}  // namespace
+
+double Conversion::operator()(double value) const {
+  if (divisor != 1.0) return value / divisor;
+  return offset == 0.0 ? factor * value : factor * value + offset;
+}
+
+Conversion conversion_of(const ColumnMeaning& meaning) {
+  const std::string_view unit = meaning.unit;
+  if (meaning.quantity == Quantity::cumulative_volume_fraction) return fraction(unit);
+  if (unit.empty()) {
+    throw InputError(
+        fmt::format("expected one in the name of the column, as in \"[{}]\", got none", example_of_unit(meaning)));
+  }
+  switch (meaning.quantity) {
+    case Quantity::time:
+    case Quantity::relaxation_time:
+      return by_unit(unit, Dimension::time);
+    case Quantity::compliance:
+      return reciprocal_pressure(unit);
+    case Quantity::angular_frequency:
+      return frequency(unit, meaning.counts_cycles);
+    case Quantity::temperature:
+      return temperature(unit);
+    case Quantity::diameter:
+    case Quantity::x:
+    case Quantity::y:
+      return by_unit(unit, Dimension::length);
+    default:
+      return by_unit(unit, Dimension::pressure);
+  }
+}
+
+}  // namespace breccia::detail

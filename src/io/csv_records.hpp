@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace breccia::detail {
+
+/// A row of a CSV file, without spaces around its values.
+struct CsvRecord {
+  std::size_t line = 0;  ///< in which it begins, from 1
+  std::vector<std::string> fields;
+};
+
+/// Reads a CSV text row by row. Empty lines and lines that begin with # are none. A value that begins with a double
+/// quote ends with the next single one: in between, separators and line breaks are letters, and "" is a quote. A quote
+/// within a value is a letter, as in G".
+class CsvRecords {
+ public:
+  /// The text must outlive this.
+  explicit CsvRecords(std::string_view text, char separator = ',') : text_(text), separator_(separator) {}
+
+  /// The next row, or nothing at the end.
+  std::optional<CsvRecord> next();
+
+ private:
+  void skip_line();
+  std::string read_value();
+  std::string read_quoted(std::size_t closing);
+  /// What stands before the next separator or line break, without spaces around it.
+  std::string read_bare();
+  [[nodiscard]] bool is_at_end_of_line() const { return at_ == text_.size() || text_[at_] == '\n'; }
+
+  std::string_view text_;
+  char separator_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+/// A number, which may be infinite but not NaN.
+std::optional<double> parse_number(std::string_view text);
+
+/// Without the spaces, tabs and carriage returns around it.
+std::string_view trimmed(std::string_view text);
+
+}  // namespace breccia::detail

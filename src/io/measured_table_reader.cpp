@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table.hpp"
+
+#include "column_meaning.hpp"
+#include "csv_records.hpp"
+#include "table_layout.hpp"
+#include "text_encoding.hpp"
+
+namespace breccia {
+
+/// Reads one file row by row and gathers what is wrong with it.
+class MeasuredTableReader {
+ public:
+  explicit MeasuredTableReader(const std::filesystem::path& path) : mistakes_(path) { table_.path_ = path; }
+
+  MeasuredTable read() {
+    const auto text = detail::read_table_text(table_.path_);
+    layout_ = detail::layout_of(text);
+    table_.names_ = layout_.header.fields;
+    if (table_.names_.empty()) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));
+    refuse_header();
+    detail::CsvRecords records(text, layout_.separator);
+    auto record = records.next();
+    while (record && record->line <= layout_.header.line) record = records.next();
+    read_meanings();
+    if (record && is_row_of_units(record->fields)) {
+      add_units(record->fields);
+      record = records.next();
+    }
+    make_columns();
+    mistakes_.refuse();
+    for (; record; record = records.next()) read_row(std::move(*record));
+    mistakes_.refuse();
+    return std::move(table_);
+  }
+
+ private:
+  [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", table_.path_.string(), line); }
+
+  /// One without names, or without separators.
+  void refuse_header() {
+    if (table_.names_.size() == 1) {
+      mistakes_.add(place(layout_.header.line), "expected columns, separated by commas, semicolons or tabs",
+                    shown_value(table_.names_.front()));
+    }
+    mistakes_.refuse();
+    if (layout_.known_columns > 0) return;
+    for (const auto& name : table_.names_) {
+      if (!number_in(name)) continue;
+      mistakes_.add(place(layout_.header.line), "expected the name of a column (the first line is the header)",
+                    shown_value(name));
+    }
+    mistakes_.refuse();
+  }
+
+  void read_meanings() {
+    for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name));
+  }
+
+  /// Does a row tell the units of known columns that have none in their names?
+  [[nodiscard]] bool is_row_of_units(const std::vector<std::string>& fields) const {
+    bool tells_units = false;
+    for (std::size_t i = 0; i < std::min(fields.size(), meanings_.size()); ++i) {
+      if (number_in(fields[i])) return false;
+      const bool lacks_unit = meanings_[i] && meanings_[i]->unit.empty();
+      tells_units = tells_units || (lacks_unit && !fields[i].empty());
+    }
+    return tells_units;
+  }
+
+  void add_units(const std::vector<std::string>& fields) {
+    for (std::size_t i = 0; i < std::min(fields.size(), meanings_.size()); ++i) {
+      if (!meanings_[i] || !meanings_[i]->unit.empty()) continue;
+      auto unit = std::string_view(fields[i]);
+      const bool has_brackets =
+          (unit.starts_with('[') && unit.ends_with(']')) || (unit.starts_with('(') && unit.ends_with(')'));
+      if (has_brackets) unit = unit.substr(1, unit.size() - 2);
+      meanings_[i]->unit = std::string(unit);
+    }
+  }
+
+  /// Columns whose units are known; the others are left out.
+  void make_columns() {
+    for (std::size_t i = 0; i < meanings_.size(); ++i) {
+      if (!meanings_[i]) continue;
+      const auto& name = table_.names_[i];
+      const auto [quantity, kind, counts_cycles, unit] = *meanings_[i];
+      try {
+        sources_.push_back({i, detail::conversion_of(*meanings_[i])});
+      } catch (const InputError& error) {
+        table_.unknown_units_.push_back({quantity, fmt::format("the unit of {}: {}", shown_value(name), error.what())});
+        continue;
+      }
+      const auto earlier =
+          std::ranges::find_if(table_.columns_, [&, wanted = quantity, same = kind](const auto& column) {
+            return column.quantity == wanted && column.kind == same;
+          });
+      if (earlier != table_.columns_.end()) {
+        mistakes_.add("", fmt::format("{} says the same as {}", shown_value(name), shown_value(earlier->name)));
+      }
+      table_.columns_.push_back({quantity, kind, name, {}, {}});
+    }
+  }
+
+  void read_row(detail::CsvRecord record) {
+    auto& fields = record.fields;
+    const auto count = table_.names_.size();
+    if (std::ranges::all_of(fields, &std::string::empty)) return;
+    while (fields.size() > count && fields.back().empty()) fields.pop_back();
+    if (fields.size() != count) {
+      const bool may_be_commas = layout_.separator == ',' && fields.size() > count;
+      mistakes_.add(place(record.line), fmt::format("expected {} values ({})", count, fmt::join(table_.names_, ", ")),
+                    fmt::format("{}{}", fields.size(),
+                                may_be_commas ? " (with decimal commas, separate the columns by semicolons)" : ""));
+      return;
+    }
+    table_.lines_.push_back(record.line);
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      const auto& [place_in_row, conversion] = sources_[i];
+      auto& column = table_.columns_[i];
+      const auto number = number_in(fields[place_in_row]);
+      if (!number) {
+        mistakes_.add(place(record.line), fmt::format("{}: expected a number", column.name),
+                      shown_value(fields[place_in_row]));
+      }
+      column.written.push_back(number.value_or(0.0));
+      column.values.push_back(conversion(number.value_or(0.0)));
+    }
+  }
+
+  [[nodiscard]] std::optional<double> number_in(const std::string& field) const {
+    if (!layout_.has_decimal_commas) return detail::parse_number(field);
+    auto with_point = field;
+    std::ranges::replace(with_point, ',', '.');
+    return detail::parse_number(with_point);
+  }
+
+  struct Source {
+    std::size_t place_in_row;
+    detail::Conversion conversion;
+  };
+
+  MeasuredTable table_;
+  FileMistakes mistakes_;
+  detail::TableLayout layout_;
+  std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< of the names
+  std::vector<Source> sources_;                                 ///< of the columns of the table
+};
+
+MeasuredTable read_measured_table(const std::filesystem::path& path) {
+  return MeasuredTableReader(path).read();
+}
+
+}  // namespace breccia

@@ -1,0 +1,201 @@
+#include "breccia/io/measured_table.hpp"
+
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using enum Quantity;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class MeasuredTableTest : public testing::Test {
+ protected:
+  [[nodiscard]] MeasuredTable read(std::string_view text) const {
+    return read_measured_table(directory.written("table.csv", text));
+  }
+  template <class Use>
+  [[nodiscard]] std::string mistakes(std::string_view text, const Use& use) const {
+    const auto message = test::message_of<InputError>([&] { use(read(text)); });
+    return test::replaced(message, directory.path().string() + "/", "");
+  }
+  [[nodiscard]] std::string mistakes(std::string_view text) const {
+    return mistakes(text, [](const MeasuredTable&) {});
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+/// A name of a column, and 3 in its unit.
+struct Known {
+  const char* name;
+  Quantity quantity;
+  double three;
+  ModulusKind kind = ModulusKind::unspecified;
+};
+
+TEST_F(MeasuredTableTest, NamesSayWhatColumnsAre) {
+  constexpr double turn = 2.0 * std::numbers::pi;
+  const std::vector<Known> cases{
+      {"time_s", time, 3.0},
+      {"time_ms", time, 3e-3},
+      {"Time [min]", time, 180.0},
+      {"t / s", time, 3.0},
+      {"relaxation_time_us", relaxation_time, 3e-6},
+      {"tau (s)", relaxation_time, 3.0},
+      {"frequency_Hz", angular_frequency, turn * 3.0},
+      {"Freq. (kHz)", angular_frequency, turn * 3e3},
+      {"Frequency [rad/s]", angular_frequency, 3.0},
+      {"angular_frequency_rad_per_ms", angular_frequency, 3e3},
+      {"omega/(rad/s)", angular_frequency, 3.0},
+      {"ω [1/s]", angular_frequency, 3.0},
+      {"temperature_K", temperature, 3.0},
+      {"Temp (°C)", temperature, 276.15},
+      {"T [C]", temperature, 276.15},
+      {"temp_degF", temperature, 257.0388888888889},
+      {"modulus_Pa", modulus, 3.0},
+      {"shear_modulus_MPa", modulus, 3e6, ModulusKind::shear},
+      {"Relaxation modulus [GPa]", modulus, 3e9},
+      {"youngs_modulus_Pa", modulus, 3.0, ModulusKind::young},
+      {"Young's modulus / kPa", modulus, 3e3, ModulusKind::young},
+      {"tensile_relaxation_modulus_MPa", modulus, 3e6, ModulusKind::young},
+      {"E(t) [MPa]", modulus, 3e6, ModulusKind::young},
+      {"K_GPa", modulus, 3e9, ModulusKind::bulk},
+      {"oedometric modulus [MPa]", modulus, 3e6, ModulusKind::other},
+      {"compliance_1_per_GPa", compliance, 3e-9},
+      {"J(t) [1/MPa]", compliance, 3e-6, ModulusKind::shear},
+      {"Tensile compliance [Pa^-1]", compliance, 3.0, ModulusKind::young},
+      {"storage_modulus_MPa", storage_modulus, 3e6},
+      {"Storage modulus G' [Pa]", storage_modulus, 3.0, ModulusKind::shear},
+      {"shear_storage_modulus_Pa", storage_modulus, 3.0, ModulusKind::shear},
+      {"E′ (MPa)", storage_modulus, 3e6, ModulusKind::young},
+      {"loss [kPa]", loss_modulus, 3e3},
+      {"G\" [Pa]", loss_modulus, 3.0, ModulusKind::shear},
+      {"tensile_loss_modulus_MPa", loss_modulus, 3e6, ModulusKind::young},
+      {"diameter_um", diameter, 3e-6},
+      {"x [mm]", x, 3e-3},
+      {"y_m", y, 3.0},
+      {"cumulative_volume_fraction", cumulative_volume_fraction, 3.0},
+      {"cumulative volume fraction [%]", cumulative_volume_fraction, 0.03},
+  };
+  for (const auto& [name, quantity, three, kind] : cases) {
+    const auto table = read(std::string(name) + ",something\n3,else\n");
+    ASSERT_TRUE(table.has({quantity})) << name;
+    EXPECT_DOUBLE_EQ(table.column(quantity).values.at(0), three) << name;
+    EXPECT_EQ(table.column(quantity).written.at(0), 3.0) << name;
+    EXPECT_EQ(table.column(quantity).kind, kind) << name;
+  }
+}
+
+TEST_F(MeasuredTableTest, OtherUnitsGiveTheSameBits) {
+  const auto table = read("x_um,y_nm,diameter_mm,time_ms,compliance_1_per_MPa\n7,7,0.3,0.7,1.1\n");
+  EXPECT_EQ(table.column(x).values.at(0), 7e-6);
+  EXPECT_EQ(table.column(y).values.at(0), 7e-9);
+  EXPECT_EQ(table.column(diameter).values.at(0), 0.3e-3);
+  EXPECT_EQ(table.column(time).values.at(0), 0.7e-3);
+  EXPECT_EQ(table.column(compliance).values.at(0), 1.1e-6);
+}
+
+TEST_F(MeasuredTableTest, OtherColumnsMayHoldAnything) {
+  const auto table = read(
+      "time_stamp,time_s,,temperature_setpoint_degC,Note,Note,modulus_Pa,log_modulus_Pa\n"
+      "12:01,1,,-,\"a, b\",c,2,x\n");
+  EXPECT_THAT(table.column(time).values, ElementsAre(1.0));
+  EXPECT_THAT(table.column(modulus).values, ElementsAre(2.0));
+  EXPECT_FALSE(table.has({temperature}));
+}
+
+TEST_F(MeasuredTableTest, AnUnknownUnitMattersWhereNothingElseServes) {
+  const auto* text = "time_stamp,modulus_PA\n1,2\n";
+  EXPECT_EQ(mistakes(text,
+                     [](const MeasuredTable& table) {
+                       table.require({time, modulus});
+                     }),
+            "table.csv: the unit of \"time_stamp\": expected a time, got \"1 stamp\": unknown unit \"stamp\"\n"
+            "table.csv: the unit of \"modulus_PA\": expected a pressure, got \"1 PA\", did you mean \"Pa\"?");
+  EXPECT_EQ(mistakes("time,modulus_Pa\n1,2\n",
+                     [](const MeasuredTable& table) {
+                       table.require({time, modulus});
+                     }),
+            "table.csv: the unit of \"time\": expected one in the name of the column, as in \"[s]\", got none");
+  EXPECT_EQ(mistakes("a,modulus_Pa\n1,2\n", [](const MeasuredTable& table) { table.require({time}); }),
+            "table.csv: no column of times, such as time_s; it has \"a\", \"modulus_Pa\"");
+}
+
+TEST_F(MeasuredTableTest, SeparatorsAndDecimalSigns) {
+  for (const auto* text : {
+           "time_s,modulus_Pa\n1.5,2\n2.5,1e3\n",
+           "time_s;modulus_Pa\n1,5;2\n2,5;1e3\n",
+           "time_s\tmodulus_Pa\n1,5\t2\n2,5\t1e3\n",
+           "time_s;modulus_Pa\r\n1.5;2\r\n2.5;1e3\r\n;\r\n",
+           "\"Time [s]\";\"Modulus [Pa]\";\n1,5;2;\n2,5;1e3;\n",
+           "\xEF\xBB\xBFTime;Modulus\ns;Pa\n1,5;2\n2,5;1e3\n",
+           "Time,Modulus\n[s],(Pa)\n1.5,2\n2.5,1e3\n",
+           "Instrument;DHR-3\nOperator;Doe, J.\n\n[Data]\nTime [s];Modulus [Pa]\n1,5;2\n2,5;1e3\n",
+       }) {
+    const auto table = read(text);
+    EXPECT_THAT(table.column(time).values, ElementsAre(1.5, 2.5)) << text;
+    EXPECT_THAT(table.column(modulus).values, ElementsAre(2.0, 1000.0)) << text;
+  }
+}
+
+// 1,234 beside 1.5 has a comma that parts thousands: it is not 1.234.
+TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
+  EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"), "table.csv:2: modulus_Pa: expected a number, got \"1,234\"");
+}
+
+TEST_F(MeasuredTableTest, Latin1) {
+  const auto table = read(
+      "Temp [\xb0"
+      "C];Frequency [Hz]\n20;1\n");
+  EXPECT_DOUBLE_EQ(table.column(temperature).values.at(0), 293.15);
+}
+
+TEST_F(MeasuredTableTest, OneMessageInThePlaceOfAFlood) {
+  EXPECT_EQ(mistakes("time_s modulus_Pa\n1 2\n2 3\n"),
+            "table.csv:1: expected columns, separated by commas, semicolons or tabs, got \"time_s modulus_Pa\"");
+  EXPECT_EQ(mistakes("time_s,modulus_Pa\n1,5,2,5\n"),
+            "table.csv:2: expected 2 values (time_s, modulus_Pa), got 4 (with decimal commas, separate the columns by "
+            "semicolons)");
+  EXPECT_EQ(mistakes("1,2\n3,4\n"),
+            "table.csv:1: expected the name of a column (the first line is the header), got \"1\"\n"
+            "table.csv:1: expected the name of a column (the first line is the header), got \"2\"");
+  EXPECT_EQ(mistakes("# nothing\n"), "table.csv: expected a header line");
+  EXPECT_EQ(mistakes("time_s,time_ms\n1,2\n"), "table.csv: \"time_ms\" says the same as \"time_s\"");
+}
+
+TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {
+  const auto of_kind = [](ModulusKind kind) {
+    return [kind](const MeasuredTable& table) { static_cast<void>(table.column(modulus, kind)); };
+  };
+  const auto* young = "time_s,youngs_modulus_Pa\n1,2\n";
+  EXPECT_EQ(mistakes(young, of_kind(ModulusKind::shear)),
+            "table.csv: expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: "
+            "convert it by "
+            "G = E / (2 (1 + nu)), nu being Poisson's ratio, and begin the name of the column with shear_");
+  EXPECT_THAT(mistakes(young, of_kind(ModulusKind::bulk)), HasSubstr("K = E / (3 (1 - 2 nu))"));
+  for (const auto* name :
+       {"tensile_modulus_Pa", "elastic_modulus_MPa", "bulk_modulus_Pa", "E [GPa]", "constrained_modulus_Pa"}) {
+    EXPECT_THAT(mistakes(std::string("time_s,") + name + "\n1,2\n", of_kind(ModulusKind::shear)),
+                HasSubstr("expected a column of the shear modulus, got"))
+        << name;
+  }
+  EXPECT_THAT(mistakes("time_s,shear_modulus_Pa\n1,2\n", of_kind(ModulusKind::bulk)),
+              HasSubstr("expected a column of the bulk modulus, got \"shear_modulus_Pa\""));
+  const auto both = read("time_s,youngs_modulus_Pa,shear_modulus_Pa\n1,3,1\n");
+  EXPECT_EQ(both.column(modulus, ModulusKind::shear).values.at(0), 1.0);
+  EXPECT_THAT(both.kinds(), ElementsAre(ModulusKind::young, ModulusKind::shear));
+  EXPECT_EQ(read("time_s,modulus_Pa\n1,2\n").column(modulus, ModulusKind::shear).values.at(0), 2.0);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,82 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+
+// Files that a deck names, in other units and written otherwise than Breccia writes them.
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+
+class DeckFiles : public testing::Test {
+ protected:
+  [[nodiscard]] Stage stage(const std::string& filler, const std::string& packing) const {
+    const auto text =
+        test::join(test::materials, "[[stages]]\nname = \"A\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 300\n",
+                   "filler = ", filler, "\npacking = ", packing, "\n", test::tests);
+    return directory.study(text).stages.at(0);
+  }
+  [[nodiscard]] static std::string measured(const std::string& name, const std::string& shear) {
+    return test::join(test::materials, test::stage, test::tests, "[[measurements]]\nname = \"", name,
+                      "\"\nshear = ", shear, "\n");
+  }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(DeckFiles, SizesInMicrometres) {
+  directory.write("sizes.csv", "Diameter [µm];Cumulative volume fraction [%]\n7;0\n14,5;40\n30;100\n");
+  const auto filler = stage(R"({ material = "hmx", fraction = 0.3, sizes = "sizes.csv", gap = "9 um" })",
+                            R"({ method = "lubachevsky-stillinger" })")
+                          .filler.value();
+  const auto& sizes = std::get<TabulatedSizes>(*filler.sizes);
+  EXPECT_EQ(sizes.diameters, (std::vector{7e-6, 14.5e-6, 30e-6}));
+  EXPECT_EQ(sizes.cumulative_volume_fractions, (std::vector{0.0, 0.4, 1.0}));
+}
+
+TEST_F(DeckFiles, DiscsInMicrometres) {
+  directory.write("discs.csv", "label,x_um,y_um,diameter_um\nfirst,300,250,200\nsecond,700,700,100\n");
+  const auto filler =
+      stage(R"({ material = "hmx" })", R"({ method = "explicit", discs = "discs.csv" })").filler.value();
+  const auto& discs = std::get<ExplicitPacking>(filler.packing).discs;
+  ASSERT_EQ(discs.size(), 2U);
+  EXPECT_EQ(discs[0].centre[0], 300e-6);
+  EXPECT_EQ(discs[0].centre[1], 250e-6);
+  EXPECT_EQ(discs[1].diameter, 100e-6);
+}
+
+TEST_F(DeckFiles, MeasuredCurvesInOtherUnits) {
+  directory.write("curve.csv", "time_ms,relaxation_modulus_MPa\n1,3\n1000,2\n");
+  const auto curve = directory.study(measured("DMA", "{ curve = \"curve.csv\" }")).measurements.at(0);
+  EXPECT_EQ(curve.at(1e-3), 3e6);
+  directory.write("prony.csv", "relaxation_time_ms,shear_modulus_MPa\n1000,3\ninf,1\n");
+  const auto series = directory.study(measured("DMA", "{ prony = \"prony.csv\" }")).measurements.at(0);
+  EXPECT_DOUBLE_EQ(series.at(1.0), 1e6 + 3e6 * std::exp(-1.0));
+}
+
+TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {
+  directory.write("curve.csv", "time_s,E [MPa]\n1,3\n2,2\n");
+  directory.write("prony.csv", "relaxation_time_s,tensile_modulus_Pa\n1,3\n");
+  EXPECT_THAT(
+      directory.mistakes(measured("DMA", "{ curve = \"curve.csv\" }")),
+      HasSubstr(
+          "shear.curve: curve.csv: expected a column of the shear modulus, got \"E [MPa]\", that of Young's modulus"));
+  EXPECT_THAT(directory.mistakes(measured("DMA", "{ prony = \"prony.csv\" }")),
+              HasSubstr("shear.prony: prony.csv: expected a column of the shear modulus, got \"tensile_modulus_Pa\""));
+}
+
+TEST_F(DeckFiles, NamesHaveNoControlCharacters) {
+  directory.write("curve.csv", "time_s,modulus_Pa\n1,3\n2,2\n");
+  EXPECT_THAT(
+      directory.mistakes("title = \"a\\nb\"\n" + measured("c\\rd", "{ curve = \"curve.csv\" }")),
+      AllOf(
+          HasSubstr("deck.toml:1:9: title: expected text without line breaks"),
+          HasSubstr(".name: expected text without line breaks, tabs and other control characters, got \"c\\u000dd\"")));
+}
+
+}  // namespace
+}  // namespace breccia
