@@ -9,7 +9,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"
@@ -205,7 +204,7 @@ std::filesystem::path default_directory(const std::filesystem::path& file) {
 }
 
 void fit(const FitArguments& arguments) {
-  require_gnuplot();
+  warn_of_missing_plots("");
   const auto data = read_fit_data(arguments.file);
   const auto result = std::visit(Fitter(arguments), data);
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);

@@ -35,7 +35,8 @@ struct ConvertedCurve {
 };
 ConvertedCurve converted(const FitResult& result, CurveKind kind, int points_per_decade);
 
-/// Writes all files of a fit to a directory, which is made, and returns their names. Throws FileError.
+/// Writes all files of a fit to a directory, which is made, and returns their names; pictures are left out where
+/// gnuplot cannot draw. Throws FileError.
 std::vector<std::string> write_fit(const std::filesystem::path& directory, const std::filesystem::path& source,
                                    const FitData& data, const FitResult& result, CurveKind kind);
 

@@ -10,7 +10,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/memory.hpp"
 #include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
@@ -248,8 +247,6 @@ StudyResult pack_study(const Study& study, const fs::path& directory, const RunO
 StudyResult run_study(const Study& study, const fs::path& directory, const RunOptions& options,
                       const StudyObserver& observer) {
   const auto begin = std::chrono::steady_clock::now();
-  // Not after an hour of work.
-  require_gnuplot();
   if (options.resume) require_same_study(study, directory);
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
   write_once([&] { make_way(study, directory, options.resume); });

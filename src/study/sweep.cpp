@@ -12,7 +12,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/memory.hpp"
 #include "breccia/study/resume.hpp"
 
@@ -174,7 +173,6 @@ void require_same_studies(const Sweep& sweep, const std::filesystem::path& direc
 
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {
-  require_gnuplot();
   return SweepRun(sweep, directory, options, observer).run();
 }
 

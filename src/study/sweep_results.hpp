@@ -19,7 +19,8 @@ std::vector<std::string> sweep_files();
 /// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done.
+/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done. Writes nothing where gnuplot
+/// cannot draw.
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
 /// Writes `report.html` beside `sweep.json`, which write_sweep_tables writes.
