@@ -84,8 +84,8 @@ class BroadSpectrum : public testing::Test {
     for (const double t : logarithmic_times(window, 20)) samples.push_back({t, series.at(t)});
     return samples;
   }
-  static HomogenisedMaterial material(double tolerance) {
-    return homogenised_material("stage", 1700.0, curve(exact_shear), curve(exact_bulk), tolerance);
+  static HomogenisedMaterial material(double fit_tolerance) {
+    return homogenised_material("stage", 1700.0, curve(exact_shear), curve(exact_bulk), fit_tolerance);
   }
 
   static constexpr TimeWindow window = {1e-9, 1.0};

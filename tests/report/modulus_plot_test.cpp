@@ -123,7 +123,7 @@ TEST(ModulusPlot, RefusesWhatItCannotDraw) {
 TEST(ModulusPlot, SaysWhatToInstallWithoutGnuplot) {
   EXPECT_EQ(why_no_plots(), std::nullopt);
   const ScopedPath path("/nonexistent");
-  EXPECT_THAT(why_no_plots(), testing::Optional(HasSubstr("apt-get install gnuplot-nox")));
+  EXPECT_THAT(why_no_plots(), ::testing::Optional(HasSubstr("apt-get install gnuplot-nox")));
   EXPECT_THAT(message_of({"", {relaxation("a", 1e6)}, {}}), HasSubstr("apt-get install gnuplot-nox"));
 }
 
