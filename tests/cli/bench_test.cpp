@@ -54,7 +54,8 @@ TEST(Bench, MeasuresEveryCaseThatIsAskedFor) {
                               "--terms", "1", "--threads", "1", "--seconds", "0.01", "--rounds", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   std::vector<std::pair<std::string, int>> cases;
-  for (const auto& kernel : nlohmann::json::parse(outcome.output).at("kernels")) {
+  const auto json = nlohmann::json::parse(outcome.output);
+  for (const auto& kernel : json.at("kernels")) {
     cases.emplace_back(kernel.at("formulation"), kernel.at("points"));
   }
   EXPECT_THAT(cases, testing::UnorderedElementsAre(testing::Pair("total-lagrangian", 256),
