@@ -23,7 +23,7 @@ std::vector<std::string> known_formulations() {
 }
 
 struct BenchArguments {
-  std::vector<double> points = {1e5, 1e6};
+  std::vector<double> points;  ///< empty: a few and many
   std::vector<int> terms = {0, 1, 5, 10};
   std::vector<int> threads;               ///< empty: 1 and all cores; of several processes, 1
   std::vector<std::string> instructions;  ///< empty: what a run takes
@@ -41,6 +41,14 @@ std::vector<int> threads_of(const BenchArguments& arguments) {
   return {1, cores};
 }
 
+/// Of the formulations. The classical one, by far the slowest, is measured at few points unless others are asked for.
+std::vector<double> points_of(const BenchArguments& arguments, Formulation formulation) {
+  constexpr double few = 1e5, many = 1e6;
+  if (!arguments.points.empty()) return arguments.points;
+  if (formulation == Formulation::classical) return {few};
+  return {few, many};
+}
+
 std::vector<InstructionSet> instructions_of(const BenchArguments& arguments) {
   if (arguments.instructions.empty()) return {chosen_instruction_set()};
   std::vector<InstructionSet> sets;
@@ -54,25 +62,22 @@ bool wants(const BenchArguments& arguments, Formulation formulation) {
   return std::ranges::find(arguments.formulations, name_of(formulation)) != arguments.formulations.end();
 }
 
-/// All combinations; the classical formulation, by far the slowest and the same for all instructions, at the fewest
-/// points alone.
+/// All combinations; the classical formulation is the same for all instructions.
 std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
   std::vector<KernelCase> cases;
-  const auto add = [&](Formulation formulation, InstructionSet instructions, double points) {
-    const auto cells = static_cast<int>(std::lround(std::sqrt(points / points_per_cell)));
-    for (const int terms : arguments.terms) {
-      for (const int threads : threads_of(arguments))
-        cases.push_back({formulation, instructions, cells, terms, threads});
+  const auto add = [&](Formulation formulation, InstructionSet instructions) {
+    for (const double points : points_of(arguments, formulation)) {
+      const auto cells = static_cast<int>(std::lround(std::sqrt(points / points_per_cell)));
+      for (const int terms : arguments.terms) {
+        for (const int threads : threads_of(arguments))
+          cases.push_back({formulation, instructions, cells, terms, threads});
+      }
     }
   };
   if (wants(arguments, Formulation::total_lagrangian)) {
-    for (const auto set : instructions_of(arguments)) {
-      for (const double points : arguments.points) add(Formulation::total_lagrangian, set, points);
-    }
+    for (const auto set : instructions_of(arguments)) add(Formulation::total_lagrangian, set);
   }
-  if (wants(arguments, Formulation::classical)) {
-    add(Formulation::classical, InstructionSet::baseline, std::ranges::min(arguments.points));
-  }
+  if (wants(arguments, Formulation::classical)) add(Formulation::classical, InstructionSet::baseline);
   return cases;
 }
 
@@ -100,7 +105,9 @@ std::vector<std::string> names_of(const std::vector<InstructionSet>& sets) {
 void add_bench(CLI::App& application) {
   auto* command = application.add_subcommand("bench", "measure the speed of the explicit method on this machine");
   auto arguments = std::make_shared<BenchArguments>();
-  command->add_option("--points", arguments->points, "material points, about (default: 1e5 1e6)")
+  command
+      ->add_option("--points", arguments->points,
+                   "material points, about (default: 1e5 1e6; of the classical formulation 1e5)")
       ->type_name("N ...")
       ->check(CLI::Range(64.0, 1e9));
   command->add_option("--terms", arguments->terms, "Prony terms of the matrix (default: 0 1 5 10)")

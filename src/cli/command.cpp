@@ -1,12 +1,15 @@
 #include "command.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/parallel/session.hpp"
+#include "breccia/report/modulus_plot.hpp"
 
 #include "interruption.hpp"
 
@@ -88,6 +91,12 @@ RunOptions RunArguments::options() const {
     };
   }
   return options;
+}
+
+void warn_of_missing_plots(const std::string& addition) {
+  if (!parallel::is_first()) return;
+  const auto reason = why_no_plots();
+  if (reason) fmt::print(stderr, "warning: SVG plots are left out: {}{}\n", *reason, addition);
 }
 
 }  // namespace breccia::cli

@@ -49,6 +49,10 @@ struct RunArguments {
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
+/// Says on standard error when gnuplot cannot draw, why, and that its plots will be left out; with an addition that
+/// begins by its own punctuation.
+void warn_of_missing_plots(const std::string& addition);
+
 /// The subcommands: each adds itself to the application, and does its work in a callback.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);

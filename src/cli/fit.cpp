@@ -9,7 +9,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"
@@ -214,7 +213,7 @@ std::filesystem::path default_directory(const std::filesystem::path& file) {
 }
 
 void fit(const FitArguments& arguments) {
-  require_gnuplot();
+  warn_of_missing_plots("");
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
   const auto [data, modulus_kind] = read_fit_data(arguments.file, given);
   auto result = std::visit(Fitter(arguments), data);

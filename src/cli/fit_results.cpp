@@ -214,6 +214,7 @@ class Writer {
     names_.push_back(name);
   }
   void picture(const std::string& name, const ModulusPlot& plot) {
+    if (why_no_plots()) return;
     write_text(results_.place() / name, modulus_plot(plot));
     names_.push_back(name);
   }

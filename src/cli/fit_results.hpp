@@ -48,8 +48,9 @@ struct FitDestination {
   bool overwrite;                ///< may the fit of another file be replaced?
 };
 
-/// Writes all files of a fit to a directory, which is made, and returns their names. Throws InputError where files
-/// would be replaced that are not of an earlier fit of the same data, and FileError.
+/// Writes all files of a fit to a directory, which is made, and returns their names; pictures are left out where
+/// gnuplot cannot draw. Throws InputError where files would be replaced that are not of an earlier fit of the same data,
+/// and FileError.
 std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
                                    CurveKind kind);
 

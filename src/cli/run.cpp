@@ -20,6 +20,7 @@ namespace breccia::cli {
 namespace {
 
 std::string_view what_is(std::string_view file) {
+  if (file == "modulus.svg") return "modulus";
   return file == "response.h5" ? "response" : "point fields";
 }
 
@@ -36,8 +37,7 @@ void run_single(const Study& study, const RunArguments& arguments, const RunOpti
   for (const auto& stage : result.stages) {
     const auto of_stage = directory / stage.name;
     progress.print(fmt::format("  microstructure  {}", (of_stage / "microstructure.svg").string()));
-    progress.print(fmt::format("  modulus         {}", (of_stage / "modulus.svg").string()));
-    for (const auto* file : {"fields.vtkhdf", "response.h5"}) {
+    for (const auto* file : {"modulus.svg", "fields.vtkhdf", "response.h5"}) {
       if (std::filesystem::exists(of_stage / file)) {
         progress.print(fmt::format("  {:<15} {}", what_is(file), (of_stage / file).string()));
       }
@@ -111,6 +111,7 @@ void add_run(CLI::App& application) {
       parallel::divide(arguments->processes_per_task);
     }
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
+    warn_of_missing_plots("; report.html draws every curve without it");
     Progress progress(arguments->quiet || !parallel::is_first());
     if (sweep.keys.empty()) {
       run_single(sweep.tasks.front().study, *arguments, options, progress);

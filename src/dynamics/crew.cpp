@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
-#include <functional>
-#include <utility>
 
 namespace breccia::dynamics {
 namespace {
+
+/// More threads are worth their while if they are faster by this factor.
+constexpr double worth_it = 1.02;
 
 /// As Linux counts it for the calling thread; 0 where it does not.
 double seconds_displaced() {
@@ -31,35 +33,65 @@ void Crew::add(std::size_t thread, const Time& time) {
   times_[thread].wall += time.wall;
 }
 
-void Crew::judge() {
+void Crew::judge(int steps) {
   constexpr double long_enough = 0.03;  // several turns of the programs on a core
-  constexpr double try_again = 1.0;
+  steps_ += steps;
   const double wall = times_.front().wall;
   if (wall < long_enough) return;
-  std::vector<double> shares;
-  for (const auto& time : times_) {
-    if (time.wall > 0.0) shares.push_back(std::max(0.0, 1.0 - time.displaced / time.wall));
+  if (threads_ == most_) {
+    judge_all(steps_ / wall, wall);
+  } else {
+    judge_some(wall);
   }
-  short_for_ = threads_ < most_ ? short_for_ + wall : 0.0;
-  threads_ = best_number_of_threads(std::move(shares));
-  if (short_for_ > try_again) {
-    threads_ = most_;
-    short_for_ = 0.0;
-  }
+  steps_ = 0.0;
   std::ranges::fill(times_, Time{});
 }
 
-int best_number_of_threads(std::vector<double> shares) {
-  constexpr double worth_it = 1.02;
-  std::ranges::sort(shares, std::greater{});
+void Crew::judge_all(double speed, double wall) {
+  if (some_steps_ > 0.0) {
+    const bool is_faster = speed * some_wall_ > worth_it * some_steps_;
+    if (!is_faster) leave_out(some_threads_, wall);
+    some_steps_ = some_wall_ = 0.0;
+    return;
+  }
+  std::vector<double> shares;
+  shares.reserve(times_.size());
+  for (const auto& time : times_) shares.push_back(1.0 - time.displaced / std::max(time.wall, time.displaced + 1e-9));
+  const int best = best_number_of_threads(shares);
+  if (best < most_) leave_out(best, wall);
+}
+
+void Crew::judge_some(double wall) {
+  some_steps_ += steps_;
+  some_wall_ += wall;
+  rest_ -= wall;
+  if (rest_ <= 0.0) threads_ = most_;
+}
+
+/// After all threads have worked for a time [s] in vain.
+void Crew::leave_out(int threads, double wall) {
+  constexpr double shortest = 1.0, times_the_trial = 20.0;
+  threads_ = some_threads_ = threads;
+  rest_ = std::max(shortest, times_the_trial * wall);
+}
+
+int best_number_of_threads(const std::vector<double>& shares) {
+  constexpr double least = 1e-3;
+  const auto cores = static_cast<double>(shares.size());
+  // A core that a thread has for the share s runs 1/s - 1 other programs beside it.
+  double programs = 0.0, all = cores;
+  for (const double share : shares) {
+    programs += 1.0 / std::max(share, least) - 1.0;
+    all *= share;
+  }
   int best = 1;
-  double together = 1.0, most = 0.0;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const int threads = static_cast<int>(i) + 1;
-    together *= shares[i];
-    if (threads * together > worth_it * most) {
+  double most = 0.0;
+  for (int threads = 1; threads <= static_cast<int>(shares.size()); ++threads) {
+    const double share = std::min(1.0, cores / (programs + threads));
+    const double done = threads == static_cast<int>(shares.size()) ? all : threads * std::pow(share, threads);
+    if (done > worth_it * most) {
       best = threads;
-      most = threads * together;
+      most = done;
     }
   }
   return best;
@@ -68,7 +100,11 @@ int best_number_of_threads(std::vector<double> shares) {
 ThreadWatch::ThreadWatch() : start_{seconds_displaced(), seconds_now()} {}
 
 Crew::Time ThreadWatch::time() const {
-  return {seconds_displaced() - start_.displaced, seconds_now() - start_.wall};
+  return {seconds_displaced() - start_.displaced, wall()};
+}
+
+double ThreadWatch::wall() const {
+  return seconds_now() - start_.wall;
 }
 
 }  // namespace breccia::dynamics

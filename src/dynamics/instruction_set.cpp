@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array known_sets = {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
+#ifdef BRECCIA_X86_KERNELS
 bool is_supported(InstructionSet set) {
   switch (set) {
     case InstructionSet::baseline:
@@ -26,6 +27,11 @@ bool is_supported(InstructionSet set) {
   }
   return false;
 }
+#else
+bool is_supported(InstructionSet set) {
+  return set == InstructionSet::baseline;
+}
+#endif
 
 }  // namespace
 

@@ -3,6 +3,8 @@
 namespace breccia::dynamics {
 
 extern const KernelTable kernels_baseline;
+#ifdef BRECCIA_X86_KERNELS
+
 extern const KernelTable kernels_avx2;
 extern const KernelTable kernels_avx512;
 
@@ -17,5 +19,13 @@ const KernelTable& kernels(InstructionSet set) {
   }
   return kernels_baseline;
 }
+
+#else
+
+const KernelTable& kernels(InstructionSet /*set*/) {
+  return kernels_baseline;
+}
+
+#endif
 
 }  // namespace breccia::dynamics

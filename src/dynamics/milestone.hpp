@@ -4,6 +4,15 @@
 
 namespace breccia::dynamics {
 
+/// Tells the processor that its thread waits in a loop, so that the other thread of the core may have its share.
+inline void pause_in_loop() noexcept {
+#if defined(__x86_64__) || defined(__i386__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
 /// How many steps a thread has come, for others to wait until it is far enough.
 class Milestone {
  public:
@@ -21,7 +30,7 @@ class Milestone {
     constexpr int patience = 200'000;
     for (int tries = 0; tries < patience; ++tries) {
       if (reached_.load(std::memory_order_acquire) >= steps) return;
-      __builtin_ia32_pause();
+      pause_in_loop();
     }
     for (int reached = reached_; reached < steps; reached = reached_) reached_.wait(reached);
   }

@@ -100,23 +100,25 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
 }
 
 void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
-  // Some milliseconds at most, after which the number of threads may be another.
-  constexpr std::size_t points_x_steps = 4'000'000;
-  const auto chunks = points_x_steps / problem().discretisation.points() / static_cast<std::size_t>(chunk_) + 1;
-  const int turn = static_cast<int>(chunks) * chunk_;
-  for (int done = 0; done < steps; done += turn) {
-    take_turn(first + done, std::min(turn, steps - done), averages + done);
-    crew_.judge();
+  for (int done = 0; done < steps;) {
+    const int taken = take_turn(first + done, steps - done, averages + done);
+    crew_.judge(taken);
+    done += taken;
   }
 }
 
-void TotalLagrangian::take_turn(std::int64_t first, int steps, Averages* averages) {
+/// Takes as many steps as have time in a turn, in whole chunks, after which the number of threads may be another.
+/// Returns their number.
+int TotalLagrangian::take_turn(std::int64_t first, int most_steps, Averages* averages) {
+  constexpr double longest = 0.015;  // [s]
   for (auto& progress : progress_) {
     progress.swept.reset();
     progress.moved.reset();
   }
   outer_forces_.reset();
   summed_.reset();
+  // Changed by the first thread alone, while the others wait for the sums of a chunk.
+  int steps = most_steps;
 #pragma omp parallel num_threads(crew_.threads())
   {
     const ThreadWatch watch;
@@ -124,17 +126,26 @@ void TotalLagrangian::take_turn(std::int64_t first, int steps, Averages* average
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     // Neighbouring bands go to a thread that has several.
     const auto begin = bands_.size() * thread / threads, end = bands_.size() * (thread + 1) / threads;
-    for (int done = 0; done < steps; ++done) {
-      for (auto band = begin; band < end; ++band) sweep(band, first + done, done);
-      if (thread == 0 && exchange_.has_neighbours()) take_outer_forces(done);
-      for (auto band = begin; band < end; ++band) move_lowest_row(band, first + done, done);
-      const int taken = done + 1, in_chunk = done % chunk_ + 1;
-      if (in_chunk < chunk_ && taken < steps) continue;
-      if (thread == 0) sum_rows(first + taken - in_chunk, taken, in_chunk, averages + taken - in_chunk);
+    for (int taken = 0; taken < steps;) {
+      const int chunk = std::min(chunk_, most_steps - taken);
+      for (int i = 0; i < chunk; ++i, ++taken) take_step(begin, end, first + taken, taken);
+      if (thread == 0) {
+        sum_rows(first + taken - chunk, taken, chunk, averages + taken - chunk);
+        if (watch.wall() > longest) steps = taken;
+        summed_.reach(taken);
+      }
       summed_.wait_for(taken);
     }
     crew_.add(thread, watch.time());
   }
+  return steps;
+}
+
+/// The part of a step in some bands; `done` steps of the turn are done.
+void TotalLagrangian::take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done) {
+  for (auto band = first_band; band < end_band; ++band) sweep(band, step, done);
+  if (first_band == 0 && exchange_.has_neighbours()) take_outer_forces(done);
+  for (auto band = first_band; band < end_band; ++band) move_lowest_row(band, step, done);
 }
 
 void TotalLagrangian::sweep(std::size_t place, std::int64_t step, int done) {
@@ -214,7 +225,6 @@ void TotalLagrangian::sum_rows(std::int64_t first, int taken, int steps, Average
   static_assert(sizeof(RowSums) == 6 * sizeof(double));
   exchange_.gather_node_rows({row_sums_.front().stress.data(), 6 * row_sums_.size()});
   for (int i = 0; i < steps; ++i) averages[i] = this->averages(first + i, i);
-  summed_.reach(taken);
 }
 
 void TotalLagrangian::move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above,

@@ -76,7 +76,8 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] Vector<2> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  void take_turn(std::int64_t first, int steps, Averages* averages);
+  int take_turn(std::int64_t first, int most_steps, Averages* averages);
+  void take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done);
   void sweep(std::size_t place, std::int64_t step, int done);
   void take_outer_forces(int done);
   void move_lowest_row(std::size_t place, std::int64_t step, int done);

@@ -33,6 +33,7 @@ double smoothed_at(std::span<const Sample> curve, double time) {
   const auto end = std::ranges::upper_bound(curve, time * reach, {}, &Sample::time);
   const auto count = static_cast<Eigen::Index>(end - begin);
   if (count < 5) {
+    if (curve.size() == 1) return curve.front().modulus;
     const auto right = std::max(curve.begin() + 1, std::ranges::lower_bound(curve, time, {}, &Sample::time));
     const auto left = right - 1;
     const double share = std::log(time / left->time) / std::log(right->time / left->time);

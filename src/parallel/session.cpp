@@ -4,10 +4,14 @@
 #include <cstdlib>
 #include <new>
 #include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <petscsys.h>
+#include <unistd.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/communicator.hpp"
@@ -31,6 +35,47 @@ bool is_running() noexcept {
   return PetscInitialized(&running) == 0 && running == PETSC_TRUE;
 }
 
+/// What this process has started, and so has to end. A host program may have started MPI, or MPI and PETSc, before.
+struct Started {
+  bool mpi = false;
+  bool petsc = false;
+};
+
+Started& started() noexcept {
+  static Started instance;
+  return instance;
+}
+
+bool is_on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream directories(path == nullptr ? "" : path);
+  for (std::string directory; std::getline(directories, directory, ':');) {
+    if (access(fmt::format("{}/{}", directory, program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+/// A process that mpirun has not started could start others, for which Open MPI wants ssh or rsh, and dies where there
+/// is neither. It starts none.
+void start_alone_without_launcher() {
+  constexpr int keep_what_is_set = 0;
+  if (is_under_mpirun() || is_on_path("ssh") || is_on_path("rsh")) return;
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", keep_what_is_set);
+}
+
+void start_mpi() {
+  int is_initialised = 0;
+  MPI_Initialized(&is_initialised);
+  if (is_initialised != 0) return;
+  start_alone_without_launcher();
+  int provided = 0;
+  // One thread of a process talks to the others; the loops of all threads do not.
+  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {
+    throw NumericalError("MPI does not start on this machine");
+  }
+  started().mpi = true;
+}
+
 /// A BLAS with threads of its own gains nothing on sparse factors, spins while our threads work, and rounds differently
 /// for another number of them. OpenBLAS is asked by name, since other implementations have no such function.
 void keep_blas_to_one_thread() noexcept {
@@ -42,6 +87,7 @@ void keep_blas_to_one_thread() noexcept {
 
 void start_petsc() {
   check(PetscInitializeNoArguments(), "starting PETSc");
+  started().petsc = true;
   // Signals and errors are ours: an error comes back as a code and becomes an exception.
   check(PetscPopSignalHandler(), "setting up PETSc");
   check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "setting up PETSc");
@@ -52,11 +98,7 @@ void start_petsc() {
 void start() {
   if (is_running()) return;
   keep_blas_to_one_thread();
-  int provided = 0;
-  // One thread of a process talks to the others; the loops of all threads do not.
-  if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {
-    throw NumericalError("MPI does not start on this machine");
-  }
+  start_mpi();
   start_petsc();
 }
 
@@ -98,9 +140,8 @@ void set_petsc_options(const std::string& options) {
 }
 
 void stop() noexcept {
-  if (!is_running()) return;
-  if (PetscFinalize() != 0) return;
-  MPI_Finalize();
+  if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
+  if (std::exchange(started().mpi, false)) MPI_Finalize();
 }
 
 void abort(int exit_code) noexcept {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
+#include "breakdown.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -52,6 +52,13 @@ void AssembledSolver::set_up() {
   check(KSPSetFromOptions(solver_.get()), what);
 }
 
+const char* AssembledSolver::failure() const noexcept {
+  return preconditioner_ == Preconditioner::factors
+             ? "quasi-static solver: the stiffness matrix cannot be factorised: memory may have run out (fewer cells "
+               "take less, and so does tests.quasistatic.linear = \"iterative\"), or a modulus is zero"
+             : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero";
+}
+
 void AssembledSolver::take(std::span<const Moduli> moduli) {
   box().assemble(moduli, matrix_.get());
   moduli_.assign(moduli.begin(), moduli.end());
@@ -64,6 +71,7 @@ void AssembledSolver::refresh() {
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
   check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
   check(KSPSetUp(solver_.get()), effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
+  require_no_breakdown(solver_.get(), failure());
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
   count_preparation();
   prepared_moduli_ = moduli_;
@@ -118,21 +126,7 @@ bool AssembledSolver::try_to_solve(const Field& forces, Field& displacement, int
   check(KSPGetIterationNumber(solver_.get(), &iterations), what);
   count_iterations(iterations);
   if (is_fresh_) fresh_iterations_ = std::max(1, iterations);
-  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
-  check(KSPGetConvergedReason(solver_.get(), &reason), what);
-  if (reason == KSP_DIVERGED_PC_FAILED || reason == KSP_DIVERGED_NANORINF) {
-    throw NumericalError(effort().is_direct
-                             ? "quasi-static solver: the stiffness matrix cannot be factorised: memory may have run "
-                               "out (fewer cells take less, and so does tests.quasistatic.linear = \"iterative\"), or "
-                               "a modulus is zero"
-                             : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero");
-  }
-  if (reason == KSP_DIVERGED_INDEFINITE_MAT || reason == KSP_DIVERGED_INDEFINITE_PC) {
-    throw NumericalError(
-        "quasi-static solver: the stiffness is not positive definite; a modulus of a material may vanish "
-        "or be negative, or the contrast be beyond what numbers hold");
-  }
-  return reason > 0;
+  return require_no_breakdown(solver_.get(), failure()) > 0;
 }
 
 ElasticSolver::End AssembledSolver::iterate(const Field& forces, Field& displacement) {

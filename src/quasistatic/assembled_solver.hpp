@@ -27,6 +27,8 @@ class AssembledSolver final : public ElasticSolver {
   /// Refreshes the preconditioner when that of earlier moduli has become poor.
   End iterate(const Field& forces, Field& displacement) override;
   void set_up();
+  /// What to say when the preconditioner cannot be made.
+  [[nodiscard]] const char* failure() const noexcept;
   static PetscErrorCode is_converged(KSP solver, PetscInt iteration, PetscReal residual, KSPConvergedReason* reason,
                                      void* self);
   [[nodiscard]] bool try_to_solve(const Field& forces, Field& displacement, int most_iterations);

@@ -1,6 +1,15 @@
 #include "coarse_solver.hpp"
 
+#include "breakdown.hpp"
+
 namespace breccia::quasistatic {
+namespace {
+
+constexpr const char* cannot_be_factorised =
+    "quasi-static solver: the stiffness matrix of the coarse problem cannot be factorised: memory may have run out "
+    "(fewer cells take less), or a modulus is zero";
+
+}  // namespace
 
 CoarseSolver::CoarseSolver(int unknowns, const std::vector<Part>& parts, double stiffness_of_held) {
   constexpr const char* what = "factorising the coarse stiffness matrix";
@@ -42,6 +51,7 @@ CoarseSolver::CoarseSolver(int unknowns, const std::vector<Part>& parts, double 
   check(PCSetType(factors, PCCHOLESKY), what);
   check(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS), what);
   check(KSPSetUp(solver_.get()), what);
+  require_no_breakdown(solver_.get(), cannot_be_factorised);
 }
 
 void CoarseSolver::solve(const std::vector<double>& right, std::vector<double>& solution) const {
@@ -51,6 +61,7 @@ void CoarseSolver::solve(const std::vector<double>& right, std::vector<double>& 
   check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, right.data(), from.put()), what);
   check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, solution.data(), to.put()), what);
   check(KSPSolve(solver_.get(), from.get(), to.get()), what);
+  require_no_breakdown(solver_.get(), cannot_be_factorised);
 }
 
 }  // namespace breccia::quasistatic

@@ -17,7 +17,8 @@ class CoarseSolver {
     const Eigen::MatrixXd* matrix;
   };
 
-  /// Unknowns that nothing stiffens get stiffness_of_held.
+  /// Unknowns that nothing stiffens get stiffness_of_held. Throws NumericalError when the factors cannot be made, for
+  /// want of memory or because the matrix is not positive definite; so does solve().
   CoarseSolver(int unknowns, const std::vector<Part>& parts, double stiffness_of_held);
 
   void solve(const std::vector<double>& right, std::vector<double>& solution) const;

@@ -57,13 +57,13 @@ ElasticBox::ElasticBox(const Discretisation& discretisation, Volumetric volumetr
       volumetric_(volumetric),
       boundary_(boundary) {
   parallel::start();
-  std::map<CellMaterials, std::uint16_t> known;
+  std::map<CellMaterials, std::uint32_t> known;
   kind_of_.reserve(discretisation.cells().size());
   for (const auto& cell : discretisation.cells()) {
     if (std::find(cell.begin(), cell.end(), no_material) != cell.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
-    const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint16_t>(known.size()));
+    const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint32_t>(known.size()));
     if (is_new) kinds_.push_back(cell);
     kind_of_.push_back(kind->second);
   }

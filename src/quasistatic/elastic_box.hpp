@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -43,7 +44,7 @@ class ElasticBox {
   /// Whether the component of w at a node is zero.
   [[nodiscard]] bool is_held(int column, int row, int component) const noexcept;
   /// Cells of one kind have the same materials in the same places.
-  [[nodiscard]] std::uint16_t kind_of_cell(int column, int row) const noexcept {
+  [[nodiscard]] std::uint32_t kind_of_cell(int column, int row) const noexcept {
     return kind_of_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                     static_cast<std::size_t>(column)];
   }
@@ -76,7 +77,7 @@ class ElasticBox {
   Volumetric volumetric_;
   Boundary boundary_;
   std::vector<CellMaterials> kinds_;    ///< the different cells that there are
-  std::vector<std::uint16_t> kind_of_;  ///< by cell
+  std::vector<std::uint32_t> kind_of_;  ///< by cell
   NodeGrid grid_;
   CellRange cells_{};
   Patch patch_{};

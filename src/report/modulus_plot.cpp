@@ -185,8 +185,13 @@ std::string modulus_plot(const ModulusPlot& plot) {
   return run_gnuplot(gnuplot_script(plot)).output;
 }
 
-void require_gnuplot() {
-  run_gnuplot("exit\n");
+std::optional<std::string> why_no_plots() {
+  try {
+    run_gnuplot("exit\n");
+    return std::nullopt;
+  } catch (const FileError& error) {
+    return error.what();
+  }
 }
 
 }  // namespace breccia

@@ -10,7 +10,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/memory.hpp"
 #include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
@@ -263,8 +262,6 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
 StudyResult run_study(const Study& study, const fs::path& directory, const RunOptions& options,
                       const StudyObserver& observer, SharedStages& shared) {
   const auto begin = std::chrono::steady_clock::now();
-  // Not after an hour of work.
-  require_gnuplot();
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
   const auto place = chosen_by_first([&] { return directory_to_run_in(study, directory, options); });
   const RemoveIfEmpty kept(directory), kept_place(place);

@@ -98,8 +98,9 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
       };
       const auto& matrix = matrix_of(stage, earlier, boundary, method);
       const double density = density_of(stage, matrix, result.microstructure.fraction);
-      materials.push_back(
-          {boundary, method, homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk))});
+      materials.push_back({boundary, method,
+                           homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk),
+                                                study.tests.fit_tolerance)});
       require_good_fit(study, stage, materials.back());
     }
   }

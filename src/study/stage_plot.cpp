@@ -67,6 +67,7 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
 
 void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                  const StageResult& result, const std::vector<ReferenceCurve>& references) {
+  if (why_no_plots()) return;
   auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.load != Load::bulk; });
   if (!shear.curves.empty()) {
     for (const auto& [label, modulus, boundary] : references) {

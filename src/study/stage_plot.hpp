@@ -17,7 +17,7 @@ struct ReferenceCurve {
 };
 
 /// Writes `modulus.svg` of a stage, all its tests under shear with what stands beside them and the windows of the time
-/// domains, and `bulk_modulus.svg` where its bulk modulus was tested.
+/// domains, and `bulk_modulus.svg` where its bulk modulus was tested. Writes nothing where gnuplot cannot draw.
 void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                  const StageResult& result, const std::vector<ReferenceCurve>& references);
 

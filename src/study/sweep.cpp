@@ -12,7 +12,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/report/modulus_plot.hpp"
 #include "breccia/study/memory.hpp"
 #include "breccia/study/resume.hpp"
 
@@ -169,7 +168,6 @@ class SweepRun {
 
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer) {
-  require_gnuplot();
   return SweepRun(sweep, directory, options, observer).run();
 }
 

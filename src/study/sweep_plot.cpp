@@ -42,6 +42,7 @@ PlotCurve plotted(const TaskCurve& curve) {
 }  // namespace
 
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
+  if (why_no_plots()) return;
   const auto names = names_of_colours(sweep);
   const auto shown = last_stage_of(result);
   ModulusPlot plot;

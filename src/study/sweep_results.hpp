@@ -16,7 +16,8 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 /// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`; a table without rows is removed.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done.
+/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done. Writes nothing where gnuplot
+/// cannot draw.
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
 /// Writes `report.html` beside `sweep.json`, which write_sweep_tables writes.

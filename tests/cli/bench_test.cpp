@@ -1,3 +1,7 @@
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -43,6 +47,20 @@ TEST(Bench, TellsEveryCaseInJson) {
   EXPECT_EQ(kernel.at("threads"), 1);
   EXPECT_THAT(kernel.at("points_x_steps_per_s").at("rounds"), SizeIs(2));
   EXPECT_EQ(json.at("kernels")[7].at("formulation"), "classical");
+}
+
+TEST(Bench, MeasuresEveryCaseThatIsAskedFor) {
+  const auto outcome = bench({"--json", "--formulation", "total-lagrangian", "classical", "--points", "256", "1024",
+                              "--terms", "1", "--threads", "1", "--seconds", "0.01", "--rounds", "1"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  std::vector<std::pair<std::string, int>> cases;
+  const auto json = nlohmann::json::parse(outcome.output);
+  for (const auto& kernel : json.at("kernels")) {
+    cases.emplace_back(kernel.at("formulation"), kernel.at("points"));
+  }
+  EXPECT_THAT(cases, testing::UnorderedElementsAre(testing::Pair("total-lagrangian", 256),
+                                                   testing::Pair("total-lagrangian", 1024),
+                                                   testing::Pair("classical", 256), testing::Pair("classical", 1024)));
 }
 
 TEST(Bench, TenTermsTakeLessThan300BytesAPoint) {

@@ -24,31 +24,80 @@ TEST(Crew, BearsProgramsThatTakeLittle) {
   EXPECT_EQ(best_number_of_threads({0.9, 0.9}), 2);
 }
 
-TEST(Crew, IsTriedAgainAsAWhole) {
-  Crew crew(4);
-  EXPECT_EQ(crew.threads(), 4);
-  const auto work_with_shares = [&](double of_first, double of_others) {
+TEST(Crew, KnowsThatAThreadAloneHasMoreOfTheCores) {
+  // Beside one busy program each of two threads has two thirds of a core, but a thread alone has a whole one.
+  EXPECT_EQ(best_number_of_threads({2.0 / 3.0, 2.0 / 3.0}), 1);
+  EXPECT_EQ(best_number_of_threads({0.0, 0.0}), 1);
+}
+
+/// A crew of two at work: steps of so many seconds, of which its threads have a core for a share.
+class CrewOfTwo {
+ public:
+  Crew crew{2};
+
+  void work(int steps, double seconds_each, double share) {
+    const double wall = steps * seconds_each;
     for (int thread = 0; thread < crew.threads(); ++thread) {
-      crew.add(static_cast<std::size_t>(thread), {0.1 * (1.0 - (thread == 0 ? of_first : of_others)), 0.1});
+      crew.add(static_cast<std::size_t>(thread), {(1.0 - share) * wall, wall});
     }
-    crew.judge();
-  };
-  work_with_shares(1.0, 0.1);
-  EXPECT_EQ(crew.threads(), 1);
-  for (int i = 0; i < 9; ++i) {
-    work_with_shares(1.0, 1.0);
-    EXPECT_EQ(crew.threads(), 1);
+    crew.judge(steps);
   }
-  for (int i = 0; i < 3; ++i) work_with_shares(1.0, 1.0);
-  EXPECT_EQ(crew.threads(), 4);
+};
+
+TEST(Crew, IsTriedAgainAsAWhole) {
+  CrewOfTwo two;
+  EXPECT_EQ(two.crew.threads(), 2);
+  two.work(10, 0.01, 0.1);
+  EXPECT_EQ(two.crew.threads(), 1);
+  int pieces = 0;
+  for (; two.crew.threads() == 1 && pieces < 100; ++pieces) two.work(100, 1e-3, 1.0);
+  EXPECT_GE(pieces, 10);  // after a second of work at the earliest
+  EXPECT_EQ(two.crew.threads(), 2);
+  // Alone now, and faster.
+  for (int i = 0; i < 9; ++i) {
+    two.work(100, 6e-4, 1.0);
+    EXPECT_EQ(two.crew.threads(), 2);
+  }
+}
+
+TEST(Crew, StaysWholeOnlyWhereThatIsFaster) {
+  CrewOfTwo two;
+  const auto until_it_is_whole = [&two] {
+    two.work(10, 0.01, 0.1);
+    for (int i = 0; i < 100 && two.crew.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
+    ASSERT_EQ(two.crew.threads(), 2);
+  };
+  // The threads are not displaced, and slower than one of them for another reason.
+  until_it_is_whole();
+  two.work(100, 2e-3, 1.0);
+  EXPECT_EQ(two.crew.threads(), 1);
+  for (int i = 0; i < 100 && two.crew.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
+  // They are displaced, and faster all the same.
+  two.work(100, 6e-4, 0.6);
+  EXPECT_EQ(two.crew.threads(), 2);
+}
+
+TEST(Crew, SpendsLittleOnTrials) {
+  // Where steps of two threads take a hundred times as long.
+  CrewOfTwo two;
+  double of_two = 0.0, of_one = 0.0;
+  while (of_one < 1000.0) {
+    if (two.crew.threads() == 2) {
+      of_two += 1.0;
+      two.work(10, 0.1, 0.2);
+    } else {
+      of_one += 0.1;
+      two.work(100, 1e-3, 0.6);
+    }
+  }
+  EXPECT_GT(of_two, 0.0);
+  EXPECT_LT(of_two, 0.06 * of_one);
 }
 
 TEST(Crew, DoesNotJudgeByAMoment) {
-  Crew crew(2);
-  crew.add(0, {0.0, 1e-3});
-  crew.add(1, {1e-3, 1e-3});
-  crew.judge();
-  EXPECT_EQ(crew.threads(), 2);
+  CrewOfTwo two;
+  two.work(1, 1e-3, 0.0);
+  EXPECT_EQ(two.crew.threads(), 2);
 }
 
 }  // namespace

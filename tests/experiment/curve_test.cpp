@@ -51,6 +51,11 @@ TEST(SmoothedAt, InterpolatesWhereSamplesAreFew) {
   EXPECT_DOUBLE_EQ(smoothed_at(Curve{{1.0, 4.0}, {100.0, 2.0}}, 1.0), 4.0);
 }
 
+TEST(SmoothedAt, KnowsTheOnlySample) {
+  EXPECT_EQ(smoothed_at(Curve{{2.0, 4.0}}, 2.0), 4.0);
+  EXPECT_THROW((void)smoothed_at(Curve{{2.0, 4.0}}, 2.5), InputError);
+}
+
 TEST(SmoothedAt, RefusesToExtrapolate) {
   const Curve curve = {{1.0, 4.0}, {100.0, 2.0}};
   EXPECT_THROW((void)smoothed_at(curve, 0.5), InputError);

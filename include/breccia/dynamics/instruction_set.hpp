@@ -7,9 +7,9 @@ namespace breccia {
 
 /// The instructions that the inner loop of the total-lagrangian formulation is compiled for. All give the same bits.
 enum class InstructionSet {
-  baseline,  ///< what every processor of the platform has: SSE2
-  avx2,
-  avx512
+  baseline,  ///< what every processor of the platform has: SSE2 on x86-64, NEON on 64-bit ARM
+  avx2,      ///< on x86-64 alone
+  avx512     ///< on x86-64 alone
 };
 
 /// As users write it: baseline, avx2, avx512.

@@ -6,7 +6,8 @@
 namespace breccia::parallel {
 
 /// Starts MPI and PETSc in this process, if they do not run yet. Solvers do it when they first need them, so that what
-/// needs neither does not wait for them. Throws NumericalError when they cannot start.
+/// needs neither does not wait for them. In a host program that runs MPI, or MPI and PETSc, already, what runs is used.
+/// Throws NumericalError when they cannot start.
 void start();
 
 /// Whether this process is one of several that mpirun started. Asks the environment alone.
@@ -21,7 +22,8 @@ void set_petsc_options(const std::string& options);
 /// Throws InputError when the processes cannot be so divided.
 void divide(int processes_each);
 
-/// Ends MPI and PETSc in good order where they run; to be called once, last.
+/// Ends in good order what start() has started of MPI and PETSc; to be called once, last. A host program ends by itself
+/// what it has started.
 void stop() noexcept;
 
 /// Ends all processes of this run with an exit code. For a failure that the others may not share and would wait for.

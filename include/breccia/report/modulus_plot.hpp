@@ -49,7 +49,7 @@ struct ModulusPlot {
 /// and FileError if gnuplot is missing or fails.
 std::string modulus_plot(const ModulusPlot& plot);
 
-/// Throws FileError, saying what to install, if gnuplot cannot be run.
-void require_gnuplot();
+/// Why gnuplot cannot draw, and what to install; nothing where it can. For results whose plots can be left out.
+std::optional<std::string> why_no_plots();
 
 }  // namespace breccia
