@@ -1,14 +1,15 @@
 #include "sweep_summary.hpp"
 
 #include <algorithm>
-#include <array>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "breccia/io/units.hpp"
+#include "breccia/report/display.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -17,57 +18,96 @@ constexpr std::size_t most_columns = 8;
 
 /// A column of a table over time.
 struct Column {
-  std::array<std::string, 2> heading;
+  std::size_t task = 0;
+  std::string bound;
   TimeWindow times;
   std::function<std::string(double)> text_at;
 };
 
 std::string modulus_at(const Curve& curve, double time) {
-  return readable(smoothed_at(curve, time), Dimension::pressure);
+  return display(smoothed_at(curve, time), "Pa", 4);
 }
 
-Column column_of(const std::string& name, const TaskCurve& curve) {
+Column column_of(std::size_t task, const TaskCurve& curve) {
   const auto& modulus = curve.modulus;
-  return {{name, bound_of(curve)}, {modulus.front().time, modulus.back().time}, [&modulus](double time) {
+  return {task, bound_of(curve), {modulus.front().time, modulus.back().time}, [&modulus](double time) {
             return modulus_at(modulus, time);
           }};
 }
 
-Column column_of(const std::string& name, const SpreadCurve& spread) {
+Column column_of(const SpreadCurve& spread) {
   Curve means, deviations;
   for (const auto& at : spread.spreads) {
     means.push_back({at.time, at.mean});
     deviations.push_back({at.time, at.standard_deviation});
   }
   const TimeWindow times{means.front().time, means.back().time};
-  return {{name, bound_of(spread.test)}, times, [means, deviations](double time) {
+  return {spread.first_task, bound_of(spread.test), times, [means, deviations](double time) {
             const double share = smoothed_at(deviations, time) / smoothed_at(means, time);
             return fmt::format("{} +- {:.1f} %", modulus_at(means, time), 100.0 * share);
           }};
 }
 
-std::string table_of(const std::vector<Column>& columns) {
+/// A line of the table: what begins it, and the text of each column.
+struct Row {
+  std::string begin;
+  std::vector<std::string> texts;
+};
+
+/// A line for each key that tells the columns apart, with its values; a value stands above the first column of its
+/// task alone.
+std::vector<Row> heading_of(const Sweep& sweep, const std::vector<Column>& columns, bool with_seeds) {
+  std::vector<Row> rows;
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+    if (sweep.keys[key].is_seed && !with_seeds) continue;
+    Row row = {sweep.keys[key].label, {}};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const bool is_repeated = i > 0 && columns[i].task == columns[i - 1].task;
+      row.texts.push_back(is_repeated ? "" : plain_text(sweep.tasks[columns[i].task].values[key]));
+    }
+    rows.push_back(std::move(row));
+  }
+  Row bounds = {"time", {}};
+  for (const auto& column : columns) bounds.texts.push_back(column.bound);
+  rows.push_back(std::move(bounds));
+  return rows;
+}
+
+/// The moduli at whole decades of time.
+std::vector<Row> moduli_of(const std::vector<Column>& columns) {
   TimeWindow all{std::numeric_limits<double>::infinity(), 0.0};
-  std::vector<std::size_t> widths;
-  for (const auto& [heading, times, text_at] : columns) {
-    all = {std::min(all.begin, times.begin), std::max(all.end, times.end)};
-    widths.push_back(std::max({heading[0].size(), heading[1].size(), text_at(times.begin).size(), std::size_t{12}}));
+  for (const auto& column : columns) {
+    all = {std::min(all.begin, column.times.begin), std::max(all.end, column.times.end)};
+  }
+  std::vector<Row> rows;
+  for (const double time : logarithmic_times(all, 1)) {
+    Row row = {display_time(time), {}};
+    for (const auto& column : columns) {
+      const bool is_known = column.times.begin <= time && time <= column.times.end;
+      row.texts.push_back(is_known ? column.text_at(time) : "-");
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Rows below each other, aligned at the right.
+std::string aligned(const std::vector<Row>& rows) {
+  constexpr std::size_t least = 12;
+  std::size_t beginning = least;
+  std::vector<std::size_t> widths(rows.front().texts.size(), least);
+  for (const auto& row : rows) {
+    beginning = std::max(beginning, row.begin.size());
+    for (std::size_t i = 0; i < widths.size(); ++i) widths[i] = std::max(widths[i], row.texts[i].size());
   }
   std::string text;
-  for (std::size_t line = 0; line < 2; ++line) {
-    text += fmt::format("\n{:>12}", line == 1 ? "time" : "");
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      text += fmt::format("  {:>{}}", columns[i].heading[line], widths[i]);
+  for (const auto& row : rows) {
+    auto line = fmt::format("{:>{}}", row.begin, beginning);
+    for (std::size_t i = 0; i < widths.size(); ++i) line += fmt::format("  {:>{}}", row.texts[i], widths[i]);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
   }
-  for (const double time : logarithmic_times(all, 1)) {
-    text += fmt::format("\n{:>12}", fmt::format("{:.3g} s", time));
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-      const auto& [heading, times, text_at] = columns[i];
-      const bool is_known = times.begin <= time && time <= times.end;
-      text += fmt::format("  {:>{}}", is_known ? text_at(time) : "-", widths[i]);
-    }
-  }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace
@@ -99,15 +139,15 @@ std::string closing_table(const Sweep& sweep, const SweepResult& result) {
   const auto spreads = spread_over_seeds(sweep, shown);
   std::vector<Column> columns;
   columns.reserve(spreads.size());
-  for (const auto& spread : spreads) {
-    columns.push_back(column_of(name_without_seeds(sweep, sweep.tasks[spread.first_task]), spread));
-  }
+  for (const auto& spread : spreads) columns.push_back(column_of(spread));
   for (std::size_t task = 0; spreads.empty() && task < shown.size(); ++task) {
-    for (const auto& curve : shown[task].curves) columns.push_back(column_of(sweep.tasks[task].name, curve));
+    for (const auto& curve : shown[task].curves) columns.push_back(column_of(task, curve));
   }
   if (columns.empty() || columns.size() > most_columns) return {};
+  auto rows = heading_of(sweep, columns, spreads.empty());
+  std::ranges::copy(moduli_of(columns), std::back_inserter(rows));
   const auto what = spreads.empty() ? "" : ", mean and standard deviation over the seeds";
-  return fmt::format("\nModulus of the last stage{}\n{}", what, table_of(columns));
+  return fmt::format("\nModulus of the last stage{}\n\n{}", what, aligned(rows));
 }
 
 }  // namespace breccia::cli

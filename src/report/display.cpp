@@ -48,4 +48,29 @@ std::string display(double value, std::string_view unit, int digits) {
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
 
+std::string display_time(double seconds, int digits) {
+  constexpr double thousand = 1e3, million = 1e6;
+  const double shown = std::isfinite(seconds) ? rounded(seconds, digits) : seconds;
+  if (!std::isfinite(shown) || std::abs(shown) < thousand) return display(seconds, "s", digits);
+  if (std::abs(shown) < million) return fmt::format("{:.15g} s", shown);
+  const double power = std::floor(std::log10(std::abs(shown)));
+  return fmt::format("{:.15g}e{:.0f} s", rounded(shown / std::pow(10.0, power), digits), power);
+}
+
+std::string display_duration(double seconds, int digits) {
+  struct Unit {
+    std::string_view name;
+    double size;  // [s]
+  };
+  // Each serves from two of it on: "90 s" and not "1.5 min".
+  for (const auto& [name, size] : {Unit{"d", 86400.0}, Unit{"h", 3600.0}, Unit{"min", 60.0}}) {
+    if (seconds >= 2.0 * size) return fmt::format("{:.15g} {}", rounded(seconds / size, digits), name);
+  }
+  return display(seconds, "s", digits);
+}
+
+std::string display_count(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 }  // namespace breccia

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -19,5 +20,14 @@ PrefixedNumber with_prefix(double value, int digits = 3);
 /// A quantity as text, for example "48 um" or "3.6 GPa".
 /// The value is in the unit, which must be one that takes a prefix ("m", "s", "Pa").
 std::string display(double value, std::string_view unit, int digits = 3);
+
+/// A time [s] at which something happens in a test: "10 ms", "1000 s", "2.5e6 s". Nobody speaks of kiloseconds.
+std::string display_time(double seconds, int digits = 3);
+
+/// A time [s] that a calculation takes: "800 ms", "50 min", "3 h".
+std::string display_duration(double seconds, int digits = 2);
+
+/// "1 term", "12 terms".
+std::string display_count(std::size_t count, std::string_view noun);
 
 }  // namespace breccia
