@@ -9,19 +9,20 @@ function(help_of variable)
 endfunction()
 
 help_of(overview --help)
-string(REGEX REPLACE ".*\nSubcommands:\n" "\n" list "${overview}")
+string(REGEX REPLACE ".*\nCommands:\n" "\n" list "${overview}")
 string(REGEX MATCHALL "\n  [a-z]+ " commands "${list}")
 
 set(COMMANDS "")
 foreach(command IN LISTS commands)
   string(STRIP "${command}" command)
   help_of(text ${command} --help)
+  string(REGEX REPLACE "\nA deck to begin with:[^\n]*" "" text "${text}")  # stands under FILES
   string(REPLACE "\\" "\\e" text "${text}")
   string(REPLACE "-" "\\-" text "${text}")
   # An option or an argument, two or more spaces or a new line, what it means.
   string(REGEX REPLACE "\n  (([^ \n]+ )*[^ \n]+)[ \n] +([^\n]+)" "\n.TP\n.B \\1\n\\3" text "${text}")
   string(REGEX REPLACE "\nUsage: ([^\n]+)" "\n.PP\n.B \\1" text "${text}")
-  string(REGEX REPLACE "\n(Positionals|Options):" "" text "${text}")
+  string(REGEX REPLACE "\n(Arguments|Options):" "" text "${text}")
   string(REGEX REPLACE "\n\n+" "\n.PP\n" text "${text}")
   string(REGEX REPLACE "\n(.PP\n)+.TP" "\n.TP" text "${text}")
   string(REGEX REPLACE "(\n|.PP)+$" "" text "${text}")

@@ -81,19 +81,24 @@ Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary,
           seconds, bytes};
 }
 
+Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, Method method, int cells) {
+  Plan plan;
+  for (const auto bound : study.tests.bounds) {
+    const auto boundary = boundary_of(bound);
+    if (method == Method::quasistatic) {
+      plan.add(quasistatic_plan(study, stage, boundary, cells));
+      continue;
+    }
+    const auto discretisation = discretise(packed.microstructure, cells);
+    for (const auto load : loads_of(study, stage)) plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
+  }
+  return plan;
+}
+
 Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   Plan plan;
   for (const int cells : grids_of(stage)) {
-    const auto discretisation = discretise(packed.microstructure, cells);
-    for (const auto bound : study.tests.bounds) {
-      for (const auto method : study.tests.methods) {
-        const auto boundary = boundary_of(bound);
-        if (method == Method::quasistatic) plan.add(quasistatic_plan(study, stage, boundary, cells));
-        if (method == Method::quasistatic) continue;
-        for (const auto load : loads_of(study, stage))
-          plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
-      }
-    }
+    for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells));
   }
   return plan;
 }

@@ -52,7 +52,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("DIR");
   command.add_option("--threads", arguments.threads, "threads to use (default: one for each core)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(CLI::Range(1, 1024).description(""));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   command.add_flag("--resume", arguments.resume,
                    "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");

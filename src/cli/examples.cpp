@@ -49,9 +49,9 @@ std::vector<fs::path> decks_below(const fs::path& directory) {
 void print_examples() {
   const auto examples = installed(BRECCIA_EXAMPLES_FROM_PROGRAM);
   const auto documentation = installed(BRECCIA_DOCUMENTATION_FROM_PROGRAM);
-  fmt::print("Decks in {}, to be run by their paths:\n", examples.string());
+  fmt::print("Decks in {} (copy one, or run it by its path):\n", examples.string());
   for (const auto& deck : decks_below(examples)) {
-    fmt::print("  {:<28}  {}\n", deck.string(), title_of(read_text(examples / deck)));
+    fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));
   }
   fmt::print("\nDocumentation in {}:\n", (documentation / "docs").string());
   fmt::print("  tutorial.md  the first half hour\n  decks.md     every key of a deck\n");

@@ -22,6 +22,15 @@ void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw breccia::FileError("standard output: cannot write");
 }
 
+/// The words of the help that CLI11 would choose otherwise; commands that are added later take them over.
+void name_parts_of_help(CLI::App& application) {
+  application.set_help_flag("-h,--help", "print this help");
+  const auto formatter = application.get_formatter();
+  formatter->label("SUBCOMMAND", "COMMAND");
+  formatter->label("Positionals", "Arguments");
+  formatter->label("REQUIRED", "(required)");
+}
+
 void add_commands(CLI::App& application) {
   namespace cli = breccia::cli;
   cli::add_new(application);
@@ -34,11 +43,12 @@ void add_commands(CLI::App& application) {
   cli::add_bench(application);
   cli::add_examples(application);
   cli::add_help(application);
+  for (auto* command : application.get_subcommands({})) command->group("Commands");
 }
 
 int run(int argc, char** argv) {
   CLI::App application("Relaxation moduli of highly filled composites, from their constituents.", "breccia");
-  application.set_help_flag("-h,--help", "print this help");
+  name_parts_of_help(application);
   application.set_version_flag("--version", "breccia " BRECCIA_VERSION, "print the version");
   application.require_subcommand(0, 1);
   add_commands(application);
