@@ -49,12 +49,11 @@ TEST_F(CommandLine, OverridesMayStandAnywhere) {
 }
 
 TEST_F(CommandLine, HelpShowsHowACommandIsUsed) {
-  for (const auto* command : {"new", "check", "run", "report", "respond", "pack", "fit", "bench", "examples", "help"}) {
+  for (const auto* command : {"run", "examples", "help"}) {
     const auto help = run({"help", command});
     EXPECT_EQ(help.exit_code, 0) << help.errors;
     EXPECT_THAT(help.output, HasSubstr(std::string("Usage: breccia ") + command));
     EXPECT_EQ(help.output, run({command, "--help"}).output);
-    EXPECT_EQ(help.output, run({"--help", command}).output);
   }
   EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
   EXPECT_THAT(run({"help", "run"}).output, HasSubstr("docs/decks.md (breccia examples tells where)"));

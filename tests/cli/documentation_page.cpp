@@ -64,11 +64,14 @@ std::string named_file(const std::string& paragraph) {
 DocumentationPage read_documentation(const std::string& markdown) {
   DocumentationPage page;
   bool expects_output = false;
-  std::string paragraph;
+  std::string paragraph;  // the last one
+  bool has_ended = false;
   std::istringstream lines(markdown);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("```")) {
-      paragraph = line.empty() ? "" : paragraph + line + "\n";
+      if (has_ended && !line.empty()) paragraph.clear();
+      has_ended = line.empty();
+      if (!line.empty()) paragraph += line + "\n";
       continue;
     }
     std::string block;
@@ -83,7 +86,7 @@ DocumentationPage read_documentation(const std::string& markdown) {
     } else if (const auto file = named_file(paragraph); !file.empty()) {
       page.files[file] = block;
     }
-    paragraph.clear();
+    has_ended = true;
   }
   return page;
 }

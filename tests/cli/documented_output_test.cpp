@@ -44,6 +44,16 @@ std::vector<std::string> on_one_thread(std::vector<std::string> arguments) {
   return arguments;
 }
 
+/// Does a page quote what a command prints, or does a later command work with its results?
+bool is_needed(const std::vector<test::DocumentedCommand>& commands, std::size_t index) {
+  const auto& [arguments, output] = commands[index];
+  const auto out = std::ranges::find(arguments, "--out");
+  return !output.empty() || std::ranges::any_of(commands.begin() + static_cast<std::ptrdiff_t>(index) + 1,
+                                                commands.end(), [&](const test::DocumentedCommand& later) {
+                                                  return out != arguments.end() && later.arguments.at(1) == *(out + 1);
+                                                });
+}
+
 /// Does what a page of the documentation asks for, and compares what it quotes with what is printed.
 void follow(const fs::path& markdown) {
   const auto page = test::read_documentation(read_text(markdown));
@@ -51,7 +61,9 @@ void follow(const fs::path& markdown) {
   const test::TemporaryDirectory directory;
   for (const auto* name : {"examples", "data"}) fs::create_directory_symlink(root / name, directory.path() / name);
   for (const auto& [name, text] : page.files) directory.write(name, text);
-  for (const auto& [arguments, output] : page.commands) {
+  for (std::size_t i = 0; i < page.commands.size(); ++i) {
+    if (!is_needed(page.commands, i)) continue;
+    const auto& [arguments, output] = page.commands[i];
     SCOPED_TRACE(testing::PrintToString(arguments));
     const auto outcome = test::run_breccia(directory.path(), on_one_thread(arguments));
     // What is refused stands in the page for its message.
