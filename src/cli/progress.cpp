@@ -49,8 +49,8 @@ void Progress::show() {
   const double elapsed = std::chrono::duration<double>(now - running_.begun).count();
   constexpr double enough_to_tell = 0.02;
   const double share = running_.share;
-  const auto left =
-      share > enough_to_tell ? fmt::format(", {} left", display_duration(elapsed * (1.0 - share) / share)) : "";
+  const bool can_tell = share > enough_to_tell && share < 1.0;
+  const auto left = can_tell ? fmt::format(", {} left", display_duration(elapsed * (1.0 - share) / share)) : "";
   const auto line = fmt::format("{}: {:.0f} %, {}, {} so far{}", running_.what, 100.0 * share, running_.details,
                                 display_duration(elapsed), left);
   // What cannot be shown is not worth ending a computation for.

@@ -51,7 +51,7 @@ TEST(New, RefusesNamesThatCannotBe) {
   EXPECT_THAT(nowhere.errors, HasSubstr("none/mine.toml"));
 }
 
-TEST(Examples, ListsDecksThatCanBeRun) {
+TEST(ExamplesCommand, ListsDecksThatCanBeRun) {
   const test::TemporaryDirectory directory;
   const auto list = test::run_breccia(directory.path(), {"examples"});
   ASSERT_EQ(list.exit_code, 0) << list.errors;
