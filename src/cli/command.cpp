@@ -24,11 +24,6 @@ double seconds_of(const char* option, const std::string& text) {
 
 }  // namespace
 
-std::string where_to_begin() {
-  return "A deck to begin with: breccia new NAME.toml. The keys of a deck: docs/decks.md (breccia examples tells "
-         "where).";
-}
-
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
   command.footer(where_to_begin());
   command.add_option("DECK", arguments.deck, "the study, a TOML file")->required()->type_name("");

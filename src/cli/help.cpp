@@ -18,6 +18,11 @@ std::string help_of(const CLI::App& command, const std::string& name) {
 
 }  // namespace
 
+std::string where_to_begin() {
+  return "A deck to begin with: breccia new NAME.toml. The keys of a deck: docs/decks.md (breccia examples tells "
+         "where).";
+}
+
 void add_help(CLI::App& application) {
   auto* command = application.add_subcommand("help", "show how a command is used, as breccia COMMAND --help does");
   auto name = std::make_shared<std::string>();
