@@ -46,12 +46,13 @@ std::vector<std::string> on_one_thread(std::vector<std::string> arguments) {
 
 /// Does a page quote what a command prints, or does a later command work with its results?
 bool is_needed(const std::vector<test::DocumentedCommand>& commands, std::size_t index) {
-  const auto& [arguments, output] = commands[index];
+  const auto& arguments = commands[index].arguments;
   const auto out = std::ranges::find(arguments, "--out");
-  return !output.empty() || std::ranges::any_of(commands.begin() + static_cast<std::ptrdiff_t>(index) + 1,
-                                                commands.end(), [&](const test::DocumentedCommand& later) {
-                                                  return out != arguments.end() && later.arguments.at(1) == *(out + 1);
-                                                });
+  const auto works_with_results = [&](const test::DocumentedCommand& later) {
+    return out != arguments.end() && later.arguments.size() > 1 && later.arguments[1] == *(out + 1);
+  };
+  return !commands[index].output.empty() ||
+         std::any_of(commands.begin() + static_cast<std::ptrdiff_t>(index) + 1, commands.end(), works_with_results);
 }
 
 /// Does what a page of the documentation asks for, and compares what it quotes with what is printed.
