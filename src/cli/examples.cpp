@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 fs::path installed(const char* from_program) {
   std::error_code failure;
   const auto program = fs::read_symlink("/proc/self/exe", failure);
-  const auto directory = (program.parent_path() / from_program).lexically_normal();
+  auto directory = (program.parent_path() / from_program).lexically_normal();
   if (!failure && fs::is_directory(directory)) return directory;
   throw FileError(
       fmt::format("{}: no such directory; the installation of breccia is not complete", directory.string()));
