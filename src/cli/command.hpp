@@ -46,9 +46,6 @@ struct RunArguments {
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
-/// Where one who reads the help finds a deck to begin with and the keys of a deck.
-std::string where_to_begin();
-
 /// The subcommands: each adds itself to the application, and does its work in a callback.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
@@ -60,5 +57,8 @@ void add_pack(CLI::App& application);
 void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
+
+/// Where one who reads the help finds a deck to begin with and the keys of a deck.
+std::string where_to_begin();
 
 }  // namespace breccia::cli
