@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -19,23 +20,43 @@
 namespace breccia::cli {
 namespace {
 
-std::string dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation,
-                         Boundary boundary, Load load) {
+/// What tests are going to take, and the lines that say so.
+struct Plan {
+  std::string text = {};
+  double seconds = 0.0;
+  double bytes = 0.0;  ///< of the test that takes most
+
+  void add(const Plan& further) {
+    text += further.text;
+    seconds += further.seconds;
+    bytes = std::max(bytes, further.bytes);
+  }
+};
+
+std::string memory(double bytes) {
+  return display(bytes, "B");
+}
+
+Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation, Boundary boundary,
+                  Load load) {
   const auto test = make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
   const auto plan = plan_dynamic_test(test);
   const double speed = trial_speed(test);
   const auto points = test.discretisation.points();
+  const auto bytes = static_cast<double>(plan.bytes);
   std::int64_t steps = 0;
-  auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {:.0f} MB\n", stage.name, name_of(load),
-                          bound_of(boundary), points, static_cast<double>(plan.bytes) / 1e6);
+  auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {}\n", stage.name, name_of(load), bound_of(boundary),
+                          points, memory(bytes));
   for (const auto& domain : plan.domains) {
     steps += domain.steps;
     text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {}\n",
                         domain.density_factor, domain.window.begin, domain.window.end, domain.steps, domain.time_step,
                         display_count(static_cast<std::size_t>(domain.terms), "term"));
   }
-  return text + fmt::format("    together {} steps, about {:.2g} s at {:.0f} million points x steps/s here\n", steps,
-                            static_cast<double>(points) * static_cast<double>(steps) / speed, speed / 1e6);
+  const double seconds = static_cast<double>(points) * static_cast<double>(steps) / speed;
+  text += fmt::format("    together {} steps, about {} at {:.0f} million points x steps/s here\n", steps,
+                      display_duration(seconds), speed / 1e6);
+  return {text, seconds, bytes};
 }
 
 bool is_direct(const Study& study, double unknowns) {
@@ -54,41 +75,58 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
   return solves * unknowns * (factorisation + solve) * loads;
 }
 
-std::string quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
+Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
   const double unknowns = 2.0 * cells * cells;
-  return fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {:.0f} MB, some {}\n", stage.name,
-                     bound_of(boundary), cells, cells, unknowns, quasistatic_memory(study, stage, cells) / 1e6,
-                     display_duration(quasistatic_time(study, stage, unknowns), 1));
+  const double bytes = quasistatic_memory(study, stage, cells), seconds = quasistatic_time(study, stage, unknowns);
+  return {fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
+                      bound_of(boundary), cells, cells, unknowns, memory(bytes), display_duration(seconds, 1)),
+          seconds, bytes};
 }
 
-std::string plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
-  std::string text;
-  for (const int cells : grids_of(stage)) {
-    const auto discretisation = discretise(packed.microstructure, cells);
-    for (const auto bound : study.tests.bounds) {
-      for (const auto method : study.tests.methods) {
-        const auto boundary = boundary_of(bound);
-        if (method == Method::quasistatic) text += quasistatic_plan(study, stage, boundary, cells);
-        if (method == Method::quasistatic) continue;
-        for (const auto load : loads_of(study, stage))
-          text += dynamic_plan(study, stage, discretisation, boundary, load);
-      }
+Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, Method method, int cells) {
+  Plan plan;
+  for (const auto bound : study.tests.bounds) {
+    const auto boundary = boundary_of(bound);
+    if (method == Method::quasistatic) {
+      plan.add(quasistatic_plan(study, stage, boundary, cells));
+      continue;
     }
+    const auto discretisation = discretise(packed.microstructure, cells);
+    for (const auto load : loads_of(study, stage)) plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
   }
-  return text;
+  return plan;
+}
+
+Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
+  Plan plan;
+  for (const int cells : grids_of(stage)) {
+    for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells));
+  }
+  return plan;
+}
+
+/// The sum of all tests.
+std::string total(const Study& study, const Plan& plan) {
+  const bool is_quasistatic = std::ranges::count(study.tests.methods, Method::dynamic) == 0;
+  return fmt::format("together about {}{}, at most {} of memory\n", display_duration(plan.seconds),
+                     is_quasistatic ? " on one core" : "", memory(plan.bytes));
 }
 
 void print_plan(const Study& study) {
   fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
              summary(study));
+  Plan all;
   std::vector<double> fractions;
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
     fractions.push_back(packed.fraction);
-    fmt::print("{}", plan_of(study, stage, packed));
+    const auto plan = plan_of(study, stage, packed);
+    fmt::print("{}", plan.text);
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
+    all.add(plan);
   }
   fmt::print("{}", filler_summary(study, fractions));
+  fmt::print("{}", total(study, all));
   require_memory(study, available_memory());
 }
 

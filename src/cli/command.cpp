@@ -34,6 +34,7 @@ Sweep DeckArguments::read() const {
 }
 
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
+  command.footer(where_to_begin());
   command.add_option("DECK", arguments.deck, "the study, a TOML file")->required()->type_name("");
   command
       .add_option("--set", arguments.overrides,
@@ -61,7 +62,7 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
       ->type_name("DIR");
   command.add_option("--threads", arguments.threads, "threads to use (default: one for each core)")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(CLI::Range(1, 1024).description(""));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   command.add_flag("--resume", arguments.resume,
                    "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");

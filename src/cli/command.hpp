@@ -56,11 +56,17 @@ void warn_of_missing_plots(const std::string& addition);
 /// The subcommands: each adds itself to the application, and does its work in a callback.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
+void add_examples(CLI::App& application);
 void add_fit(CLI::App& application);
+void add_help(CLI::App& application);
+void add_new(CLI::App& application);
 void add_pack(CLI::App& application);
 void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 void add_stages(CLI::App& application);
+
+/// Where one who reads the help finds a deck to begin with and the keys of a deck.
+std::string where_to_begin();
 
 }  // namespace breccia::cli

@@ -3,59 +3,66 @@
 #include <exception>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "command.hpp"
+#include "misuse.hpp"
 
 namespace {
-
-/// `unknown command "chek", did you mean "check"?`, if that is what went wrong.
-std::string unknown_command(const CLI::App& application, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-' || !application.get_subcommands().empty()) return {};
-  std::vector<std::string> commands;
-  for (const auto* command : application.get_subcommands(nullptr)) commands.push_back(command->get_name());
-  return fmt::format("unknown command \"{}\"{}", argv[1], breccia::suggestion(argv[1], commands));
-}
 
 /// What was printed may still be on its way, to a disk that is full.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw breccia::FileError("standard output: cannot write");
 }
 
-/// CLI11 has an exit code for every way to misuse a command line; we have one.
-int report(const CLI::App& application, const CLI::ParseError& error) {
-  const bool is_mistake = application.exit(error) != 0;
-  return static_cast<int>(is_mistake ? breccia::ExitCode::bad_input : breccia::ExitCode::done);
+/// The words of the help that CLI11 would choose otherwise; commands that are added later take them over.
+void name_parts_of_help(CLI::App& application) {
+  application.set_help_flag("-h,--help", "print this help");
+  const auto formatter = application.get_formatter();
+  formatter->label("SUBCOMMAND", "COMMAND");
+  formatter->label("Positionals", "Arguments");
+  formatter->label("REQUIRED", "(required)");
+}
+
+void add_commands(CLI::App& application) {
+  namespace cli = breccia::cli;
+  cli::add_new(application);
+  cli::add_check(application);
+  cli::add_run(application);
+  cli::add_report(application);
+  cli::add_respond(application);
+  cli::add_pack(application);
+  cli::add_stages(application);
+  cli::add_fit(application);
+  cli::add_bench(application);
+  cli::add_examples(application);
+  cli::add_help(application);
+  for (auto* command : application.get_subcommands({})) command->group("Commands");
 }
 
 int run(int argc, char** argv) {
   CLI::App application("Relaxation moduli of highly filled composites, from their constituents.", "breccia");
-  application.set_version_flag("--version", "breccia " BRECCIA_VERSION);
+  name_parts_of_help(application);
+  application.set_version_flag("--version", "breccia " BRECCIA_VERSION, "print the version");
   application.require_subcommand(0, 1);
-  application.failure_message(CLI::FailureMessage::simple);
-  breccia::cli::add_run(application);
-  breccia::cli::add_check(application);
-  breccia::cli::add_pack(application);
-  breccia::cli::add_respond(application);
-  breccia::cli::add_report(application);
-  breccia::cli::add_stages(application);
-  breccia::cli::add_fit(application);
-  breccia::cli::add_bench(application);
+  add_commands(application);
+  application.footer(breccia::cli::where_to_begin());
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");
   } catch (const CLI::ParseError& error) {
-    const auto unknown = unknown_command(application, argc, argv);
-    if (!unknown.empty()) throw breccia::InputError(unknown);
-    return report(application, error);
+    const bool is_mistake = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
+    if (is_mistake) throw breccia::InputError(breccia::cli::describe_misuse(application, error));
+    std::ostringstream asked_for;
+    application.exit(error, asked_for);
+    fmt::print("{}", asked_for.str());
   }
   flush_output();
   return static_cast<int>(breccia::ExitCode::done);

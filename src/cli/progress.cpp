@@ -1,58 +1,83 @@
 #include "progress.hpp"
 
-#include <cstdio>
-
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "breccia/report/display.hpp"
 
 namespace breccia::cli {
 namespace {
 
-std::string duration(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
+using std::chrono::milliseconds;
+
+bool is_terminal(std::FILE* stream) {
+  return isatty(fileno(stream)) != 0;
+}
+
+Progress::Pace usual_pace() {
+  return is_terminal(stderr) ? Progress::Pace{milliseconds(0), milliseconds(250)}
+                             : Progress::Pace{std::chrono::minutes(1), milliseconds(5000)};
 }
 
 }  // namespace
 
-Progress::Progress(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), begun_(Clock::now()) {}
+Progress::Progress(bool quiet) : Progress(quiet, stderr, usual_pace()) {}
+
+Progress::Progress(bool quiet, std::FILE* stream, const Pace& pace)
+    : quiet_(quiet), stream_(stream), terminal_(is_terminal(stream)), pause_(pace.pause), shown_(Clock::now()) {
+  if (!quiet) heartbeat_.emplace(pace.beat, [this] { show(); });
+}
 
 void Progress::update(std::string_view what, double share, std::string_view details) {
   if (quiet_) return;
+  const std::lock_guard lock(mutex_);
+  if (running_.what != what) {
+    running_.what = what;
+    running_.begun = Clock::now();
+  }
+  running_.share = share;
+  running_.details = details;
+  is_running_ = true;
+}
+
+/// Shows what is running, if it is time to; called by the heartbeat.
+void Progress::show() {
+  const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
-  if (running_ != what) {
-    running_ = what;
-    begun_ = shown_ = now;
-  }
-  const auto pause = terminal_ ? std::chrono::milliseconds(200) : std::chrono::seconds(15);
-  if (now - shown_ < pause) return;
+  if (!is_running_ || now - shown_ < pause_ || now - running_.begun < pause_) return;
   shown_ = now;
-  const double elapsed = std::chrono::duration<double>(now - begun_).count();
+  const double elapsed = std::chrono::duration<double>(now - running_.begun).count();
   constexpr double enough_to_tell = 0.02;
-  const auto left = share > enough_to_tell ? fmt::format(", {} left", duration(elapsed * (1.0 - share) / share)) : "";
-  const auto line = fmt::format("{}: {:3.0f} %, {}{}", what, 100.0 * share, details, left);
-  if (terminal_) {
-    fmt::print(stderr, "\r\x1b[K{}", line);
-    line_is_live_ = true;
-  } else {
-    fmt::print(stderr, "{}\n", line);
-  }
-  (void)std::fflush(stderr);
+  const double share = running_.share;
+  const bool can_tell = share > enough_to_tell && share < 1.0;
+  const auto left = can_tell ? fmt::format(", {} left", display_duration(elapsed * (1.0 - share) / share)) : "";
+  const auto line = fmt::format("{}: {:.0f} %, {}, {} so far{}", running_.what, 100.0 * share, running_.details,
+                                display_duration(elapsed), left);
+  // What cannot be shown is not worth ending a computation for.
+  (void)std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), stream_);
+  (void)std::fflush(stream_);
+  line_is_live_ = terminal_;
+}
+
+void Progress::clear_live_line() {
+  if (line_is_live_) (void)std::fputs("\r\x1b[K", stream_);
+  (void)std::fflush(stream_);
+  line_is_live_ = false;
 }
 
 void Progress::print(std::string_view line) {
   if (quiet_) return;
-  if (line_is_live_) fmt::print(stderr, "\r\x1b[K");
-  line_is_live_ = false;
-  (void)std::fflush(stderr);
+  const std::lock_guard lock(mutex_);
+  clear_live_line();
+  is_running_ = false;
+  shown_ = Clock::now();
   fmt::print("{}\n", line);
   (void)std::fflush(stdout);
 }
 
 void Progress::note(std::string_view line) {
-  if (line_is_live_) fmt::print(stderr, "\r\x1b[K");
-  line_is_live_ = false;
+  const std::lock_guard lock(mutex_);
+  clear_live_line();
   fmt::print(stderr, "{}\n", line);
   (void)std::fflush(stderr);
 }

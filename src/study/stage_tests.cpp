@@ -86,6 +86,8 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
   auto checkpoint = grid.checkpoints->of_quasistatic(stage, boundary, cells);
   const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] {
+    // The first elastic solution may take long.
+    if (observer.progress) observer.progress(stage, name, 0.0, "begun");
     return run_quasistatic_test(
         test,
         [&](const std::string& details, double share) {

@@ -1,3 +1,5 @@
+#include <regex>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -46,6 +48,45 @@ TEST_F(CommandLine, OverridesMayStandAnywhere) {
   EXPECT_THAT(check.output, HasSubstr("30 x 30 cells"));
 }
 
+TEST_F(CommandLine, HelpShowsHowACommandIsUsed) {
+  for (const auto* command : {"run", "examples", "help"}) {
+    const auto help = run({"help", command});
+    EXPECT_EQ(help.exit_code, 0) << help.errors;
+    EXPECT_THAT(help.output, HasSubstr(std::string("Usage: breccia ") + command));
+    EXPECT_EQ(help.output, run({command, "--help"}).output);
+  }
+  EXPECT_EQ(run({"help"}).output, run({"--help"}).output);
+  EXPECT_THAT(run({"help", "run"}).output, HasSubstr("docs/decks.md (breccia examples tells where)"));
+}
+
+/// The sum at the end of a check.
+struct Sum {
+  double milliseconds = 0.0;
+  double megabytes = 0.0;
+};
+
+Sum sum_of(const test::Outcome& check) {
+  const std::regex words("\ntogether about ([0-9.]+) ms on one core, at most ([0-9.]+) MB of memory\n");
+  std::smatch found;
+  EXPECT_TRUE(std::regex_search(check.output, found, words)) << check.output;
+  return found.empty() ? Sum{} : Sum{std::stod(found[1].str()), std::stod(found[2].str())};
+}
+
+TEST_F(CommandLine, CheckSumsUp) {
+  const auto one = sum_of(run({"check", "deck.toml", "--set", "tests.bounds=[\"upper\"]"}));
+  const auto two = sum_of(run({"check", "deck.toml", "--set", "tests.bounds=[\"upper\", \"lower\"]"}));
+  // Tests like each other, one after the other: the time of both and the memory of one. Times have two digits.
+  EXPECT_NEAR(two.milliseconds, 2.0 * one.milliseconds, 0.1 * one.milliseconds);
+  EXPECT_EQ(two.megabytes, one.megabytes);
+  EXPECT_GT(one.megabytes, 0.0);
+}
+
+TEST_F(CommandLine, CheckTellsLargeMemoriesInGigabytes) {
+  const auto check = run({"check", "deck.toml", "--set", "stages.A.cells=2500"});
+  EXPECT_THAT(check.output, HasSubstr(" GB, some "));
+  EXPECT_THAT(check.output, testing::Not(HasSubstr("000 MB")));
+}
+
 struct Mistyped {
   std::vector<std::string> arguments;
   int exit_code;
@@ -59,10 +100,28 @@ TEST_F(CommandLine, MistypedCommands) {
       {{}, 2, "a command is required"},
       {{"chek", "deck.toml"}, 2, R"(unknown command "chek", did you mean "check"?)"},
       {{"deck.toml"}, 2, "unknown command \"deck.toml\""},
-      {{"--verison"}, 2, "--verison"},
-      {{"check"}, 2, "DECK is required"},
-      {{"check", "deck.toml", "more.toml"}, 2, "more.toml"},
-      {{"check", "deck.toml", "--sett", "a=b"}, 2, "--sett"},
+      {{"help", "chek"}, 2, R"(unknown command "chek", did you mean "check"?)"},
+      {{"--verison"}, 2, R"(unknown option "--verison", did you mean "--version"?)"},
+      {{"-v"}, 2, R"(unknown option "-v", did you mean "--version"?)"},
+      {{"-q", "check", "deck.toml"}, 2, R"(unknown option "-q"; known: "--help", "--version")"},
+      {{"--set", "title=a", "check", "deck.toml"},
+       2,
+       R"(option "--set" stands before the command: expected breccia check --set)"},
+      {{"check"}, 2, "DECK is required\n\"breccia check --help\" shows how it is used\n"},
+      {{"check", "deck.toml", "more.toml", "b.toml"},
+       2,
+       "unexpected argument \"more.toml\": breccia check takes one DECK\nunexpected argument \"b.toml\": breccia "
+       "check"},
+      {{"bench", "deck.toml"}, 2, R"(unexpected argument "deck.toml": breccia bench takes options alone)"},
+      {{"check", "deck.toml", "--sett", "a=b"}, 2, R"(unknown option "--sett", did you mean "--set"?)"},
+      {{"run", "deck.toml", "--thread", "1"}, 2, R"(unknown option "--thread", did you mean "--threads"?)"},
+      {{"run", "--thread", "1", "deck.toml"}, 2, R"(unknown option "--thread", did you mean "--threads"?)"},
+      {{"run", "-t", "1", "deck.toml"}, 2, R"(unknown option "-t", did you mean "--threads" or "--time-limit"?)"},
+      {{"run", "--threads=0", "--queit"}, 2, "unknown option \"--queit\", did you mean \"--quiet\"?\n--threads: "},
+      {{"fit", "--ref=20", "--tou", "creep", "a.csv"},
+       2,
+       "unknown option \"--ref\", did you mean \"--reference-temperature\"?\nunknown option \"--tou\", did you mean "
+       "\"--to\"?"},
       {{"check", "deck.toml", "--set"}, 2, "--set"},
       {{"check", "none.toml"}, 2, "none.toml: no such deck"},
       {{"check", "."}, 2, "expected a deck, got a directory"},

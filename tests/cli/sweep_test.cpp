@@ -150,6 +150,23 @@ TEST(Sweep, ResumingAGrownSweepRunsTheNewTasks) {
               AllOf(HasSubstr("task 3 of 4: seed-3, complete already"), HasSubstr("task 4 of 4: seed-4\n")));
 }
 
+TEST(Sweep, ItsClosingTableNamesKeysAndValuesOnce) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const auto run = study.breccia("run", {"--sweep", "stages.A.filler.fraction=[0.1, 0.12]", "--set",
+                                         "tests.bounds=[\"upper\", \"lower\"]", "--set", "tests.method=quasistatic"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("\nModulus of the last stage\n\n"
+                                    "    fraction           0.1                        0.12\n"
+                                    "        time   upper bound   lower bound   upper bound   lower bound\n"));
+  // As in the tables of a run of its own.
+  const StudyDirectory single(deck.substr(0, deck.find("[sweep]")));
+  const auto alone =
+      single.breccia("run", {"--set", "stages.A.filler.fraction=0.1", "--set", "tests.bounds=[\"upper\", \"lower\"]",
+                             "--set", "tests.method=quasistatic"});
+  const auto row = alone.output.substr(alone.output.find("        1 ms  "), 40);
+  EXPECT_THAT(run.output, HasSubstr("\n" + row));
+}
+
 TEST(Sweep, ResumingASingleStudy) {
   const StudyDirectory study(test::homogeneous_deck);
   const std::vector<std::string> options{"--resume", "--set", "tests.method=quasistatic", "--set", "stages.A.cells=4"};

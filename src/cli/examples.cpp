@@ -1,0 +1,68 @@
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "command.hpp"
+
+namespace breccia::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory that the installation brings, from its place relative to that of the program. Throws FileError.
+fs::path installed(const char* from_program) {
+  std::error_code failure;
+  const auto program = fs::read_symlink("/proc/self/exe", failure);
+  auto directory = (program.parent_path() / from_program).lexically_normal();
+  if (!failure && fs::is_directory(directory)) return directory;
+  throw FileError(
+      fmt::format("{}: no such directory; the installation of breccia is not complete", directory.string()));
+}
+
+/// What `title = "..."` says in a deck; empty without such a line.
+std::string title_of(const std::string& deck) {
+  const auto line = deck.starts_with("title") ? 0 : deck.find("\ntitle");
+  const auto begin = deck.find('"', line);
+  const auto end = begin == std::string::npos ? begin : deck.find('"', begin + 1);
+  return line == std::string::npos || end == std::string::npos ? "" : deck.substr(begin + 1, end - begin - 1);
+}
+
+/// The decks below a directory, in alphabetical order, those of the directory itself first.
+std::vector<fs::path> decks_below(const fs::path& directory) {
+  std::vector<fs::path> decks;
+  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
+    if (entry.path().extension() == ".toml") decks.push_back(entry.path().lexically_relative(directory));
+  }
+  std::ranges::sort(decks, [](const fs::path& a, const fs::path& b) {
+    const bool a_is_deeper = a.has_parent_path(), b_is_deeper = b.has_parent_path();
+    return a_is_deeper != b_is_deeper ? b_is_deeper : a < b;
+  });
+  return decks;
+}
+
+void print_examples() {
+  const auto examples = installed(BRECCIA_EXAMPLES_FROM_PROGRAM);
+  const auto documentation = installed(BRECCIA_DOCUMENTATION_FROM_PROGRAM);
+  fmt::print("Decks in {} (copy one, or run it by its path):\n", examples.string());
+  for (const auto& deck : decks_below(examples)) {
+    fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));
+  }
+  fmt::print("\nDocumentation in {}:\n", (documentation / "docs").string());
+  fmt::print("  tutorial.md  the first half hour\n  decks.md     every key of a deck\n");
+  fmt::print("  results.md   every file that a run writes\n  fitting.md   from measured data to a Prony series\n");
+}
+
+}  // namespace
+
+void add_examples(CLI::App& application) {
+  auto* command = application.add_subcommand("examples", "list the decks and the documentation that came with breccia");
+  command->callback(print_examples);
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string_view>
+
+namespace breccia::cli {
+
+/// The text of examples/starter.toml, put into the program when it is built.
+std::string_view starter_deck();
+
+}  // namespace breccia::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace breccia::test {
+
+/// A command of the documentation, and what the page says that it prints.
+struct DocumentedCommand {
+  std::vector<std::string> arguments;  ///< without the name of the program
+  std::vector<std::string> output;     ///< lines; empty where the page quotes none
+};
+
+/// A page of the documentation that tells its reader to write files and to run the program.
+struct DocumentationPage {
+  std::map<std::string, std::string> files;  ///< by name: blocks of text after a paragraph that names a file first
+  std::vector<DocumentedCommand> commands;   ///< all of the program, in order
+};
+
+/// Reads a page of Markdown. The first block without a language after a block of commands is the output of its last.
+DocumentationPage read_documentation(const std::string& markdown);
+
+/// A line with what differs from one run to the next, wall times and speeds, replaced by dashes.
+std::string without_times(const std::string& line);
+
+}  // namespace breccia::test
