@@ -161,6 +161,13 @@ std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& m
   return matrices;
 }
 
+/// "binder at 40 degC", and more where stages have different matrices.
+std::string names_of(const std::map<std::string, Material>& matrices) {
+  std::vector<std::string> names;
+  for (const auto& [original, material] : matrices) names.push_back(material.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// The stage that is asked for and those that it builds on.
 std::vector<StoredResponses> with_earlier_stages(std::vector<StoredResponses> stored, const std::string& stage) {
   std::vector<StoredResponses> chain;
@@ -196,8 +203,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
   for (const auto& temperature : temperatures) {
     collect(mistakes, fmt::format("at {}: ", temperature.name), [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
-      answers.push_back({fmt::format("the matrix at {}", temperature.name),
-                         is_out_for_one ? arguments.out : parent / temperature.directory,
+      answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
                          respond(stored, matrices, window)});
     });
   }

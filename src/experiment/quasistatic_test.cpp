@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -30,11 +31,11 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
 /// Moduli of the matrix [Pa] for which the reduced response is to be good, from stiff to soft.
 std::vector<Moduli> sampled_path(const QuasistaticTest& test) {
   const auto& matrix = test.materials.front();
-  if (test.options.range == SampledRange::times) return carson_path(matrix, test.times);
-  if (test.matrix_moduli.empty()) return relaxation_path(matrix, test.times);
-  // The fit that stands for the matrix is somewhat off the moduli it was made from.
+  // Where a fit stands for the matrix it is somewhat off the moduli that it was made from: both count.
   auto path = carson_path(matrix, test.times);
-  path.insert(path.end(), test.matrix_moduli.begin(), test.matrix_moduli.end());
+  if (test.options.range == SampledRange::times) return path;
+  const auto whole = test.matrix_moduli.empty() ? relaxation_path(matrix, test.times) : test.matrix_moduli;
+  std::ranges::copy_if(whole, std::back_inserter(path), [](const Moduli& moduli) { return !is_like_softer(moduli); });
   std::ranges::stable_sort(path, std::ranges::greater(), &Moduli::shear);
   return path;
 }

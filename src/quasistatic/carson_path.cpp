@@ -57,6 +57,11 @@ std::vector<Moduli> carson_path(const Material& material, const TimeWindow& wind
   return path;
 }
 
+bool is_like_softer(const Moduli& moduli) {
+  constexpr double incompressible = 1e-7;
+  return moduli.shear < incompressible * moduli.bulk;
+}
+
 std::vector<Moduli> relaxation_path(const Material& material, const TimeWindow& window) {
   constexpr double margin = 30.0, beyond = 100.0;
   const auto [begin, end] = widened(material, {window.begin / margin, window.end * margin}, beyond);

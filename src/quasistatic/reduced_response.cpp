@@ -6,6 +6,7 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "network.hpp"
+#include "residual_rounding.hpp"
 
 namespace breccia {
 namespace {
@@ -14,6 +15,13 @@ Eigen::VectorXd reduced_solution(const ReducedResponse& response, const Moduli& 
   return (response.filler + matrix.shear * response.matrix_shear + matrix.bulk * response.matrix_bulk)
       .ldlt()
       .solve(response.load_forces);
+}
+
+/// The weights of the parts of the residual in it: of A v, B v and C v, and of the load.
+Eigen::VectorXd residual_weights(const Eigen::VectorXd& solution, const Moduli& matrix) {
+  Eigen::VectorXd weights(3 * solution.size() + 1);
+  weights << solution, matrix.shear * solution, matrix.bulk * solution, -1.0;
+  return weights;
 }
 
 /// 1 / (p + q G) is the compliance of a solid with the relaxation modulus p + q G(t).
@@ -51,11 +59,18 @@ double ReducedResponse::modulus(const Moduli& matrix) const {
 
 double ReducedResponse::error_estimate(const Moduli& matrix) const {
   const Eigen::VectorXd weights = reduced_solution(*this, matrix);
-  Eigen::VectorXd residual(residual_products.rows());
-  residual << weights, matrix.shear * weights, matrix.bulk * weights, -1.0;
+  const auto residual = residual_weights(weights, matrix);
   const double squared = std::max(0.0, residual.dot(residual_products * residual));
   // The error of e' K^-1 e is r' K^-1 r. What is left of r is held by the matrix, as stiff as its shear modulus.
   return residual_scale * squared / (matrix.shear * load_forces.dot(weights));
+}
+
+double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, const Moduli& matrix) {
+  constexpr double rounding = 4e-16;
+  const auto solution = reduced_solution(response, matrix);
+  const Eigen::VectorXd weights = residual_weights(solution, matrix).cwiseAbs();
+  const double squared = rounding * weights.dot(response.residual_products.cwiseAbs() * weights);
+  return response.residual_scale * squared / (matrix.shear * response.load_forces.dot(solution));
 }
 
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix) {

@@ -27,7 +27,11 @@ ModuliRange usable_range(const ReducedResponse& response) {
   // tolerance for what differs by the spacing of a path. A bulk modulus off the path costs little: the matrix is nearly
   // incompressible, or its volume matters little.
   constexpr double off_shear = 0.05, off_bulk = 0.1;
-  return {{(1.0 - off_bulk) * range.least.bulk, (1.0 - off_shear) * range.least.shear},
+  // Eight points a decade: the last one sampled is at most that far from where all softer matrices are alike.
+  constexpr double spacing = 1.4;
+  const auto softest = std::ranges::min(response.snapshots, {}, [](const Snapshot& one) { return one.matrix.shear; });
+  const bool holds_for_softer = is_like_softer({softest.matrix.bulk, softest.matrix.shear / spacing});
+  return {{(1.0 - off_bulk) * range.least.bulk, holds_for_softer ? 0.0 : (1.0 - off_shear) * range.least.shear},
           {(1.0 + off_bulk) * range.most.bulk, (1.0 + off_shear) * range.most.shear}};
 }
 

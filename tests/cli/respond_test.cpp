@@ -113,7 +113,7 @@ TEST_F(Respond, AnswersWhatRunsAtOtherTemperaturesFind) {
                                                           {"40 degC", "respond-40degC"},
                                                           {"80 degC", "respond-80degC"}};
   for (const auto& [temperature, directory] : directories) {
-    EXPECT_THAT(answered.output, HasSubstr("with the matrix at " + temperature));
+    EXPECT_THAT(answered.output, HasSubstr("with binder at " + temperature));
     const StudyDirectory other(chain);
     const auto run = other.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});
     ASSERT_EQ(run.exit_code, 0) << run.errors;

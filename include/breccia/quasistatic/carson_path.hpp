@@ -15,6 +15,10 @@ Moduli carson_moduli(const Material& material, double s);
 /// The response of a composite at a time t depends on those of its matrix about s = 1/t, and fades away from it.
 std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin = 30.0);
 
+/// Is a matrix of these moduli so soft in shear, relative to its bulk modulus, that a composite answers as it does with
+/// any softer one but for a factor? Its solutions serve for all softer ones, and below that they are found no better.
+bool is_like_softer(const Moduli& moduli);
+
 /// Carson moduli [Pa] of a material over the whole of its relaxation, from stiff to soft: from the unrelaxed moduli to
 /// those at equilibrium. Without an equilibrium shear modulus it ends where the material does little but flow, two
 /// decades of the Laplace variable beyond the longest relaxation time, or with carson_path() of the window, whichever
