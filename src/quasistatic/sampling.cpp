@@ -249,8 +249,9 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   while (path.size() > 1 && std::max(sampling->error(), worst.estimate) > options.tolerance) {
     if (sampling->snapshots() == options.most_snapshots) {
       throw NumericalError(
-          fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
-                      "or solver = \"stepping\" may serve",
+          fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser "
+                      "tests.quasistatic.tolerance, tests.quasistatic.range = \"times\" or tests.solver = \"stepping\" "
+                      "may serve",
                       std::max(sampling->error(), worst.estimate), options.most_snapshots, options.tolerance));
     }
     add_snapshot(worst.moduli, true);
