@@ -1,5 +1,6 @@
 #include "narration.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <variant>
 
@@ -21,6 +22,16 @@ std::string describe(const Stage& stage, const StageResult& result) {
   return text;
 }
 
+/// The error that the method makes in time, and over what.
+std::string describe_error(const QuasistaticResponse& response) {
+  const double per_cent = 100.0 * response.error_estimate;
+  if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
+  const auto [softest, stiffest] =
+      std::ranges::minmax(response.reduced->snapshots, {}, [](const Snapshot& one) { return one.matrix.shear; });
+  return fmt::format("error of the basis (at Laplace variables, matrix from {} to {}) about {:.1g} %",
+                     display(softest.matrix.shear, "Pa"), display(stiffest.matrix.shear, "Pa"), per_cent);
+}
+
 /// A line on a quasi-static test; time domains have told of themselves.
 std::string describe(const Stage& stage, const TestResult& test) {
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
@@ -28,10 +39,8 @@ std::string describe(const Stage& stage, const TestResult& test) {
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {} about {:.1g} %", stage.name,
-                     name_of(test.load), bound_of(test.boundary), test.cells, how, seconds,
-                     response.reduced ? "error of the basis (at Laplace variables)" : "error of the steps",
-                     100.0 * response.error_estimate);
+  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.load),
+                     bound_of(test.boundary), test.cells, how, seconds, describe_error(response));
 }
 
 }  // namespace

@@ -1,17 +1,22 @@
 #include "breccia/study/respond.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/study/stored_materials.hpp"
 
 #include "command.hpp"
 #include "tables.hpp"
@@ -23,11 +28,19 @@ namespace fs = std::filesystem;
 
 struct RespondArguments {
   fs::path results;
-  fs::path material;
-  std::string stage;  ///< empty: all that can
+  fs::path material;                      ///< empty: temperatures are given
+  std::vector<std::string> temperatures;  ///< of the matrix of the study
+  std::string stage;                      ///< empty: all that can
   std::vector<std::string> times;
   fs::path out;
   bool quiet = false;
+};
+
+/// The stages with one new matrix.
+struct Answer {
+  std::string matrix;  ///< what the matrix is, for people
+  fs::path out;
+  std::vector<StageResult> stages = {};
 };
 
 /// The names of the stages that have a response, in alphabetical order.
@@ -67,21 +80,140 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
 
-void run_respond(const RespondArguments& arguments) {
-  const auto window = window_of(arguments.times);
-  const auto material = read_material_file(arguments.material);
+std::vector<StoredResponses> responses_of(const RespondArguments& arguments) {
   std::vector<StoredResponses> stored;
   for (const auto& stage : chosen_stages(arguments)) {
     stored.push_back(read_responses(arguments.results / stage / "response.h5"));
   }
+  return stored;
+}
+
+Answer answer_for_material(const RespondArguments& arguments, const std::optional<TimeWindow>& window) {
+  const auto material = read_material_file(arguments.material);
+  const auto stored = responses_of(arguments);
+  const auto own = arguments.results / ("respond-" + material.name);
   // A stage alone takes the material itself, whatever its matrix was in the study.
-  const auto results = arguments.stage.empty() ? respond(stored, material, window)
-                                               : std::vector{respond(stored.front(), material, window)};
-  const auto out = arguments.out.empty() ? arguments.results / ("respond-" + material.name) : arguments.out;
-  write_response_curves(out, results);
-  if (arguments.quiet) return;
+  return {material.name, arguments.out.empty() ? own : arguments.out,
+          arguments.stage.empty() ? respond(stored, material, window)
+                                  : std::vector{respond(stored.front(), material, window)}};
+}
+
+/// A temperature as it was asked for.
+struct AskedTemperature {
+  double kelvin;
+  std::string name;       ///< "-40 degC"
+  std::string directory;  ///< "respond-minus40degC"
+};
+
+AskedTemperature read_temperature(const std::string& text) {
+  constexpr double zero_celsius = 273.15, smallest = 1e-6;
+  const double kelvin = parse_quantity(text, Dimension::temperature);
+  if (kelvin < 0.0) throw InputError(fmt::format("expected a temperature above absolute zero, got \"{}\"", text));
+  const double celsius = std::round((kelvin - zero_celsius) / smallest) * smallest;
+  return {kelvin, fmt::format("{:.6g} degC", celsius),
+          fmt::format("respond-{}{:.6g}degC", celsius < 0.0 ? "minus" : "", std::abs(celsius))};
+}
+
+/// Does what may throw InputError, and keeps the message.
+template <class Action>
+void collect(std::vector<std::string>& mistakes, const std::string& prefix, const Action& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    mistakes.push_back(prefix + error.what());
+  }
+}
+
+void refuse(const std::vector<std::string>& mistakes) {
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& texts) {
+  std::vector<AskedTemperature> temperatures;
+  std::vector<std::string> mistakes;
+  for (const auto& text : texts) {
+    collect(mistakes, "--temperature: ", [&] {
+      auto temperature = read_temperature(text);
+      if (std::ranges::find(temperatures, temperature.directory, &AskedTemperature::directory) != temperatures.end()) {
+        throw InputError(fmt::format("{} is given twice", temperature.name));
+      }
+      temperatures.push_back(std::move(temperature));
+    });
+  }
+  refuse(mistakes);
+  return temperatures;
+}
+
+/// The materials at one temperature that are the matrices of stages, by their names.
+std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& materials,
+                                            const std::vector<StoredResponses>& stored,
+                                            const AskedTemperature& temperature) {
+  std::map<std::string, Material> matrices;
+  for (const auto& one : stored) {
+    if (!std::holds_alternative<Material>(one.matrix)) continue;
+    const auto& name = name_of(one.matrix);
+    const auto found = std::ranges::find(materials, name, [](const auto& each) { return each.material.name; });
+    if (found == materials.end()) throw InputError(fmt::format("study.json has no material \"{}\"", name));
+    auto material = at_temperature(*found, temperature.kelvin);
+    material.name = fmt::format("{} at {}", name, temperature.name);
+    matrices.insert_or_assign(name, std::move(material));
+  }
+  return matrices;
+}
+
+/// "binder at 40 degC", and more where stages have different matrices.
+std::string names_of(const std::map<std::string, Material>& matrices) {
+  std::vector<std::string> names;
+  for (const auto& [original, material] : matrices) names.push_back(material.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// The stage that is asked for and those that it builds on.
+std::vector<StoredResponses> with_earlier_stages(std::vector<StoredResponses> stored, const std::string& stage) {
+  std::vector<StoredResponses> chain;
+  for (auto wanted = stage; chain.size() < stored.size();) {
+    const auto found = std::ranges::find(stored, wanted, &StoredResponses::stage);
+    if (found == stored.end()) break;
+    chain.push_back(*found);
+    if (std::holds_alternative<Material>(found->matrix)) break;
+    wanted = name_of(found->matrix);
+  }
+  return chain;
+}
+
+std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
+                                            const std::optional<TimeWindow>& window) {
+  const auto temperatures = read_temperatures(arguments.temperatures);
+  auto of_all_stages = arguments;
+  of_all_stages.stage.clear();
+  static_cast<void>(chosen_stages(arguments));
+  auto stored = responses_of(of_all_stages);
+  if (!arguments.stage.empty()) stored = with_earlier_stages(std::move(stored), arguments.stage);
+  const auto study = read_stored_materials(arguments.results);
+  for (const auto& one : stored) {
+    if (one.deck_hash == study.deck_hash) continue;
+    throw InputError(
+        fmt::format("{}: the responses of stage {} are of another study (deck hash {}) than study.json ({})",
+                    arguments.results.string(), one.stage, one.deck_hash, study.deck_hash));
+  }
+  const auto parent = arguments.out.empty() ? arguments.results : arguments.out;
+  const bool is_out_for_one = temperatures.size() == 1 && !arguments.out.empty();
+  std::vector<Answer> answers;
+  std::vector<std::string> mistakes;
+  for (const auto& temperature : temperatures) {
+    collect(mistakes, fmt::format("at {}: ", temperature.name), [&] {
+      const auto matrices = matrices_at(study.materials, stored, temperature);
+      answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
+                         respond(stored, matrices, window)});
+    });
+  }
+  refuse(mistakes);
+  return answers;
+}
+
+void print(const Answer& answer, const TimeWindow& times) {
   double error = 0.0;
-  for (const auto& stage : results) {
+  for (const auto& stage : answer.stages) {
     for (const auto& test : stage.tests) {
       if (const auto* record = std::get_if<QuasistaticRecord>(&test.record)) {
         error = std::max(error, record->response.error_estimate);
@@ -89,8 +221,32 @@ void run_respond(const RespondArguments& arguments) {
     }
   }
   fmt::print(
-      "{}\nwith {} as matrix; error of the reduced responses (at Laplace variables) about {:.1g} %\nCurves are in {}\n",
-      tables_of(results, window.value_or(stored.front().times)), material.name, 100.0 * error, out.string());
+      "{}\nwith {} as matrix; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
+      "Curves are in {}\n",
+      tables_of(answer.stages, times), answer.matrix, 100.0 * error, answer.out.string());
+}
+
+/// First and last time of some stages' curves.
+TimeWindow times_of(const std::vector<StageResult>& stages) {
+  const auto& curve = stages.front().tests.front().modulus;
+  return {curve.front().time, curve.back().time};
+}
+
+void run_respond(const RespondArguments& arguments) {
+  const bool has_material = !arguments.material.empty();
+  if (has_material == !arguments.temperatures.empty()) {
+    throw InputError(
+        "respond: expected a new matrix, either --material FILE.toml or --temperature \"40 degC\" (several times for "
+        "several temperatures)");
+  }
+  const auto window = window_of(arguments.times);
+  const auto answers =
+      has_material ? std::vector{answer_for_material(arguments, window)} : answers_at_temperatures(arguments, window);
+  std::vector<fs::path> inputs;
+  if (has_material) inputs.push_back(arguments.material);
+  for (const auto& [matrix, out, stages] : answers) write_response_curves(out, stages, inputs);
+  if (arguments.quiet) return;
+  for (const auto& answer : answers) print(answer, times_of(answer.stages));
 }
 
 }  // namespace
@@ -101,18 +257,24 @@ void add_respond(CLI::App& application) {
   auto arguments = std::make_shared<RespondArguments>();
   command->add_option("DIR", arguments->results, "the results of `breccia run`")->required()->type_name("");
   command->add_option("--material", arguments->material, "the new matrix: a TOML file with the keys of a material")
-      ->required()
       ->type_name("FILE.toml");
   command
+      ->add_option("--temperature", arguments->temperatures,
+                   R"(the matrix of the run at another temperature, such as "40 degC"; may be given several times)")
+      ->expected(1)
+      ->take_all()
+      ->type_name("TEMPERATURE");
+  command
       ->add_option("--stage", arguments->stage,
-                   "one stage alone, with the material as its own matrix (default: all, each on what it builds on)")
+                   "one stage alone, with the material as its own matrix; with a temperature also those that it "
+                   "builds on (default: all, each on what it builds on)")
       ->type_name("NAME");
   command
       ->add_option("--times", arguments->times,
                    R"(first and last time, such as "1 us" "1 s" (default: those of the run))")
       ->expected(2)
       ->type_name("BEGIN END");
-  command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<name of the material>)")
+  command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { run_respond(*arguments); });

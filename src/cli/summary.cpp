@@ -127,7 +127,9 @@ std::string describe(const DynamicOptions& options) {
 
 std::string describe(const QuasistaticOptions& options) {
   const auto how = options.solver == Solver::reduced
-                       ? fmt::format("reduced basis to within {:.1g}", options.sampling.tolerance)
+                       ? fmt::format("reduced basis to within {:.1g} over {}", options.sampling.tolerance,
+                                     options.range == SampledRange::matrix ? "the whole relaxation of the matrix"
+                                                                           : "the times of the tests")
                        : fmt::format("log-time stepping, {} steps a decade", options.steps_per_decade);
   return fmt::format("    method   quasi-static, {}, {} strain\n", how,
                      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
@@ -25,10 +28,22 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
           .linear = test.options.linear};
 }
 
+/// Moduli of the matrix [Pa] for which the reduced response is to be good, from stiff to soft.
+std::vector<Moduli> sampled_path(const QuasistaticTest& test) {
+  const auto& matrix = test.materials.front();
+  // Where a fit stands for the matrix it is somewhat off the moduli that it was made from: both count.
+  auto path = carson_path(matrix, test.times);
+  if (test.options.range == SampledRange::times) return path;
+  const auto whole = test.matrix_moduli.empty() ? relaxation_path(matrix, test.times) : test.matrix_moduli;
+  std::ranges::copy_if(whole, std::back_inserter(path), [](const Moduli& moduli) { return !is_like_softer(moduli); });
+  std::ranges::stable_sort(path, std::ranges::greater(), &Moduli::shear);
+  return path;
+}
+
 void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                  Checkpoint* checkpoint) {
   const auto& matrix = test.materials.front();
-  const auto path = carson_path(matrix, test.times);
+  const auto path = sampled_path(test);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
   auto sampled = sample_responses(
       problem_of(test), 0, test.loads, path, test.options.sampling,

@@ -15,6 +15,7 @@
 #include "network.hpp"
 #include "recovery.hpp"
 #include "reduced_basis.hpp"
+#include "residual_rounding.hpp"
 
 namespace breccia {
 namespace {
@@ -120,18 +121,21 @@ class Sampling {
     ++snapshots_;
   }
 
-  /// Over all loads, with the ratios of error to residual found so far.
+  /// Over all loads, with the ratios of error to residual found so far. Where rounding may have made all of an estimate
+  /// no error is expected, for no solution would make it smaller.
   [[nodiscard]] Worst worst_on(std::span<const Moduli> path) const {
-    Worst worst;
+    Worst worst, within_rounding;
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       auto response = bases_[l].response();
       response.residual_scale = scales_[l] > 0.0 ? scales_[l] : 1.0;
       for (const auto& moduli : path) {
         const double estimate = response.error_estimate(moduli);
-        if (estimate > worst.estimate) worst = {moduli, estimate};
+        const bool is_rounding = estimate <= quasistatic::rounding_of_error_estimate(response, moduli);
+        auto& largest = is_rounding ? within_rounding : worst;
+        if (estimate > largest.estimate) largest = {moduli, estimate};
       }
     }
-    return worst;
+    return worst.estimate > 0.0 ? worst : Worst{within_rounding.moduli, 0.0};
   }
 
   [[nodiscard]] std::vector<ReducedResponse> responses() const {
@@ -245,8 +249,9 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialInd
   while (path.size() > 1 && std::max(sampling->error(), worst.estimate) > options.tolerance) {
     if (sampling->snapshots() == options.most_snapshots) {
       throw NumericalError(
-          fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser tolerance "
-                      "or solver = \"stepping\" may serve",
+          fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser "
+                      "tests.quasistatic.tolerance, tests.quasistatic.range = \"times\" or tests.solver = \"stepping\" "
+                      "may serve",
                       std::max(sampling->error(), worst.estimate), options.most_snapshots, options.tolerance));
     }
     add_snapshot(worst.moduli, true);

@@ -71,6 +71,11 @@ QuasistaticOptions read_quasistatic(const Section& section) {
   QuasistaticOptions options;
   const Range accuracy = Range::between(0.0, 0.1);
   options.sampling.tolerance = section.optional_number("tolerance", accuracy).value_or(options.sampling.tolerance);
+  if (section.has("range")) {
+    options.range =
+        section.choice<SampledRange>("range", {{"matrix", SampledRange::matrix}, {"times", SampledRange::times}})
+            .value_or(options.range);
+  }
   const Range steps{.lower = 2.0, .upper = 1000.0};
   options.steps_per_decade =
       static_cast<int>(section.optional_integer("steps_per_decade", steps).value_or(options.steps_per_decade));

@@ -46,6 +46,10 @@ std::string bound_of(Boundary boundary) {
   return {};
 }
 
+std::string name_of(SampledRange range) {
+  return range == SampledRange::matrix ? "matrix" : "times";
+}
+
 std::string name_of_grid(int cells) {
   return cells == 0 ? "extrapolated" : std::to_string(cells);
 }

@@ -104,6 +104,7 @@ struct DescribeRecord {
       return json;
     }
     json["tolerance"] = options.quasistatic.sampling.tolerance;
+    json["range"] = name_of(options.quasistatic.range);
     json["snapshots"] = Json::array();
     for (const auto& [matrix, error] : response.reduced->snapshots) {
       json["snapshots"].push_back(

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "coverage_refusal.hpp"
 #include "results.hpp"
 #include "stage_extrapolation.hpp"
 #include "stage_materials.hpp"
@@ -23,7 +25,7 @@ TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, 
   const auto& [cells, response] = entry;
   QuasistaticRecord record;
   record.response.load = response.load;
-  record.response.error_estimate = require_sampled(response, matrix, window);
+  record.response.error_estimate = largest_error(response, matrix, window);
   record.response.reduced = response;
   const auto compliance = creep_compliance(response, matrix);
   TestResult test{.load = response.load, .boundary = response.boundary, .method = Method::quasistatic, .cells = cells};
@@ -35,9 +37,6 @@ TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, 
   test.record = std::move(record);
   return test;
 }
-
-/// The matrix that lies between the particles under a boundary.
-using MatrixUnder = std::function<const Material&(Boundary)>;
 
 /// What the stage was, as far as its responses need it.
 Stage stage_of(const StoredResponses& stored) {
@@ -57,22 +56,17 @@ Stage stage_of(const StoredResponses& stored) {
   return stage;
 }
 
-StageResult respond(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+/// Throws NotCovered where one of the responses of the stage does not answer over the whole window.
+StageResult respond_within(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+  require_coverage(stored, matrix, times);
   StageResult result;
   result.name = stored.stage;
   const auto stage = stage_of(stored);
   result.cells = stage.cells;
   result.microstructure.fraction = stored.filler_fraction;
-  std::vector<std::string> refusals;
   for (const auto& entry : stored.entries) {
-    try {
-      result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
-    } catch (const InputError& error) {
-      const auto refusal = fmt::format("stage {}: {}", stored.stage, error.what());
-      if (std::ranges::find(refusals, refusal) == refusals.end()) refusals.push_back(refusal);
-    }
+    result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
   }
-  if (!refusals.empty()) throw InputError(fmt::format("{}", fmt::join(refusals, "\n")));
   std::ranges::stable_sort(result.tests, {}, &TestResult::cells);
   for (auto& test : extrapolate_tests(stage, result.tests)) result.tests.push_back(std::move(test));
   return result;
@@ -112,17 +106,20 @@ std::vector<StoredResponses>::const_iterator next_stage(const std::vector<Stored
                                stuck.stage, name_of(stuck.matrix)));
 }
 
+void refuse_several_studies(const std::vector<StoredResponses>& stored) {
+  for (const auto& one : stored) {
+    if (one.deck_hash == stored.front().deck_hash) continue;
+    throw InputError(fmt::format(
+        "the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a stage, or run the "
+        "study anew in a directory of its own",
+        stored.front().stage, one.stage, stored.front().deck_hash, one.deck_hash));
+  }
+}
+
 /// One new material can stand for one old one only.
 void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   const StoredResponses* first = nullptr;
   for (const auto& one : stored) {
-    if (one.deck_hash != stored.front().deck_hash) {
-      throw InputError(
-          fmt::format("the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a "
-                      "stage, or run the "
-                      "study anew in a directory of its own",
-                      stored.front().stage, one.stage, stored.front().deck_hash, one.deck_hash));
-    }
     if (!std::holds_alternative<Material>(one.matrix)) continue;
     if (first == nullptr) first = &one;
     if (name_of(one.matrix) == name_of(first->matrix)) continue;
@@ -133,38 +130,58 @@ void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   }
 }
 
-}  // namespace
-
-StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
-  return respond(
-      stored, [&](Boundary) -> const Material& { return matrix; }, times.value_or(stored.times));
-}
-
-std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
-                                 std::optional<TimeWindow> times) {
-  std::vector<StageResult> done;
-  if (stored.empty()) return done;
-  refuse_mixtures(stored);
-  const auto window = times.value_or(stored.front().times);
+/// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
+std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
+                                        const std::map<std::string, Material>& matrices, const TimeWindow& window) {
   const auto study = study_of(stored, window);
+  std::vector<StageResult> done;
   while (done.size() < stored.size()) {
     const auto& next = *next_stage(stored, done);
     auto stage = stage_of(next);
-    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = matrix;
+    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = matrices.at(name_of(next.matrix));
     const MatrixUnder matrix_under = [&](Boundary boundary) -> const Material& {
       return matrix_of(stage, done, boundary, Method::quasistatic);
     };
-    auto result = respond(next, matrix_under, window);
+    auto result = respond_within(next, matrix_under, window);
     if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
     done.push_back(std::move(result));
   }
   return done;
 }
 
-void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages) {
+}  // namespace
+
+StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
+  return or_tell_covered_times(times.value_or(stored.times), [&](const TimeWindow& window) {
+    return respond_within(
+        stored, [&](Boundary) -> const Material& { return matrix; }, window);
+  });
+}
+
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
+                                 std::optional<TimeWindow> times) {
+  refuse_mixtures(stored);
+  std::map<std::string, Material> matrices;
+  for (const auto& one : stored) {
+    if (std::holds_alternative<Material>(one.matrix)) matrices.emplace(name_of(one.matrix), matrix);
+  }
+  return respond(stored, matrices, times);
+}
+
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
+                                 const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times) {
+  if (stored.empty()) return {};
+  refuse_several_studies(stored);
+  return or_tell_covered_times(times.value_or(stored.front().times),
+                               [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });
+}
+
+void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages,
+                           std::span<const std::filesystem::path> inputs) {
   if (std::filesystem::exists(directory / "study.json")) {
     throw InputError(fmt::format("{}: here are the results of a study; take another directory", directory.string()));
   }
+  refuse_to_replace(directory, curve_files(), inputs);
   make_directory(directory);
   remove_files(directory, curve_files());
   write_curves(directory, {stages});

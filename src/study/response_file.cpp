@@ -15,7 +15,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 counts rows first, Eigen columns.
@@ -112,6 +112,7 @@ void write_responses(const std::filesystem::path& directory, const Study& study,
       file->write_attribute("/", "filler_fraction", result.microstructure.fraction);
       file->write_attribute("/", "box_m", stage.side);
       file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
+      file->write_attribute("/", "sampled_range", name_of(study.tests.quasistatic.range));
       file->write_attribute("/", "fit_tolerance", study.tests.fit_tolerance);
       file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
     }
@@ -140,6 +141,9 @@ StoredResponses read_responses(const std::filesystem::path& path) {
   stored.filler_fraction = file.attribute<double>("/", "filler_fraction");
   stored.side = file.attribute<double>("/", "box_m");
   stored.deck_hash = file.attribute<std::string>("/", "deck_hash");
+  const auto range = file.attribute<std::string>("/", "sampled_range");
+  require(range == "matrix" || range == "times", path.string(), "a range that was sampled, matrix or times");
+  stored.range = range == "matrix" ? SampledRange::matrix : SampledRange::times;
   stored.fit_tolerance = file.attribute<double>("/", "fit_tolerance");
   const auto times = file.attribute<std::vector<double>>("/", "times_s");
   require(times.size() == 2, path.string(), "two times");

@@ -19,6 +19,7 @@
 #include "comparison.hpp"
 #include "field_files.hpp"
 #include "history_file.hpp"
+#include "matrix_moduli.hpp"
 #include "response_file.hpp"
 #include "result_directory.hpp"
 #include "results.hpp"
@@ -169,7 +170,8 @@ class StageRun {
   void run(const StageGrid& grid, Boundary boundary, Method method) {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
-      for (auto& test : run_quasistatic(grid, matrix, boundary, observer_)) keep(std::move(test));
+      auto moduli = matrix_moduli(study_, stage_, result_.stages, boundary);
+      for (auto& test : run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_)) keep(std::move(test));
       write_once([&] { write_responses(grid.directory, study_, stage_, done_); });
       return;
     }

@@ -78,13 +78,15 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
           .options = options};
 }
 
-std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
+                                        std::vector<Moduli> matrix_moduli, Boundary boundary,
                                         const StudyObserver& observer) {
   const auto& stage = *grid.stage;
   const int cells = grid.discretisation.grid().columns;
   const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), cells);
   auto checkpoint = grid.checkpoints->of_quasistatic(stage, boundary, cells);
-  const auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
+  auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
+  test.matrix_moduli = std::move(matrix_moduli);
   auto done = name_errors(fmt::format("{} {}", stage.name, name), [&] {
     // The first elastic solution may take long.
     if (observer.progress) observer.progress(stage, name, 0.0, "begun");

@@ -19,8 +19,10 @@ struct StageGrid {
   const Checkpoints* checkpoints;
 };
 
-/// All loads under one boundary by the quasi-static method.
-std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix, Boundary boundary,
+/// All loads under one boundary by the quasi-static method, with a matrix and the moduli [Pa] that it shows over the
+/// whole of its relaxation.
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
+                                        std::vector<Moduli> matrix_moduli, Boundary boundary,
                                         const StudyObserver& observer);
 
 /// One load under one boundary by the dynamic method. Both write fields, this one also histories.

@@ -154,13 +154,17 @@ async function look() {
   see("refusals at 25 C", at("live-refusals").childElementCount);
   move(at("temperature"), 79);
   await wait(100);
-  see("refusals at 79 C", at("live-refusals").hidden ? 0 : "some");
+  for (const stage of ["A", "B"]) see(`${stage} at 79 C`, liveModulus(stage));
+  see("refusals at 79 C", at("live-refusals").childElementCount);
   move(at("temperature"), 19);
 
   see("bad spectrum", await paste("relaxation_time_s,modulus_Pa\n0.01,stiff"));
   see("empty spectrum", await paste(""));
   await paste("relaxation_time_s,modulus_Pa\n0.01,0.5e6\n1,0.1e6\n");
   see("A with the same spectrum pasted", liveModulus("A"));
+  see("refusals of the same spectrum", at("live-refusals").childElementCount);
+  await paste("relaxation_time_s,modulus_Pa\n0.01,5e9\n");
+  see("refusal of a stiff spectrum", at("live-refusals").textContent.includes("run a study with that material"));
 
   const maps = [...document.querySelectorAll("#field-pictures img")];
   await Promise.all(maps.map((map) => map.decode()));

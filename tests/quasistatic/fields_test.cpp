@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"

@@ -30,6 +30,7 @@ TEST_F(DeckTests, Defaults) {
   EXPECT_THAT(defaults.methods, ElementsAre(Method::quasistatic));
   EXPECT_EQ(defaults.quasistatic.solver, Solver::reduced);
   EXPECT_EQ(defaults.quasistatic.volumetric, Volumetric::averaged);
+  EXPECT_EQ(defaults.quasistatic.range, SampledRange::matrix);
   EXPECT_EQ(defaults.quasistatic.linear.method, LinearMethod::automatic);
   EXPECT_EQ(defaults.first_time, 1e-8);
   EXPECT_EQ(defaults.last_time, 1e-2);
@@ -63,6 +64,7 @@ solver = "stepping"
 volumetric = "standard"
 [tests.quasistatic]
 tolerance = 1e-4
+range = "times"
 steps_per_decade = 40
 linear = "iterative"
 linear_tolerance = 1e-8
@@ -72,6 +74,7 @@ linear_tolerance = 1e-8
   EXPECT_EQ(given.quasistatic.solver, Solver::stepping);
   EXPECT_EQ(given.quasistatic.volumetric, Volumetric::standard);
   EXPECT_EQ(given.quasistatic.sampling.tolerance, 1e-4);
+  EXPECT_EQ(given.quasistatic.range, SampledRange::times);
   EXPECT_EQ(given.quasistatic.steps_per_decade, 40);
   EXPECT_EQ(given.quasistatic.linear.method, LinearMethod::iterative);
   EXPECT_EQ(given.quasistatic.linear.tolerance, 1e-8);
@@ -132,6 +135,7 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));
   EXPECT_THAT(with_times("solver = \"stepped\""), HasSubstr("got \"stepped\""));
   EXPECT_THAT(with_times("quasistatic = { tolerance = 1 }"), HasSubstr("tests.quasistatic.tolerance: expected"));
+  EXPECT_THAT(with_times("quasistatic = { range = \"all\" }"), HasSubstr("tests.quasistatic.range: expected"));
   EXPECT_THAT(with_times("quasistatic = { steps = 10 }"), HasSubstr("unknown key \"steps\""));
   EXPECT_THAT(with_times("points_per_decade = 0"),
               HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));

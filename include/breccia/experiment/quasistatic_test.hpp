@@ -19,9 +19,16 @@ enum class Solver {
   stepping  ///< step by step in log time: the reference, and the way where filler relaxes
 };
 
+/// Over which moduli of the matrix a reduced response is sampled.
+enum class SampledRange {
+  matrix,  ///< all that the matrix shows from unrelaxed to relaxed: every temperature can be answered
+  times    ///< those that count at the times wanted
+};
+
 /// Settings of the quasi-static method.
 struct QuasistaticOptions {
   Solver solver = Solver::reduced;
+  SampledRange range = SampledRange::matrix;  ///< of the reduced solver
   Volumetric volumetric = Volumetric::averaged;
   SamplingOptions sampling = {};  ///< of the reduced solver
   int steps_per_decade = 20;      ///< of the stepping solver
@@ -32,6 +39,9 @@ struct QuasistaticOptions {
 struct QuasistaticTest {
   Discretisation discretisation;
   std::vector<Material> materials;  ///< by MaterialIndex
+  /// Moduli [Pa] that the matrix shows over the whole of its relaxation, from stiff to soft, where its series does not
+  /// tell them: that of a composite is a fit to some times. Empty: those of its series. For SampledRange::matrix alone.
+  std::vector<Moduli> matrix_moduli = {};
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
   TimeWindow times;                      ///< wanted [s]
@@ -43,10 +53,11 @@ struct QuasistaticTest {
 /// The answer to one load.
 struct QuasistaticResponse {
   Load load = Load::shear;
-  Curve modulus;                         ///< relaxation modulus at logarithmic times; from creep by interconversion
-  Creep compliance;                      ///< creep compliance at the same times, of a traction boundary alone
-  PronySeries series;                    ///< exact by the reduced solver; a fit by the stepping one
-  double error_estimate = 0.0;           ///< largest, relative, by the method in time [-]
+  Curve modulus;       ///< relaxation modulus at logarithmic times; from creep by interconversion
+  Creep compliance;    ///< creep compliance at the same times, of a traction boundary alone
+  PronySeries series;  ///< exact by the reduced solver; a fit by the stepping one
+  /// Largest, relative, by the method in time; of the reduced solver over all moduli of the matrix sampled [-].
+  double error_estimate = 0.0;
   std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-]
   std::optional<ReducedResponse> reduced = {};
 };

@@ -10,7 +10,6 @@
 #include "breccia/mpm/load.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
-#include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia {
 
@@ -50,14 +49,5 @@ ReducedResponse read_response(const StateReader& state, const std::string& group
 /// Creep compliance [1/Pa] of the composite with a viscoelastic matrix: exact for the reduced stiffness (theory, Eqs.
 /// 19 and 20). The relaxation modulus follows from it by interconversion.
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix);
-
-/// Moduli [Pa] that a material shows at real Laplace variables, s M~(s), from stiff to soft, for s from
-/// margin / window.begin to 1 / (margin window.end). The response of a composite at a time t depends on those of its
-/// matrix about s = 1/t, and fades away from it.
-std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin = 30.0);
-
-/// Throws InputError when the moduli of a matrix over a window leave the range over which the response was sampled,
-/// naming both. Returns the largest error estimate on the way [-].
-double require_sampled(const ReducedResponse& response, const Material& matrix, const TimeWindow& window);
 
 }  // namespace breccia

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +29,7 @@ struct StoredResponses {
   double fit_tolerance = 0.0;    ///< of that study
   TimeWindow times;              ///< of the study [s]
   int points_per_decade = 20;    ///< of its curves
+  SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
   std::vector<Entry> entries;
 };
 
@@ -34,7 +37,7 @@ struct StoredResponses {
 StoredResponses read_responses(const std::filesystem::path& file);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
-/// Throws InputError where the matrix leaves the sampled range, with one line for every response that cannot serve.
+/// Throws InputError where the matrix leaves the sampled range, telling both and the times that are covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
 
 /// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others
@@ -44,8 +47,14 @@ StageResult respond(const StoredResponses& stored, const Material& matrix, std::
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
                                  std::optional<TimeWindow> times = {});
 
-/// Writes `curves.csv`, `prony.csv` and, of creep tests, `compliance.csv` to a directory, which is made.
-void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages);
+/// The same with a new material for each of those that the stages had as their matrix, by its name in the study.
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
+                                 const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times = {});
+
+/// Writes `curves.csv`, `prony.csv` and, of creep tests, `compliance.csv` to a directory, which is made. Throws
+/// InputError where that would replace one of the files from which they come, or the directory holds a study.
+void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages,
+                           std::span<const std::filesystem::path> inputs = {});
 
 /// Reads a material from a TOML file with the keys of a material in a deck; its name is that of the file. Throws
 /// InputError with one line for every mistake, and FileError when the file cannot be read.

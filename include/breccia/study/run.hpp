@@ -168,6 +168,8 @@ std::string name_of(Boundary boundary);
 std::string name_of(Method method);
 /// "upper bound", "lower bound" or "periodic".
 std::string bound_of(Boundary boundary);
+/// "matrix" or "times".
+std::string name_of(SampledRange range);
 /// The cells per side of a grid as tables have them: a number, or "extrapolated" for 0.
 std::string name_of_grid(int cells);
 

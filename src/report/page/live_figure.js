@@ -61,6 +61,13 @@ function curvesOfResults(results) {
   });
 }
 
+/// What leads to more than the run has sampled.
+function remedyForRefusals() {
+  const ranges = study.stages.flatMap((stage) => stage.tests.map((test) => test.range));
+  return ranges.includes("times") ? 'run the study with tests.quasistatic.range = "matrix", the default'
+    : "run a study with that material";
+}
+
 function showRefusals(results) {
   const list = document.getElementById("live-refusals");
   const isCut = ({window: [begin, end]}) => begin > study.times_s[0] || end < study.times_s[1];
@@ -73,7 +80,7 @@ function showRefusals(results) {
     const {name, value, range} = result.refusal;
     return `${result.stage}, ${boundNames[result.boundary]}: ${left}. There ${result.matrix} would have a ${name} ` +
       `modulus of ${display(value, "Pa", 3)}, outside the range from ${display(range[0], "Pa", 3)} to ` +
-      `${display(range[1], "Pa", 3)} in which the run has sampled the boxes; run the study with wider times.`;
+      `${display(range[1], "Pa", 3)} in which the run has sampled the boxes; ${remedyForRefusals()}.`;
   });
   list.replaceChildren(...texts.map((text) => element("li", {}, text)));
   list.hidden = texts.length === 0;

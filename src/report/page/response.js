@@ -9,15 +9,18 @@ function compositeModulus(response, shear, bulk) {
   return 1 / dot(response.load_forces, solveSymmetric(stiffness, response.load_forces));
 }
 
-/// The moduli of the matrix for which a response was sampled: extremes of both.
+/// The moduli of the matrix for which a response can be used: those of its snapshots and a little beyond, as in
+/// `breccia respond`.
 function sampledRange(response) {
   const shear = response.snapshots.map((snapshot) => snapshot.shear_Pa);
   const bulk = response.snapshots.map((snapshot) => snapshot.bulk_Pa);
-  // A bulk modulus off the sampled path costs little, as in `breccia respond`.
-  const rounding = 1e-9, offPath = 0.1;
+  const offShear = 0.05, offBulk = 0.1;
+  // All matrices that are that soft are alike but for a factor.
+  const likeSofter = 1.4e-7;
+  const holdsForSofter = response.snapshots.some(({shear_Pa, bulk_Pa}) => shear_Pa < likeSofter * bulk_Pa);
   return {
-    shear: [Math.min(...shear) * (1 - rounding), Math.max(...shear) * (1 + rounding)],
-    bulk: [Math.min(...bulk) * (1 - offPath), Math.max(...bulk) * (1 + offPath)],
+    shear: [holdsForSofter ? 0 : Math.min(...shear) * (1 - offShear), Math.max(...shear) * (1 + offShear)],
+    bulk: [Math.min(...bulk) * (1 - offBulk), Math.max(...bulk) * (1 + offBulk)],
   };
 }
 

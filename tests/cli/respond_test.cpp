@@ -1,0 +1,224 @@
+// `breccia respond` against runs with the other matrix: whatever the temperature, without another solution.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "study_directory.hpp"
+
+namespace breccia::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// A binder that relaxes from 1 GPa over fourteen decades and then flows, and two stages of particles in it.
+constexpr std::string_view chain = R"(title = "Chain"
+
+[materials.binder]
+density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { terms = [
+  { time = "1 ns", modulus = "600 MPa" }, { time = "100 ns", modulus = "300 MPa" }, { time = "10 us", modulus = "80 MPa" },
+  { time = "1 ms", modulus = "10 MPa" }, { time = "100 ms", modulus = "2 MPa" }, { time = "10 s", modulus = "1 MPa" },
+  { time = "1000 s", modulus = "0.5 MPa" }, { time = "100000 s", modulus = "0.3 MPa" }] }
+temperature_shift = { law = "wlf", c1 = 14.0, c2 = "120 K", reference = "20 degC", temperature = "20 degC" }
+
+[materials.particle]
+density = "2 g/cm^3"
+bulk    = "40 GPa"
+shear   = "30 GPa"
+
+[[stages]]
+name    = "fine"
+matrix  = "binder"
+box     = "6 mm"
+cells   = 16
+filler  = { material = "particle", sizes = { diameter = "2 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[[stages]]
+name    = "coarse"
+matrix  = "fine"
+box     = "60 mm"
+cells   = 16
+filler  = { material = "particle", sizes = { diameter = "20 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[tests]
+times  = ["1 ms", "1 s"]
+fields = "none"
+)";
+
+using Key = std::tuple<std::string, std::string, std::string, double>;  // stage, load, boundary, time
+
+std::map<Key, double> moduli_in(const std::filesystem::path& curves) {
+  const auto table = read_csv(curves, {"stage", "load", "boundary", "method", "cells"});
+  std::map<Key, double> moduli;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    moduli[{table.text("stage")[i], table.text("load")[i], table.text("boundary")[i], table.numbers("time_s")[i]}] =
+        table.numbers("modulus_Pa")[i];
+  }
+  return moduli;
+}
+
+double largest_difference(const std::map<Key, double>& found, const std::map<Key, double>& expected) {
+  EXPECT_EQ(found.size(), expected.size());
+  double largest = 0.0;
+  for (const auto& [key, modulus] : expected) {
+    const auto same = found.find(key);
+    EXPECT_NE(same, found.end());
+    if (same != found.end()) largest = std::max(largest, std::abs(same->second / modulus - 1.0));
+  }
+  return largest;
+}
+
+class Respond : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    study = std::make_unique<StudyDirectory>(chain);
+    const auto run = study->breccia("run");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+  }
+  static void TearDownTestSuite() { study.reset(); }
+
+  static Outcome respond(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"respond", "out"});
+    return run_breccia(study->path(), arguments);
+  }
+
+  static std::unique_ptr<StudyDirectory> study;
+};
+
+std::unique_ptr<StudyDirectory> Respond::study;
+
+TEST_F(Respond, AnswersWhatRunsAtOtherTemperaturesFind) {
+  const auto answered = respond({"--temperature", "-40 degC", "--temperature", "0 degC", "--temperature", "313.15 K",
+                                 "--temperature", "80 degC"});
+  ASSERT_EQ(answered.exit_code, 0) << answered.errors;
+  const std::map<std::string, std::string> directories = {{"-40 degC", "respond-minus40degC"},
+                                                          {"0 degC", "respond-0degC"},
+                                                          {"40 degC", "respond-40degC"},
+                                                          {"80 degC", "respond-80degC"}};
+  for (const auto& [temperature, directory] : directories) {
+    EXPECT_THAT(answered.output, HasSubstr("with binder at " + temperature));
+    const StudyDirectory other(chain);
+    const auto run = other.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const double difference =
+        largest_difference(moduli_in(study->result(directory + "/curves.csv")), moduli_in(other.result("curves.csv")));
+    RecordProperty("largest difference at " + temperature, std::to_string(difference));
+    EXPECT_LT(difference, 1e-4) << temperature;
+  }
+}
+
+TEST_F(Respond, AnswersTheTemperatureOfTheRunWithTheRun) {
+  const auto same = respond({"--temperature", "20 degC", "--out", "same"});
+  ASSERT_EQ(same.exit_code, 0) << same.errors;
+  EXPECT_LT(largest_difference(moduli_in(study->path() / "same/curves.csv"), moduli_in(study->result("curves.csv"))),
+            1e-9);
+}
+
+TEST_F(Respond, AStageAtATemperatureBringsThoseThatItBuildsOn) {
+  const auto coarse = respond({"--temperature", "30 degC", "--stage", "coarse", "--out", "coarse"});
+  ASSERT_EQ(coarse.exit_code, 0) << coarse.errors;
+  EXPECT_THAT(coarse.output, HasSubstr("\nfine\n"));
+  const auto fine = respond({"--temperature", "30 degC", "--stage", "fine", "--out", "fine"});
+  ASSERT_EQ(fine.exit_code, 0) << fine.errors;
+  EXPECT_THAT(fine.output, Not(HasSubstr("coarse\n")));
+}
+
+TEST_F(Respond, RefusesWhatIsNoTemperature) {
+  study->write("binder.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
+      {{"--temperature", "40"}, R"(--temperature: expected a temperature with its unit, such as "19 degC", got "40")"},
+      {{"--temperature", "40 s"}, R"(--temperature: expected a temperature, got "40 s")"},
+      {{"--temperature", "warm"}, R"(got "warm")"},
+      {{"--temperature", "-400 degC"}, "expected a temperature above absolute zero"},
+      {{"--temperature", "-120 degC"}, "the WLF law has no meaning at or below"},
+      {{"--temperature", "40 degC", "--temperature", "313.15 K"}, "40 degC is given twice"},
+      {{"--temperature", "40 degC", "--material", "binder.toml"}, "either --material FILE.toml or --temperature"},
+      {{"--temperature", "40 degC", "--stage", "medium"}, R"(no response of a stage "medium")"},
+      {{}, "either --material FILE.toml or --temperature"}};
+  for (const auto& [arguments, message] : mistakes) {
+    const auto outcome = respond(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << message;
+    EXPECT_THAT(outcome.errors, HasSubstr(message));
+  }
+  // All at once, and nothing is written.
+  const auto several =
+      respond({"--temperature", "41 degC", "--temperature", "-110 degC", "--temperature", "-130 degC"});
+  EXPECT_EQ(several.exit_code, 2);
+  EXPECT_THAT(several.errors, HasSubstr("at -110 degC"));
+  EXPECT_THAT(several.errors, HasSubstr("at -130 degC"));
+  EXPECT_FALSE(std::filesystem::exists(study->result("respond-41degC")));
+}
+
+TEST_F(Respond, TellsWhichTimesAreCovered) {
+  // 10 GPa / (1 + t / 1 us) at s = 1/t is more than 1.05 times the unrelaxed 993.8 MPa of the binder before 8.58 us.
+  study->write("stiff.toml", R"(density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
+)");
+  const std::vector<std::string> asked = {"--material", "stiff.toml", "--stage", "fine", "--out", "stiff", "--times"};
+  auto wide = asked;
+  wide.insert(wide.end(), {"1 us", "100 us"});
+  const auto refused = respond(wide);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("from 1 us to 100 us stiff shows a shear modulus from 99 MPa to 5 GPa; the "
+                                        "study has sampled"));
+  EXPECT_THAT(refused.errors, HasSubstr("a study with this material as its matrix covers all of it"));
+  EXPECT_THAT(refused.errors, HasSubstr("covered from 8.7 us to 100 us: --times \"8.7 us\" \"100 us\""));
+  EXPECT_FALSE(std::filesystem::exists(study->path() / "stiff"));
+  auto covered = asked;
+  covered.insert(covered.end(), {"8.7 us", "100 us"});
+  EXPECT_EQ(respond(covered).exit_code, 0);
+}
+
+TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
+  study->write("curves.csv", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
+  const auto outcome = respond({"--material", "curves.csv", "--out", "."});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("the results would replace this file, from which they come"));
+  EXPECT_THAT(read_text(study->path() / "curves.csv"), HasSubstr("density"));
+}
+
+TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
+  const StudyDirectory study(chain);
+  const auto run = study.breccia("run", {"--set", "tests.quasistatic.range=times"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto cold = run_breccia(study.path(), {"respond", "out", "--temperature", "-40 degC"});
+  EXPECT_EQ(cold.exit_code, 2);
+  EXPECT_THAT(cold.errors, HasSubstr("at -40 degC: stage fine: from 1 ms to 1 s binder at -40 degC shows a shear"));
+  EXPECT_THAT(cold.errors, HasSubstr("tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers"));
+  const auto test = Json::parse(read_text(study.result("study.json")))["stages"][0]["tests"][0];
+  EXPECT_EQ(test["range"], "times");
+}
+
+TEST(RespondWithoutLaw, AsksForAMaterial) {
+  auto deck = std::string(chain);
+  const auto law = deck.find("temperature_shift");
+  deck.erase(law, deck.find('\n', law) - law);
+  const StudyDirectory study(deck);
+  ASSERT_EQ(study.breccia("run", {"--set", "stages.*.cells=6"}).exit_code, 0);
+  const auto outcome = run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("binder has no temperature_shift in the deck of the study"));
+  std::filesystem::remove(study.result("study.json"));
+  EXPECT_EQ(run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"}).exit_code, 4);
+}
+
+}  // namespace
+}  // namespace breccia::test
