@@ -33,6 +33,7 @@ struct RespondArguments {
   std::string stage;                      ///< empty: all that can
   std::vector<std::string> times;
   fs::path out;
+  bool overwrite = false;
   bool quiet = false;
 };
 
@@ -244,7 +245,9 @@ void run_respond(const RespondArguments& arguments) {
       has_material ? std::vector{answer_for_material(arguments, window)} : answers_at_temperatures(arguments, window);
   std::vector<fs::path> inputs;
   if (has_material) inputs.push_back(arguments.material);
-  for (const auto& [matrix, out, stages] : answers) write_response_curves(out, stages, inputs);
+  for (const auto& [matrix, out, stages] : answers) {
+    write_response_curves({out, matrix, inputs, arguments.overwrite}, stages);
+  }
   if (arguments.quiet) return;
   for (const auto& answer : answers) print(answer, times_of(answer.stages));
 }
@@ -276,6 +279,7 @@ void add_respond(CLI::App& application) {
       ->type_name("BEGIN END");
   command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
+  command->add_flag("--overwrite", arguments->overwrite, "replace the curves of another matrix in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { run_respond(*arguments); });
 }

@@ -226,6 +226,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"comparisons", std::move(comparisons)},
                {"quality", json_of(quality_of(stage, result))},
                {"warnings", result.warnings}};
+  if (!result.answered_from.empty()) json["answered_from"] = result.answered_from;
   return json;
 }
 

@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/io/whole_results.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
@@ -176,15 +177,17 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });
 }
 
-void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages,
-                           std::span<const std::filesystem::path> inputs) {
-  if (std::filesystem::exists(directory / "study.json")) {
-    throw InputError(fmt::format("{}: here are the results of a study; take another directory", directory.string()));
-  }
-  refuse_to_replace(directory, curve_files(), inputs);
-  make_directory(directory);
-  remove_files(directory, curve_files());
-  write_curves(directory, {stages});
+void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
+  refuse_to_replace(destination.directory, curve_files(), destination.inputs);
+  auto identity = destination.matrix;
+  for (const auto& input : destination.inputs) identity += "\n" + std::filesystem::weakly_canonical(input).string();
+  WholeResults results(destination.directory, {.command = "respond",
+                                               .source = destination.matrix,
+                                               .identity = content_hash(identity),
+                                               .files = curve_files(),
+                                               .overwrite = destination.overwrite});
+  write_curves(results.place(), {stages});
+  results.commit();
 }
 
 }  // namespace breccia

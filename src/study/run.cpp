@@ -13,13 +13,13 @@
 #include "breccia/study/memory.hpp"
 #include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
-#include "breccia/study/stage_warnings.hpp"
 
 #include "checkpoints.hpp"
 #include "comparison.hpp"
 #include "field_files.hpp"
 #include "history_file.hpp"
 #include "matrix_moduli.hpp"
+#include "packed_stage.hpp"
 #include "response_file.hpp"
 #include "result_directory.hpp"
 #include "results.hpp"
@@ -86,14 +86,7 @@ void announce(const Study& study, const fs::path& directory) {
 
 StageResult describe(const Study& study, const Stage& stage, StageMicrostructure microstructure,
                      const fs::path& directory, const StudyObserver& observer) {
-  StageResult result;
-  result.name = stage.name;
-  result.cells = stage.cells;
-  result.microstructure = std::move(microstructure);
-  result.warnings = warnings_on(study, stage, result.microstructure);
-  const auto discretisation = discretise(result.microstructure.microstructure, stage.cells);
-  result.points = discretisation.points();
-  result.point_fraction = discretisation.fractions(2)[1];
+  auto result = packed_stage(study, stage, std::move(microstructure));
   write_once([&] {
     make_directory(directory);
     write_microstructure(directory, stage, result.microstructure);

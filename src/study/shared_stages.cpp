@@ -19,7 +19,7 @@ const SharedStages::Entry* SharedStages::find(const std::string& hash) const {
 
 void SharedStages::keep(const std::string& hash, Entry entry) {
   const auto tasks = tasks_.find(hash);
-  if (tasks != tasks_.end() && tasks->second > 1) entries_.insert_or_assign(hash, std::move(entry));
+  if (tasks != tasks_.end() && tasks->second > 1) provide(hash, std::move(entry));
 }
 
 void SharedStages::move_files(const std::filesystem::path& from, const std::filesystem::path& to) {

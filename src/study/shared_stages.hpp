@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "breccia/error.hpp"
 #include "breccia/study/run.hpp"
@@ -29,6 +30,8 @@ class SharedStages {
 
   /// What became of a stage; nullptr while no task has come to it.
   [[nodiscard]] const Entry* find(const std::string& hash) const;
+  /// Hands a result to the task that has the stage.
+  void provide(const std::string& hash, Entry entry) { entries_.insert_or_assign(hash, std::move(entry)); }
   /// Keeps a result for other tasks that have the stage.
   void keep(const std::string& hash, Entry entry);
   /// Computes a stage. Where it cannot be computed, keeps the reason for other tasks that have it, and throws it.

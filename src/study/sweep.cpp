@@ -18,6 +18,7 @@
 #include "results.hpp"
 #include "shared_stages.hpp"
 #include "sweep_results.hpp"
+#include "sweep_temperatures.hpp"
 
 namespace breccia {
 
@@ -132,8 +133,25 @@ class SweepRun {
     }
   }
 
+  /// Lets the reduced responses of an earlier task answer for one that differs in temperatures alone.
+  void answer(std::size_t task) {
+    const auto earlier = task_that_answers(sweep_, task);
+    if (!earlier || parallel::groups() > 1 || result_[*earlier].state != TaskState::done) return;
+    const auto& study = sweep_.tasks[task].study;
+    try {
+      auto stages = answered_stages(study, directory_of(*earlier));
+      for (std::size_t i = 0; i < stages.size(); ++i) {
+        shared_.provide(study.stage_hashes.at(i), {std::move(stages[i]), directory_of(*earlier)});
+      }
+    } catch (const InputError&) {
+      // The materials leave what was sampled: the task runs by itself.
+      return;
+    }
+  }
+
   void run(std::size_t task) {
     try {
+      answer(task);
       const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_, observer_.study, shared_);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {

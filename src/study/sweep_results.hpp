@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "breccia/study/sweep.hpp"
@@ -12,6 +13,10 @@ std::vector<TaskCurve> curves_of(const StudyResult& result);
 
 /// The curves that an earlier run has left in a directory. Throws FileError or InputError when they cannot be read.
 std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
+
+/// Have two tasks the same values of all keys but some?
+bool differ_only_in(const Sweep& sweep, const SweepTask& one, const SweepTask& other,
+                    const std::function<bool(const SweptKey&)>& keys);
 
 /// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`; a table without rows is removed.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);

@@ -8,6 +8,8 @@
 
 #include "breccia/study/sweep.hpp"
 
+#include "sweep_results.hpp"
+
 namespace breccia {
 
 namespace {
@@ -20,13 +22,6 @@ struct TestSamples {
   TaskCurve test;
   Samples samples;
 };
-
-bool differ_in_seeds_alone(const Sweep& sweep, const SweepTask& one, const SweepTask& other) {
-  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
-    if (!sweep.keys[key].is_seed && one.values[key] != other.values[key]) return false;
-  }
-  return true;
-}
 
 Spread spread_of(double time, const std::vector<double>& moduli) {
   const auto count = static_cast<double>(moduli.size());
@@ -41,6 +36,14 @@ Spread spread_of(double time, const std::vector<double>& moduli) {
 
 }  // namespace
 
+bool differ_only_in(const Sweep& sweep, const SweepTask& one, const SweepTask& other,
+                    const std::function<bool(const SweptKey&)>& keys) {
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+    if (!keys(sweep.keys[key]) && one.values[key] != other.values[key]) return false;
+  }
+  return true;
+}
+
 std::vector<SpreadCurve> spread_over_seeds(const Sweep& sweep, const SweepResult& result) {
   std::vector<TestSamples> tests;
   if (std::ranges::none_of(sweep.keys, &SweptKey::is_seed)) return {};
@@ -48,7 +51,7 @@ std::vector<SpreadCurve> spread_over_seeds(const Sweep& sweep, const SweepResult
     for (const auto& curve : result[task].curves) {
       auto test = std::ranges::find_if(tests, [&](const TestSamples& known) {
         return known.test.matches(curve) &&
-               differ_in_seeds_alone(sweep, sweep.tasks[known.first_task], sweep.tasks[task]);
+               differ_only_in(sweep, sweep.tasks[known.first_task], sweep.tasks[task], &SweptKey::is_seed);
       });
       if (test == tests.end()) {
         auto unsampled = curve;

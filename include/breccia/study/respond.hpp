@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -51,10 +50,18 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, con
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                  const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times = {});
 
-/// Writes `curves.csv`, `prony.csv` and, of creep tests, `compliance.csv` to a directory, which is made. Throws
-/// InputError where that would replace one of the files from which they come, or the directory holds a study.
-void write_response_curves(const std::filesystem::path& directory, const std::vector<StageResult>& stages,
-                           std::span<const std::filesystem::path> inputs = {});
+/// Where the curves of a response go.
+struct ResponseDestination {
+  std::filesystem::path directory;
+  std::string matrix;                         ///< the new matrix, in words
+  std::vector<std::filesystem::path> inputs;  ///< the files from which the curves come
+  bool overwrite = false;                     ///< may curves from other files or another matrix be replaced?
+};
+
+/// Writes `curves.csv`, `prony.csv`, `quality.csv` and, of creep tests, `compliance.csv` to a directory, which is made,
+/// and `respond.json`, which tells what they come from. Throws InputError where that would replace one of the inputs,
+/// results of a study, files that Breccia did not write, or curves from other inputs that are not to be overwritten.
+void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages);
 
 /// Reads a material from a TOML file with the keys of a material in a deck; its name is that of the file. Throws
 /// InputError with one line for every mistake, and FileError when the file cannot be read.

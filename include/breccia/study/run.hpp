@@ -89,6 +89,8 @@ struct StageResult {
   std::vector<StageMaterial> materials;  ///< what later stages take as their matrix
   std::vector<Comparison> comparisons;   ///< with all that was measured
   std::vector<std::string> warnings;     ///< what makes the results doubtful
+  /// The task of a sweep whose reduced responses gave the tests at another temperature; empty where they were computed.
+  std::string answered_from = {};
 };
 
 struct StudyResult {
