@@ -49,8 +49,8 @@ struct FitDestination {
 };
 
 /// Writes all files of a fit to a directory, which is made, and returns their names; pictures are left out where
-/// gnuplot cannot draw. Throws InputError where files would be replaced that are not of an earlier fit of the same data,
-/// and FileError.
+/// gnuplot cannot draw. Throws InputError where files would be replaced that are not of an earlier fit of the same
+/// data, and FileError.
 std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
                                    CurveKind kind);
 

@@ -114,12 +114,11 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side) {
     return std::nullopt;
   }
   packing.refuse({"image"}, discs_alone);
-  const auto method =
-      packing.choice<MethodName>("method", {
-                                               {random_method, MethodName::lubachevsky_stillinger},
-                                               {"regular", MethodName::regular},
-                                               {"explicit", MethodName::listed},
-                                           });
+  const auto method = packing.choice<MethodName>("method", {
+                                                               {random_method, MethodName::lubachevsky_stillinger},
+                                                               {"regular", MethodName::regular},
+                                                               {"explicit", MethodName::listed},
+                                                           });
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;

@@ -180,7 +180,7 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
 void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
   refuse_to_replace(destination.directory, curve_files(), destination.inputs);
   auto identity = destination.matrix;
-  for (const auto& input : destination.inputs) identity += "\n" + std::filesystem::weakly_canonical(input).string();
+  for (const auto& input : destination.inputs) identity += fmt::format("\n{}", std::filesystem::weakly_canonical(input).string());
   WholeResults results(destination.directory, {.command = "respond",
                                                .source = destination.matrix,
                                                .identity = content_hash(identity),

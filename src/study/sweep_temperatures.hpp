@@ -9,8 +9,8 @@
 
 namespace breccia {
 
-/// The first task of a sweep that differs from a later one in the temperatures of materials alone. Its reduced responses
-/// answer for the later one, too. Nothing where there is none, or where the tests leave no such responses.
+/// The first task of a sweep that differs from a later one in the temperatures of materials alone. Its reduced
+/// responses answer for the later one, too. Nothing where there is none, or where the tests leave no such responses.
 std::optional<std::size_t> task_that_answers(const Sweep& sweep, std::size_t task);
 
 /// The stages of a study as the reduced responses of another give them, whose results are in a directory and which
