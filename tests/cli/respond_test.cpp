@@ -195,6 +195,43 @@ TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
   EXPECT_THAT(read_text(study->path() / "curves.csv"), HasSubstr("density"));
 }
 
+TEST_F(Respond, ReplacesCurvesOfAnotherOriginOnlyWhenAsked) {
+  const std::vector<std::string> at_30 = {"--temperature", "30 degC", "--out", "same"};
+  std::vector<std::string> at_31 = {"--temperature", "31 degC", "--out", "same"};
+  std::filesystem::remove_all(study->path() / "same");
+  ASSERT_EQ(respond(at_30).exit_code, 0);
+  EXPECT_EQ(respond(at_30).exit_code, 0) << "of the same origin";
+  const auto curves = read_text(study->path() / "same/curves.csv");
+  const auto refused = respond(at_31);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("same: here is what `breccia respond` made of \"binder at 30 degC\""));
+  EXPECT_EQ(read_text(study->path() / "same/curves.csv"), curves);
+  at_31.emplace_back("--overwrite");
+  EXPECT_EQ(respond(at_31).exit_code, 0);
+  EXPECT_NE(read_text(study->path() / "same/curves.csv"), curves);
+}
+
+TEST(SweepOverTemperatures, IsOneRun) {
+  const StudyDirectory study(chain);
+  const auto sweep = study.breccia(
+      "run", {"--sweep", R"(materials.binder.temperature_shift.temperature=["20 degC", "-40 degC", "60 degC"])"});
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
+  EXPECT_THAT(sweep.output, HasSubstr("coarse: at another temperature from the responses in out/temperature-20-degC\n"));
+  for (const std::string temperature : {"-40 degC", "60 degC"}) {
+    const StudyDirectory single(chain);
+    const auto run = single.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    const auto task = temperature.front() == '-' ? "temperature-minus-40-degC" : "temperature-60-degC";
+    EXPECT_LT(largest_difference(moduli_in(study.result(std::string(task) + "/curves.csv")),
+                                 moduli_in(single.result("curves.csv"))),
+              1e-4);
+    const auto record = Json::parse(read_text(study.result(std::string(task) + "/study.json")));
+    EXPECT_EQ(record["complete"], true);
+    EXPECT_EQ(record["stages"][1]["answered_from"], "temperature-20-degC");
+    EXPECT_EQ(run_breccia(study.path(), {"report", std::string("out/") + task}).exit_code, 0);
+  }
+}
+
 TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
   const StudyDirectory study(chain);
   const auto run = study.breccia("run", {"--set", "tests.quasistatic.range=times"});
