@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -220,7 +221,7 @@ TEST(EarlierSweeps, KeepTheirTablesWhileTheyAreMadeOnceMore) {
 TEST(StageNames, OfFilesOfResultsAreRefused) {
   for (const auto* name : {"report.html", "sweep.csv", "sweep.json", "sweep.svg", "spread.csv", "unfinished",
                            "Study.json", "curves.csv"}) {
-    const StudyDirectory study(test::replaced(std::string(test::good_deck), R"("A")", "\"" + std::string(name) + "\""));
+    const StudyDirectory study(test::replaced(std::string(test::good_deck), R"("A")", fmt::format("\"{}\"", name)));
     const auto check = study.breccia("check");
     EXPECT_EQ(check.exit_code, 2) << name;
     EXPECT_THAT(check.errors, HasSubstr("is the name of a file of results")) << name;
