@@ -50,7 +50,7 @@ PlaneFit fit(const PlaneModuli& moduli, const FitOptions& options = {}) {
 
 /// The fit with the widest spacing of relaxation times that the tolerance allows (theory, Eq. 33a).
 PlaneFit fit_with_few_terms(const PlaneModuli& moduli, double tolerance) {
-  constexpr double share_of_tolerance = 0.1;
+  constexpr double share_of_tolerance = 1.0 / 30.0;
   constexpr std::array times_per_decade = {1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0};
   auto finest = fit(moduli);
   const auto is_as_good = [&](const RelaxationFit& few, const RelaxationFit& many) {

@@ -17,7 +17,10 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_utf16(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
-  return text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0');
+  // A letter of ASCII is a letter and a zero.
+  const auto is_letter = [](char byte) { return byte > '\0'; };
+  if (text.size() < 2) return false;
+  return (text[0] == '\0' && is_letter(text[1])) || (is_letter(text[0]) && text[1] == '\0');
 }
 
 /// Bytes of UTF-8 with which a text begins.

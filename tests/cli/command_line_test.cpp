@@ -126,7 +126,7 @@ TEST_F(CommandLine, MistypedCommands) {
       {{"check", "none.toml"}, 2, "none.toml: no such deck"},
       {{"check", "."}, 2, "expected a deck, got a directory"},
       {{"check", "syntax.toml"}, 2, "syntax.toml:1:11: not TOML"},
-      {{"check", "binary.toml"}, 2, "binary.toml:1:1: not TOML"},
+      {{"check", "binary.toml"}, 2, "binary.toml: expected text, got a binary file"},
       {{"check", "deck.toml", "--set", "title"}, 2, "--set title: expected key.path=value"},
       {{"check", "deck.toml", "--set", "stages.B.cells=3"}, 2, R"(stages has no entry "B", did you mean "A"?)"},
       {{"check", "deck.toml", "--set", "stage.A.cells=3"}, 2, R"(unknown key "stage", did you mean "stages"?)"},

@@ -79,8 +79,9 @@ TEST(Fields, OfQuasistaticTestsAverageToTheirCurves) {
   const StudyDirectory study(test::model_deck);
   for (const auto* solver : {"reduced", "stepping"}) {
     const auto run =
-        study.breccia("run", with({"--set", "tests.method=quasistatic", "--set", std::string("tests.solver=") + solver,
-                                   "--set", R"(tests.fields=["1 ms", "10 ms"])"}));
+        study.breccia("run", with({"--overwrite", "--set", "tests.method=quasistatic", "--set",
+                                   std::string("tests.solver=") + solver, "--set",
+                                   R"(tests.fields=["1 ms", "10 ms"])"}));
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ(expect_averages(study), 6);
     EXPECT_THAT(study.results(),
@@ -93,8 +94,8 @@ TEST(Fields, OfTheLastTimeAloneByDefaultAndNoneWhenUnwanted) {
   const StudyDirectory study(test::model_deck);
   ASSERT_EQ(study.breccia("run", with({"--set", "tests.method=quasistatic"})).exit_code, 0);
   EXPECT_EQ(expect_averages(study), 3);
-  ASSERT_EQ(study.breccia("run", with({"--set", "tests.method=quasistatic", "--set", "tests.fields=none"})).exit_code,
-            0);
+  const auto none = with({"--overwrite", "--set", "tests.method=quasistatic", "--set", "tests.fields=none"});
+  ASSERT_EQ(study.breccia("run", none).exit_code, 0);
   for (const auto& name : study.results()) EXPECT_THAT(name, ::testing::Not(HasSubstr("fields")));
 }
 

@@ -219,7 +219,7 @@ TEST(PackResults, AreTheMicrostructureAlone) {
   const auto json = Json::parse(read_text(study.result("study.json")));
   const auto& stage = json["stages"][0];
   EXPECT_EQ(stage["microstructure"]["seed"], 1);
-  EXPECT_THAT(stage["warnings"], SizeIs(1));
+  EXPECT_THAT(stage["warnings"], SizeIs(2)) << "narrow gaps, few particles";
   EXPECT_THAT(stage["tests"], IsEmpty());
 }
 

@@ -77,7 +77,7 @@ TEST(Run, ClassicalFormulationGivesTheSameAnswer) {
   const StudyDirectory study(model_deck);
   const std::vector<std::string> small{"--set", "stages.A.cells=8", "--set", R"(tests.times=["1 ms", "10 ms"])"};
   auto classical = small;
-  classical.insert(classical.end(), {"--set", "tests.dynamic.formulation=classical"});
+  classical.insert(classical.end(), {"--overwrite", "--set", "tests.dynamic.formulation=classical"});
   ASSERT_EQ(study.breccia("run", small).exit_code, 0);
   const auto expected = read_curve(study.result("curves.csv"), "A", "shear");
   ASSERT_EQ(study.breccia("run", classical).exit_code, 0);
