@@ -53,7 +53,7 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
                   "run the deck with N seeds for its random packings, 1 to N: mean and spread of the moduli; short for "
                   "--sweep 'stages.*.packing.seed={ from = 1, to = N }'")
       ->type_name("N")
-      ->check(CLI::Range(2, most_seeds));
+      ->check(CLI::Range(2, most_seeds).description(""));
 }
 
 void add_run_arguments(CLI::App& command, RunArguments& arguments) {

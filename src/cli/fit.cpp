@@ -212,6 +212,16 @@ std::filesystem::path default_directory(const std::filesystem::path& file) {
   return std::filesystem::path("results") / (file.stem().string() + "-fit");
 }
 
+/// The options by which fits of one file differ, as on the command line.
+std::string options_of(const FitArguments& arguments) {
+  std::vector<std::string> options;
+  for (const auto& [name, value] : {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.ramp),
+                                    std::pair("--reference-temperature", arguments.reference_temperature)}) {
+    if (!value.empty()) options.push_back(fmt::format("{} {}", name, value));
+  }
+  return fmt::format("{}", fmt::join(options, " "));
+}
+
 void fit(const FitArguments& arguments) {
   warn_of_missing_plots("");
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
@@ -220,7 +230,8 @@ void fit(const FitArguments& arguments) {
   result.kind = modulus_kind;
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
-  const auto files = write_fit({directory, arguments.file, arguments.overwrite}, data, result, kind);
+  const auto files =
+      write_fit({directory, arguments.file, options_of(arguments), arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
   if (result.quality) fmt::print("{}", quality(result));
@@ -248,7 +259,7 @@ void add_fit(CLI::App& application) {
       ->add_option("--times-per-decade", arguments->times_per_decade,
                    "relaxation times among which the fit chooses (default: 10)")
       ->type_name("X")
-      ->check(CLI::Range(0.5, 50.0));
+      ->check(CLI::Range(0.5, 50.0).description(""));
   command
       ->add_option("--ramp", arguments->ramp,
                    "how long the load rose at a constant rate, times counted from its beginning, as in \"1 ms\"")

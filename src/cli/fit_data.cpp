@@ -136,6 +136,16 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
       table.path().string(), table.list_of_names()));
 }
 
+/// Tables of results hold the curves of several tests, one below the other; a fit takes one.
+void refuse_several_curves(const MeasuredTable& table, std::vector<double> times) {
+  const bool is_of_results = table.list_of_names().find("\"stage\"") != std::string::npos;
+  std::ranges::sort(times);
+  if (!is_of_results || std::ranges::adjacent_find(times) == times.end()) return;
+  throw InputError(fmt::format(
+      "{}: results with several curves, of stages, loads, boundaries or tasks; keep the rows of one of them",
+      table.path().string()));
+}
+
 }  // namespace
 
 FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given) {
@@ -149,6 +159,7 @@ FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given) {
   const auto& times = table.column(time);
   const auto& values = table.column(is_relaxation ? modulus : compliance, kind);
   require_positive(table, {&times, &values});
+  refuse_several_curves(table, times.values);
   const auto rows = rising_rows(times.values);
   if (is_relaxation) return {RelaxationData{in_order(times.values, rows), in_order(values.values, rows)}, kind};
   return {CreepData{in_order(times.values, rows), in_order(values.values, rows)}, kind};

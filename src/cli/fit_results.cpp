@@ -226,14 +226,14 @@ class Writer {
 
  private:
   static ResultsOrigin origin_of(const FitDestination& destination) {
-    const auto& [directory, source, overwrite] = destination;
+    const auto& [directory, source, options, overwrite] = destination;
     const std::vector<std::string> files = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
                                             "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
                                             "relaxation.svg", "creep.svg",       "dynamic.svg"};
     refuse_to_replace(directory, files, {&source, 1});
     return {.command = "fit",
-            .source = source.string(),
-            .identity = content_hash(std::filesystem::weakly_canonical(source).string()),
+            .source = options.empty() ? source.string() : fmt::format("{} ({})", source.string(), options),
+            .identity = content_hash(std::filesystem::weakly_canonical(source).string() + options),
             .files = files,
             .overwrite = overwrite};
   }

@@ -45,6 +45,7 @@ ConvertedCurve converted(const FitResult& result, CurveKind kind, int points_per
 struct FitDestination {
   std::filesystem::path directory;
   std::filesystem::path source;  ///< the file of the data
+  std::string options;           ///< of the command line, by which fits of one file differ
   bool overwrite;                ///< may the fit of another file be replaced?
 };
 

@@ -74,9 +74,10 @@ StudyObserver narrate(Progress& progress) {
     progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));
   };
   observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
-    progress.print(stage.answered_from.empty() ? fmt::format("{}: the same as in {}", stage.name, directory.string())
-                                               : fmt::format("{}: at another temperature from the responses in {}",
-                                                             stage.name, directory.string()));
+    progress.print(stage.answered_from.empty()
+                       ? fmt::format("{}: the same as in {}", stage.name, directory.string())
+                       : fmt::format("{}: at another temperature from the responses of task {}, without maps",
+                                     stage.name, stage.answered_from));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

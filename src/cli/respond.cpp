@@ -41,6 +41,7 @@ struct RespondArguments {
 struct Answer {
   std::string matrix;  ///< what the matrix is, for people
   fs::path out;
+  std::string study;  ///< hash of the study whose responses answer
   std::vector<StageResult> stages = {};
 };
 
@@ -94,7 +95,7 @@ Answer answer_for_material(const RespondArguments& arguments, const std::optiona
   const auto stored = responses_of(arguments);
   const auto own = arguments.results / ("respond-" + material.name);
   // A stage alone takes the material itself, whatever its matrix was in the study.
-  return {material.name, arguments.out.empty() ? own : arguments.out,
+  return {material.name, arguments.out.empty() ? own : arguments.out, stored.front().deck_hash,
           arguments.stage.empty() ? respond(stored, material, window)
                                   : std::vector{respond(stored.front(), material, window)}};
 }
@@ -205,7 +206,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
     collect(mistakes, fmt::format("at {}: ", temperature.name), [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
-                         respond(stored, matrices, window)});
+                         study.deck_hash, respond(stored, matrices, window)});
     });
   }
   refuse(mistakes);
@@ -213,6 +214,9 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
 }
 
 void print(const Answer& answer, const TimeWindow& times) {
+  for (const auto& stage : answer.stages) {
+    for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
+  }
   double error = 0.0;
   for (const auto& stage : answer.stages) {
     for (const auto& test : stage.tests) {
@@ -245,8 +249,8 @@ void run_respond(const RespondArguments& arguments) {
       has_material ? std::vector{answer_for_material(arguments, window)} : answers_at_temperatures(arguments, window);
   std::vector<fs::path> inputs;
   if (has_material) inputs.push_back(arguments.material);
-  for (const auto& [matrix, out, stages] : answers) {
-    write_response_curves({out, matrix, inputs, arguments.overwrite}, stages);
+  for (const auto& [matrix, out, study, stages] : answers) {
+    write_response_curves({out, matrix, study, inputs, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;
   for (const auto& answer : answers) print(answer, times_of(answer.stages));

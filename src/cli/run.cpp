@@ -88,15 +88,13 @@ void add_run(CLI::App& application) {
   auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
-  command
-      ->add_flag("--overwrite", arguments->overwrite,
-                 "replace results of other studies that are in the directory, once the new ones are whole")
-      ->excludes("--resume");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "replace results of other studies that are in the directory, once the new ones are whole");
   command->add_flag("--no-memory-check", arguments->ignore_memory, "begin even what will hardly fit into the memory");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,
                    "of a sweep under mpirun: so many processes share a task, the others do other tasks beside")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 1 << 20).description(""))
       ->type_name("N");
   command
       ->add_option("--petsc", arguments->petsc_options,
@@ -104,6 +102,9 @@ void add_run(CLI::App& application) {
       ->type_name("OPTIONS");
   command->callback([arguments] {
     const auto options = arguments->options();
+    if (options.overwrite && options.resume) {
+      throw InputError("--overwrite begins anew, --resume goes on: expected one of them");
+    }
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     if (arguments->processes_per_task > 0) {

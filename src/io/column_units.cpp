@@ -49,8 +49,12 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view rate : {"rad s-1", "rad s^-1", "rad·s-1", "rad*s^-1", "rad s⁻¹"}) {
     if (unit == rate) return {};
   }
+  const bool is_plain_rate = unit == "1/s" || unit == "s-1" || unit == "s^-1";
+  if (counts_cycles && is_plain_rate) {
+    throw InputError(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit));
+  }
   if (counts_cycles) return {2.0 * std::numbers::pi * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
-  if (unit == "1/s" || unit == "s-1" || unit == "s^-1") return {};
+  if (is_plain_rate) return {};
   throw InputError(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit));
 }
 

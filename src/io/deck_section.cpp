@@ -236,7 +236,8 @@ Place Section::place_of_value(const std::string& key) const {
 
 void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
   for (const auto& key : keys) {
-    if (has(key)) report(key, reason);
+    // A key that is not there stays unknown: it is no suggestion for others.
+    if (table_ != nullptr && detail::find(*table_, key) != nullptr) report(key, reason);
   }
 }
 

@@ -23,7 +23,11 @@ class MeasuredTableReader {
 
   MeasuredTable read() {
     const auto text = detail::read_table_text(table_.path_);
-    layout_ = detail::layout_of(text);
+    try {
+      layout_ = detail::layout_of(text);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", table_.path_.string(), error.what()));
+    }
     table_.names_ = layout_.header.fields;
     if (table_.names_.empty()) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));
     refuse_header();

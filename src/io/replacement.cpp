@@ -24,11 +24,20 @@ namespace fs = std::filesystem;
 constexpr auto removing_list = "removing.list";
 constexpr auto moving_list = "moving.list";
 
-std::vector<std::string> lines_of(const fs::path& file) {
-  std::istringstream text(read_text(file));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
+/// Does a name lead to something within the directory in which it is looked up?
+bool stays_within(const fs::path& name) {
+  return !name.empty() && name.is_relative() && std::ranges::find(name, "..") == name.end();
+}
+
+/// The names in a list. Throws FileError where they are none that replace_results has written.
+std::vector<std::string> names_in(const fs::path& list) {
+  std::istringstream text(read_text(list));
+  std::vector<std::string> names;
+  for (std::string line; std::getline(text, line);) names.push_back(line);
+  if (names.empty() || !std::ranges::all_of(names, stays_within)) {
+    throw FileError(fmt::format("{}: not as Breccia writes it; remove it", list.string()));
+  }
+  return names;
 }
 
 void rename_file(const fs::path& from, const fs::path& to) {
@@ -72,7 +81,7 @@ std::vector<fs::path> parents_of(const fs::path& directory, std::span<const std:
 /// The first step: the old files go, the record before all others.
 void remove_old(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  const auto names = lines_of(unfinished / removing_list);
+  const auto names = names_in(unfinished / removing_list);
   remove_files(directory, names);
   remove_if_empty(parents_of(directory, names));
   rename_file(unfinished / removing_list, unfinished / moving_list);
@@ -81,7 +90,7 @@ void remove_old(const fs::path& directory) {
 /// The second step: the new files come, the record after all others.
 void move_new(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  const auto record = lines_of(unfinished / moving_list).front();
+  const auto record = names_in(unfinished / moving_list).front();
   remove_partial_files(unfinished);
   auto names = files_below(unfinished);
   std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
@@ -101,7 +110,7 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   remove_partial_files(unfinished);
   std::vector<std::string> foreign;
   for (const auto& name : files_below(unfinished)) {
-    const bool is_ours = std::ranges::find(old_files, name) != old_files.end();
+    const bool is_ours = std::ranges::find(old_files, name) != old_files.end() && !fs::is_directory(directory / name);
     if (!is_ours && fs::exists(directory / name)) foreign.push_back((directory / name).string());
   }
   if (!foreign.empty()) {
@@ -114,6 +123,18 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   }
   write_text(unfinished / removing_list, list);
   finish_replacement(directory);
+}
+
+bool is_being_replaced(const fs::path& directory) {
+  const auto unfinished = directory / unfinished_directory;
+  return fs::exists(unfinished / removing_list) || fs::exists(unfinished / moving_list);
+}
+
+std::vector<std::string> unfinished_files(const fs::path& directory) {
+  const auto unfinished = directory / unfinished_directory;
+  if (!fs::is_directory(unfinished)) return {};
+  remove_partial_files(unfinished);
+  return files_below(unfinished);
 }
 
 void finish_replacement(const fs::path& directory) {

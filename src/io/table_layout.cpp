@@ -6,6 +6,10 @@
 #include <string>
 #include <tuple>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
 #include "column_meaning.hpp"
 
 namespace breccia::detail {
@@ -32,16 +36,42 @@ TableLayout layout_with(std::string_view text, char separator) {
   return first;
 }
 
-/// Of the numbers in a table: whether commas stand in them and no points.
+/// Could the commas of a number part thousands, as in 2,000 or 1,234,567?
+bool may_have_thousands(std::string_view field) {
+  constexpr std::size_t group = 3;
+  auto digits = field.find(',');
+  if (digits == 0 || digits > group || field.front() == '0') return false;
+  while (digits != std::string_view::npos) {
+    field.remove_prefix(digits + 1);
+    digits = field.find(',');
+    const auto part = field.substr(0, digits);
+    if (part.size() != group || part.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  }
+  return true;
+}
+
+/// Of the numbers in a table: whether commas stand in them and no points. Throws InputError where they may as well part
+/// thousands.
 bool has_decimal_commas(std::string_view text, const TableLayout& layout) {
   CsvRecords records(text, layout.separator);
-  bool has_comma = false;
+  bool has_comma = false, has_thousands = true;
+  std::string example;
   while (const auto record = records.next()) {
     if (record->line <= layout.header.line) continue;
     for (const auto& field : record->fields) {
       if (field.find('.') != std::string::npos && parse_number(field)) return false;
-      has_comma = has_comma || field.find(',') != std::string::npos;
+      const bool is_parted =
+          field.find(',') != std::string::npos && field.find_first_not_of("+-0123456789,eE") == std::string::npos;
+      if (!is_parted) continue;
+      has_comma = true;
+      if (example.empty()) example = field;
+      has_thousands = has_thousands && may_have_thousands(field);
     }
+  }
+  if (has_comma && has_thousands) {
+    throw InputError(fmt::format(
+        "the comma of \"{}\" may be a decimal one or part thousands; write points, or no commas in thousands",
+        example));
   }
   return has_comma;
 }

@@ -1,5 +1,6 @@
 #include "breccia/io/whole_results.hpp"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -17,20 +18,28 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+bool is_of_breccia(const Json& record) {
+  return record.is_object() && record.value("program", Json()) == "breccia";
+}
+
 }  // namespace
 
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
     : directory_(std::move(directory)), origin_(std::move(origin)), place_(directory_ / unfinished_directory) {
   finish_replacement(directory_);
   refuse_others();
+  refuse_foreign_unfinished();
   made_directory_ = !fs::exists(directory_);
   make_directory(place_);
+  // The record comes first: what a killed command leaves is known by it.
+  write_record();
   remove_files(place_, origin_.files);
-  remove_partial_files(place_);
 }
 
 WholeResults::~WholeResults() {
   std::error_code ignored;
+  // Once old files are being removed, the new ones are all there is: the next command goes on from their list.
+  if (fs::exists(place_, ignored) && is_being_replaced(directory_)) return;
   for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
   fs::remove(place_ / record_name(), ignored);
   fs::remove(place_, ignored);
@@ -46,7 +55,7 @@ void WholeResults::refuse_others() const {
   const auto record = directory_ / record_name();
   if (fs::is_regular_file(record)) {
     const auto json = Json::parse(read_text(record), nullptr, false);
-    const bool is_ours = json.is_object() && json.value("program", Json()) == "breccia";
+    const bool is_ours = is_of_breccia(json);
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
       throw InputError(
@@ -67,13 +76,31 @@ void WholeResults::refuse_others() const {
                   directory_.string(), fmt::join(foreign, ", "), origin_.command));
 }
 
-void WholeResults::commit() {
+void WholeResults::refuse_foreign_unfinished() const {
+  const auto files = unfinished_files(directory_);
+  const bool has_record = std::ranges::find(files, record_name()) != files.end() &&
+                          is_of_breccia(Json::parse(read_text(place_ / record_name()), nullptr, false));
+  std::vector<std::string> foreign;
+  for (const auto& name : files) {
+    const bool is_ours = name == record_name() || std::ranges::find(origin_.files, name) != origin_.files.end();
+    if (!has_record || !is_ours) foreign.push_back((place_ / name).string());
+  }
+  if (foreign.empty()) return;
+  throw InputError(
+      fmt::format("{}: in the way of unfinished results, and not written by `breccia {}`; move it elsewhere",
+                  fmt::join(foreign, ", "), origin_.command));
+}
+
+void WholeResults::write_record() const {
   const Json json = {{"program", "breccia"},
                      {"version", BRECCIA_VERSION},
                      {"command", origin_.command},
                      {"source", origin_.source},
                      {"identity", origin_.identity}};
   write_text(place_ / record_name(), json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void WholeResults::commit() {
   auto old = origin_.files;
   old.push_back(record_name());
   replace_results(directory_, old, record_name());

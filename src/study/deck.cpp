@@ -55,6 +55,7 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
     auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
     // A later stage that builds on this one adds loads to it.
     for (const auto load : loads_of(study, stage)) content += name_of(load);
+    content += serves_as_matrix(study, stage) ? "matrix" : "last";
     hashes.push_back(content_hash(content));
   }
   return hashes;

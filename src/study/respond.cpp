@@ -11,6 +11,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/whole_results.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
+#include "breccia/study/stage_warnings.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "coverage_refusal.hpp"
@@ -144,6 +145,10 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
       return matrix_of(stage, done, boundary, Method::quasistatic);
     };
     auto result = respond_within(next, matrix_under, window);
+    if (const auto* material = std::get_if<Material>(&stage.matrix)) {
+      const auto warning = warning_of_unknown_times(*material, window);
+      if (warning) result.warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
+    }
     if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
     done.push_back(std::move(result));
   }
@@ -179,8 +184,13 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
 
 void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
   refuse_to_replace(destination.directory, curve_files(), destination.inputs);
-  auto identity = destination.matrix;
-  for (const auto& input : destination.inputs) identity += fmt::format("\n{}", std::filesystem::weakly_canonical(input).string());
+  auto identity = destination.matrix + destination.study;
+  for (const auto& stage : stages) {
+    const auto& curve = stage.tests.front().modulus;
+    identity += fmt::format("\n{} {} {}", stage.name, curve.front().time, curve.back().time);
+  }
+  for (const auto& input : destination.inputs)
+    identity += fmt::format("\n{}", std::filesystem::weakly_canonical(input).string());
   WholeResults results(destination.directory, {.command = "respond",
                                                .source = destination.matrix,
                                                .identity = content_hash(identity),

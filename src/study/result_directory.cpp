@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
 #include "breccia/io/replacement.hpp"
@@ -25,10 +24,7 @@ fs::path unfinished_in(const fs::path& directory) {
 }
 
 bool holds_sweep(const fs::path& directory) {
-  const auto file = directory / "sweep.json";
-  if (!fs::is_regular_file(file)) return false;
-  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
-  return json.is_object() && json.value("program", "") == "breccia";
+  return is_record_of_breccia(directory / "sweep.json");
 }
 
 std::vector<std::string> names_of_stages(const Study& study) {
@@ -58,6 +54,29 @@ std::string objection_to_foreign_files(const Study& study, const fs::path& direc
         foreign.empty() ? "" : "\n", (directory / name).string());
   }
   return foreign;
+}
+
+/// A line for each file in `unfinished` that Breccia did not write.
+std::string objection_to_foreign_unfinished(const fs::path& directory) {
+  const auto unfinished = unfinished_in(directory);
+  const auto ours = own_files(unfinished, read_study_record(unfinished));
+  std::string foreign;
+  for (const auto& name : unfinished_files(directory)) {
+    if (std::ranges::find(ours, name) != ours.end() || name.ends_with(".partial")) continue;
+    foreign += fmt::format("{}{}: in the way of unfinished results, and not written by Breccia; move it elsewhere",
+                           foreign.empty() ? "" : "\n", (unfinished / name).string());
+  }
+  return foreign;
+}
+
+/// Which of the files from which a study comes its results would replace.
+std::string objection_to_inputs(const Study& study, const fs::path& directory) {
+  try {
+    refuse_to_replace(directory, result_files_in(directory, names_of_stages(study)), study.inputs);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 /// Removes what Breccia has written to a directory, and directories of stages that are empty then.
@@ -124,11 +143,6 @@ fs::path directory_to_begin_in(const fs::path& directory) {
   return cleared(has_results ? unfinished_in(directory) : directory);
 }
 
-void prepare(const Study& study, const fs::path& directory) {
-  refuse_to_replace(directory, result_files_in(directory, names_of_stages(study)), study.inputs);
-  finish_interrupted_replacement(study, directory);
-}
-
 }  // namespace
 
 void finish_interrupted_replacement(const Study& study, const fs::path& directory) {
@@ -146,21 +160,26 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
 }
 
 std::string objection_to(const Study& study, const fs::path& directory, const RunOptions& options) {
-  if (options.resume) return objection_to_resuming(study, directory);
+  for (auto objection : {objection_to_inputs(study, directory), objection_to_foreign_unfinished(directory)}) {
+    if (!objection.empty()) return objection;
+  }
+  if (options.resume && !options.overwrite) return objection_to_resuming(study, directory);
   auto objection = objection_to_foreign_files(study, directory, read_study_record(directory));
   if (objection.empty() && !options.overwrite) objection = objection_to_replacing(study, directory);
   return objection;
 }
 
 fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  prepare(study, directory);
+  finish_interrupted_replacement(study, directory);
   refuse_objections(study, directory, options);
-  if (options.resume) return directory_to_resume_in(study, directory);
+  if (options.resume && objection_to_resuming(study, directory).empty()) {
+    return directory_to_resume_in(study, directory);
+  }
   return directory_to_begin_in(directory);
 }
 
 fs::path directory_to_pack_in(const Study& study, const fs::path& directory, const RunOptions& options) {
-  prepare(study, directory);
+  finish_interrupted_replacement(study, directory);
   refuse_objections(study, directory, options);
   const auto record = read_study_record(directory);
   const bool has_tests_of_this = record.has_tests && record.is_of(study);

@@ -18,6 +18,8 @@ std::optional<double> time_of_complete_run(const Study& study, const std::filesy
 
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
   if (parallel::is_first()) finish_interrupted_replacement(study, directory);
+  // Nobody looks before the files are in their places.
+  static_cast<void>(parallel::gather({}));
   const auto seconds = time_of_complete_run(study, directory);
   if (!seconds || !parallel::is_first()) return seconds;
   remove_partial_files(study, directory);

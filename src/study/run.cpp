@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/directory_lock.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/memory.hpp"
@@ -71,10 +73,21 @@ void write_once(const Write& write) {
   if (parallel::rank() == 0) write();
 }
 
-/// The directory that the first process of a group chooses, for all of them.
+/// The directory that the first process of a group chooses, for all of them, or the InputError that it throws.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
-  return parallel::text_of_first(parallel::rank() == 0 ? choose().string() : std::string());
+  constexpr char is_chosen = '+', is_refused = '-';
+  std::string answer;
+  if (parallel::rank() == 0) {
+    try {
+      answer = is_chosen + choose().string();
+    } catch (const InputError& error) {
+      answer = is_refused + std::string(error.what());
+    }
+  }
+  answer = parallel::text_of_first(answer);
+  if (answer.front() == is_refused) throw InputError(answer.substr(1));
+  return answer.substr(1);
 }
 
 /// Leaves the deck in `study.json`, so that whoever goes on from the first packing can be told what differs.
@@ -230,7 +243,11 @@ std::vector<int> grids_of(const Stage& stage) {
 
 StudyResult pack_study(const Study& study, const fs::path& directory, const RunOptions& options,
                        const StudyObserver& observer) {
-  const auto place = chosen_by_first([&] { return directory_to_pack_in(study, directory, options); });
+  std::optional<DirectoryLock> lock;
+  const auto place = chosen_by_first([&] {
+    lock.emplace(directory);
+    return directory_to_pack_in(study, directory, options);
+  });
   const RemoveIfEmpty kept(directory), kept_place(place);
   // A run has written more than packings already, and is to go on.
   const bool is_told = holds_tests(place);
@@ -258,7 +275,11 @@ StudyResult run_study(const Study& study, const fs::path& directory, const RunOp
                       const StudyObserver& observer, SharedStages& shared) {
   const auto begin = std::chrono::steady_clock::now();
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
-  const auto place = chosen_by_first([&] { return directory_to_run_in(study, directory, options); });
+  std::optional<DirectoryLock> lock;
+  const auto place = chosen_by_first([&] {
+    lock.emplace(directory);
+    return directory_to_run_in(study, directory, options);
+  });
   const RemoveIfEmpty kept(directory), kept_place(place);
   if (place != directory && observer.writes_beside) observer.writes_beside(place);
   const Checkpoints checkpoints(study, place, options, observer);

@@ -12,6 +12,10 @@ SharedStages::SharedStages(const Sweep& sweep) {
   }
 }
 
+SharedStages::SharedStages(const Study& study, const std::vector<StageResult>& results) {
+  for (std::size_t i = 0; i < results.size(); ++i) entries_[study.stage_hashes.at(i)] = {.result = results[i]};
+}
+
 const SharedStages::Entry* SharedStages::find(const std::string& hash) const {
   const auto entry = entries_.find(hash);
   return entry == entries_.end() ? nullptr : &entry->second;
@@ -19,7 +23,7 @@ const SharedStages::Entry* SharedStages::find(const std::string& hash) const {
 
 void SharedStages::keep(const std::string& hash, Entry entry) {
   const auto tasks = tasks_.find(hash);
-  if (tasks != tasks_.end() && tasks->second > 1) provide(hash, std::move(entry));
+  if (tasks != tasks_.end() && tasks->second > 1) entries_.insert_or_assign(hash, std::move(entry));
 }
 
 void SharedStages::move_files(const std::filesystem::path& from, const std::filesystem::path& to) {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "breccia/error.hpp"
 #include "breccia/study/run.hpp"
@@ -27,11 +27,11 @@ class SharedStages {
   SharedStages() = default;
   /// Of the stages that at least two tasks have.
   explicit SharedStages(const Sweep& sweep);
+  /// Of the stages of one study whose results are known, without files.
+  SharedStages(const Study& study, const std::vector<StageResult>& results);
 
   /// What became of a stage; nullptr while no task has come to it.
   [[nodiscard]] const Entry* find(const std::string& hash) const;
-  /// Hands a result to the task that has the stage.
-  void provide(const std::string& hash, Entry entry) { entries_.insert_or_assign(hash, std::move(entry)); }
   /// Keeps a result for other tasks that have the stage.
   void keep(const std::string& hash, Entry entry);
   /// Computes a stage. Where it cannot be computed, keeps the reason for other tasks that have it, and throws it.

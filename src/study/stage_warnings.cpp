@@ -50,23 +50,27 @@ std::optional<std::string> warning_of_cut_particles(const std::vector<Bound>& bo
          "keeps its particles inside";
 }
 
-/// A single term is a model of its own; several are data, which end somewhere.
 std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {
   const auto* matrix = std::get_if<Material>(&stage.matrix);
-  if (matrix == nullptr || matrix->shear.terms().size() < 2) return std::nullopt;
-  // A term is felt for a decade on either side.
-  constexpr double decade = 10.0;
-  const double slowest = matrix->shear.terms().front().relaxation_time;
-  const double fastest = matrix->shear.terms().back().relaxation_time;
-  if (tests.first_time >= fastest / decade && tests.last_time <= slowest * decade) return std::nullopt;
-  return fmt::format(
-      "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
-      "beyond them it is constant, whatever the material does",
-      readable(tests.first_time, Dimension::time), readable(tests.last_time, Dimension::time), matrix->name,
-      readable(fastest, Dimension::time), readable(slowest, Dimension::time));
+  return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
 }
 
 }  // namespace
+
+std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
+  // A single term is a model of its own; several are data, which end somewhere.
+  if (matrix.shear.terms().size() < 2) return std::nullopt;
+  // A term is felt for a decade on either side.
+  constexpr double decade = 10.0;
+  const double slowest = matrix.shear.terms().front().relaxation_time;
+  const double fastest = matrix.shear.terms().back().relaxation_time;
+  if (times.begin >= fastest / decade && times.end <= slowest * decade) return std::nullopt;
+  return fmt::format(
+      "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
+      "beyond them it is constant, whatever the material does",
+      readable(times.begin, Dimension::time), readable(times.end, Dimension::time), matrix.name,
+      readable(fastest, Dimension::time), readable(slowest, Dimension::time));
+}
 
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {

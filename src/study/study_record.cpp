@@ -31,13 +31,13 @@ std::vector<std::string> texts_at(const Json& json, const char* key) {
   return texts;
 }
 
-std::vector<std::string> directory_names(std::vector<std::string> names) {
+std::vector<std::string> safe_names(std::vector<std::string> names) {
   std::erase_if(names, [](const std::string& name) { return !is_safe_name(name); });
   return names;
 }
 
 void read_stages(const Json& json, StudyRecord& record) {
-  record.stages = directory_names(texts_at(json, "stage_names"));
+  record.stages = safe_names(texts_at(json, "stage_names"));
   const auto stages = json.find("stages");
   if (stages == json.end() || !stages->is_array()) return;
   for (const auto& stage : *stages) {
@@ -45,7 +45,10 @@ void read_stages(const Json& json, StudyRecord& record) {
     record.stages_packed.push_back(text_at(stage, "name"));
     record.has_tests = record.has_tests || (stage.contains("tests") && !stage["tests"].empty());
   }
-  record.stages_packed = directory_names(std::move(record.stages_packed));
+  record.stages_packed = safe_names(std::move(record.stages_packed));
+  for (const auto& name : record.stages_packed) {
+    if (std::ranges::find(record.stages, name) == record.stages.end()) record.stages.push_back(name);
+  }
 }
 
 /// The first line in which two texts differ, as "line 7 was `a`, is `b`"; empty when there is none.
@@ -64,6 +67,12 @@ std::string difference(const std::string& before, const std::string& now) {
 
 bool StudyRecord::is_of(const Study& study) const {
   return is_ours && hash == study.hash && version == BRECCIA_VERSION;
+}
+
+bool is_record_of_breccia(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;
+  const auto json = Json::parse(read_text(file), nullptr, false);
+  return json.is_object() && text_at(json, "program") == "breccia";
 }
 
 StudyRecord read_study_record(const std::filesystem::path& directory) {

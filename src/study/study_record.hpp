@@ -29,6 +29,10 @@ struct StudyRecord {
 /// Throws FileError when the file cannot be read.
 StudyRecord read_study_record(const std::filesystem::path& directory);
 
+/// Is there such a file, and did Breccia write it: `study.json`, or `sweep.json`? Throws FileError when it cannot be
+/// read.
+bool is_record_of_breccia(const std::filesystem::path& file);
+
 /// In what a study differs from the one that left a record: "deck.toml: line 7 was `a`, is `b`".
 std::string difference(const StudyRecord& before, const Study& now);
 

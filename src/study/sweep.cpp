@@ -15,6 +15,7 @@
 #include "breccia/study/memory.hpp"
 #include "breccia/study/resume.hpp"
 
+#include "result_directory.hpp"
 #include "results.hpp"
 #include "shared_stages.hpp"
 #include "sweep_results.hpp"
@@ -37,7 +38,12 @@ class SweepRun {
         result_(sweep.tasks.size()) {}
 
   SweepResult run() {
+    for (const auto& task : sweep_.tasks) {
+      if (parallel::is_first()) finish_interrupted_replacement(task.study, task.directory_in(directory_));
+    }
+    static_cast<void>(parallel::gather({}));
     refuse_objections(sweep_, directory_, options_);
+    options_of_ = options_of_tasks(sweep_, directory_, options_);
     find_complete_tasks();
     if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
@@ -133,26 +139,28 @@ class SweepRun {
     }
   }
 
-  /// Lets the reduced responses of an earlier task answer for one that differs in temperatures alone.
-  void answer(std::size_t task) {
+  /// The stages of a task that differs from an earlier one in temperatures alone, as its reduced responses give them.
+  /// Nothing where there is no such task, where the responses cannot be read or do not cover the materials: then the
+  /// task runs by itself. Several processes run all tasks, since files that one has moved others may not see yet.
+  [[nodiscard]] std::vector<StageResult> answered(std::size_t task) const {
     const auto earlier = task_that_answers(sweep_, task);
-    if (!earlier || parallel::groups() > 1 || result_[*earlier].state != TaskState::done) return;
-    const auto& study = sweep_.tasks[task].study;
+    if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return {};
     try {
-      auto stages = answered_stages(study, directory_of(*earlier));
-      for (std::size_t i = 0; i < stages.size(); ++i) {
-        shared_.provide(study.stage_hashes.at(i), {std::move(stages[i]), directory_of(*earlier)});
-      }
+      return answered_stages(sweep_.tasks[task].study, directory_of(*earlier));
     } catch (const InputError&) {
-      // The materials leave what was sampled: the task runs by itself.
-      return;
+      return {};
+    } catch (const FileError&) {
+      return {};
     }
   }
 
   void run(std::size_t task) {
     try {
-      answer(task);
-      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_, observer_.study, shared_);
+      const auto& study = sweep_.tasks[task].study;
+      const auto answers = answered(task);
+      SharedStages own(study, answers);
+      const auto done =
+          run_study(study, directory_of(task), options_of_[task], observer_.study, answers.empty() ? shared_ : own);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);
@@ -179,6 +187,7 @@ class SweepRun {
   const RunOptions& options_;
   const SweepObserver& observer_;
   SharedStages shared_;
+  std::vector<RunOptions> options_of_;  ///< by task
   SweepResult result_;
 };
 

@@ -13,6 +13,7 @@
 #include "result_directory.hpp"
 #include "result_files.hpp"
 #include "study_record.hpp"
+#include "sweep_results.hpp"
 
 namespace breccia {
 namespace {
@@ -23,10 +24,7 @@ using Json = nlohmann::json;
 /// `sweep.json` of a directory; nothing where there is none, or none that Breccia wrote.
 Json sweep_record(const fs::path& directory) {
   const auto file = directory / "sweep.json";
-  if (!fs::is_regular_file(file)) return {};
-  auto json = Json::parse(read_text(file), nullptr, false);
-  const bool is_ours = json.is_object() && json.value("program", Json()) == "breccia";
-  return is_ours ? json : Json();
+  return is_record_of_breccia(file) ? Json::parse(read_text(file), nullptr, false) : Json();
 }
 
 bool has_task(const Sweep& sweep, const Json& earlier) {
@@ -43,10 +41,19 @@ bool holds_other_tasks(const Sweep& sweep, const Json& record) {
          });
 }
 
+/// Do the tables of a directory name this task, of this study?
+bool names(const Json& record, const SweepTask& task) {
+  const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
+  return tasks.is_array() && std::ranges::any_of(tasks, [&](const Json& one) {
+           return one.is_object() && one.value("name", Json()) == task.name &&
+                  one.value("hash", Json()) == task.study.hash;
+         });
+}
+
 /// What forbids to write the tables of a sweep to a directory; empty if nothing does.
 std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    return fmt::format("{}: here are the results of a single study; take another directory (--out)",
+    return fmt::format("{0}: here are the results of a single study; take another directory (--out {0}-sweep)",
                        directory.string());
   }
   const auto record = sweep_record(directory);
@@ -68,11 +75,21 @@ std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, c
 
 }  // namespace
 
+std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+  std::vector<RunOptions> all(sweep.tasks.size(), options);
+  if (!options.resume || sweep.keys.empty()) return all;
+  const auto record = sweep_record(directory);
+  for (std::size_t task = 0; task < all.size(); ++task) all[task].overwrite = names(record, sweep.tasks[task]);
+  return all;
+}
+
 void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   std::vector<std::string> objections;
   if (!sweep.keys.empty()) objections.push_back(objection_to_tables(sweep, directory, options));
-  for (const auto& task : sweep.tasks) {
-    objections.push_back(objection_to(task.study, task.directory_in(directory), options));
+  const auto options_of = options_of_tasks(sweep, directory, options);
+  for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
+    const auto& task = sweep.tasks[i];
+    objections.push_back(objection_to(task.study, task.directory_in(directory), options_of[i]));
   }
   std::erase(objections, "");
   if (!objections.empty()) throw InputError(fmt::format("{}", fmt::join(objections, "\n")));

@@ -18,6 +18,11 @@ std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 bool differ_only_in(const Sweep& sweep, const SweepTask& one, const SweepTask& other,
                     const std::function<bool(const SweptKey&)>& keys);
 
+/// How each task is run. A sweep that resumes may replace the results of other studies in the directories of those
+/// tasks that the tables of the directory name already: the run that began the sweep was to overwrite them.
+std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesystem::path& directory,
+                                         const RunOptions& options);
+
 /// Writes `sweep.csv` and `spread.csv`, each if it has rows, and `sweep.json`; a table without rows is removed.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 

@@ -107,11 +107,23 @@ TEST_F(EarlierResults, OfTheSameStudyAreMadeOnceMore) {
   EXPECT_THAT(study_.breccia("pack").output, HasSubstr("The results in out are complete"));
 }
 
+TEST_F(EarlierResults, AreNotReplacedByTwoProcessesAtOnce) {
+  test::RunningCommand first(study_.path(), {"run", "deck.toml", "--out", "out", "--overwrite", "--threads", "1",
+                                             "--set", "stages.A.cells=160"});
+  ASSERT_TRUE(first.reaches([&] { return fs::exists(study_.result("unfinished/study.json")); }));
+  const StudyDirectory elsewhere(read_text(study_.path() / "deck.toml"));
+  const auto second = test::run_breccia(elsewhere.path(), {"run", "deck.toml", "--overwrite", "--set",
+                                                           "stages.A.cells=8", "--out", study_.result("").string()});
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_THAT(second.errors, HasSubstr("another process of Breccia writes its results here"));
+  EXPECT_EQ(first.wait().exit_code, 0);
+}
+
 TEST_F(EarlierResults, OfASingleStudyAreNotMixedWithThoseOfASweep) {
   const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
   const auto sweep = study_.breccia("run", seeds);
   EXPECT_EQ(sweep.exit_code, 2);
-  EXPECT_EQ(sweep.errors, "out: here are the results of a single study; take another directory (--out)\n");
+  EXPECT_EQ(sweep.errors, "out: here are the results of a single study; take another directory (--out out-sweep)\n");
   expect_nothing_lost();
 }
 
@@ -154,6 +166,25 @@ TEST(ForeignFiles, MayBeARecordOfSomethingElse) {
     EXPECT_THAT(outcome.errors, HasSubstr("out/study.json: the results would replace this file"));
     EXPECT_EQ(read_text(study.result("study.json")), "{\"patients\": 12}");
   }
+}
+
+TEST(ForeignFiles, InUnfinishedAreNotTouched) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
+  fs::create_directories(study.result("unfinished"));
+  study.write("out/unfinished/thesis.txt", "mine");
+  const auto run = study.breccia("run");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors, HasSubstr("out/unfinished/thesis.txt: in the way of unfinished results"));
+  EXPECT_EQ(read_text(study.result("unfinished/thesis.txt")), "mine");
+}
+
+TEST(SeveralCurves, AreNotFittedAsOne) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
+  const auto fit = test::run_breccia(study.path(), {"fit", "out/curves.csv"});
+  EXPECT_EQ(fit.exit_code, 2);
+  EXPECT_THAT(fit.errors, HasSubstr("out/curves.csv: results with several curves"));
 }
 
 TEST(ForeignFiles, AreNotReplacedByFits) {
@@ -205,6 +236,26 @@ TEST(EarlierSweeps, OfOtherTasksAreNotReplacedUnasked) {
   EXPECT_EQ(replaced.exit_code, 0) << replaced.errors;
   EXPECT_NE(read_text(study.result("sweep.csv")), table);
   EXPECT_EQ(study.breccia("run", seeds).exit_code, 2);
+}
+
+TEST(EarlierSweeps, ThatAreBeingReplacedCanBeResumed) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
+  ASSERT_EQ(study.breccia("run", seeds).exit_code, 0);
+  // The first task of the other sweep is done, the second not begun.
+  auto others = seeds;
+  others.insert(others.end(), {"--set", "stages.A.cells=10"});
+  const StudyDirectory whole(read_text(study.path() / "deck.toml"));
+  ASSERT_EQ(whole.breccia("run", others).exit_code, 0);
+  for (const auto* name : {"seed-1", "sweep.json"}) {
+    fs::remove_all(study.result(name));
+    fs::copy(whole.result(name), study.result(name), fs::copy_options::recursive);
+  }
+  others.emplace_back("--resume");
+  const auto resumed = study.breccia("run", others);
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
+  EXPECT_THAT(resumed.output, HasSubstr("seed-1, complete already"));
+  EXPECT_EQ(read_text(study.result("sweep.csv")), read_text(whole.result("sweep.csv")));
 }
 
 TEST(EarlierSweeps, KeepTheirTablesWhileTheyAreMadeOnceMore) {

@@ -78,10 +78,9 @@ int expect_averages(const StudyDirectory& study) {
 TEST(Fields, OfQuasistaticTestsAverageToTheirCurves) {
   const StudyDirectory study(test::model_deck);
   for (const auto* solver : {"reduced", "stepping"}) {
-    const auto run =
-        study.breccia("run", with({"--overwrite", "--set", "tests.method=quasistatic", "--set",
-                                   std::string("tests.solver=") + solver, "--set",
-                                   R"(tests.fields=["1 ms", "10 ms"])"}));
+    const auto run = study.breccia(
+        "run", with({"--overwrite", "--set", "tests.method=quasistatic", "--set", std::string("tests.solver=") + solver,
+                     "--set", R"(tests.fields=["1 ms", "10 ms"])"}));
     ASSERT_EQ(run.exit_code, 0) << run.errors;
     EXPECT_EQ(expect_averages(study), 6);
     EXPECT_THAT(study.results(),

@@ -184,7 +184,8 @@ TEST(QuasistaticRun, SteppingAgreesWithTheReducedBasis) {
   ASSERT_EQ(study.breccia("run", small).exit_code, 0);
   const auto reduced = rows_of(study.result("curves.csv"), "modulus_Pa");
   auto stepping = small;
-  stepping.insert(stepping.end(), {"--overwrite", "--set", "tests.solver=stepping", "--set", "tests.quasistatic.steps_per_decade=80"});
+  stepping.insert(stepping.end(),
+                  {"--overwrite", "--set", "tests.solver=stepping", "--set", "tests.quasistatic.steps_per_decade=80"});
   const auto run = study.breccia("run", stepping);
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto stepped = rows_of(study.result("curves.csv"), "modulus_Pa");

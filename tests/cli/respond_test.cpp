@@ -216,7 +216,9 @@ TEST(SweepOverTemperatures, IsOneRun) {
   const auto sweep = study.breccia(
       "run", {"--sweep", R"(materials.binder.temperature_shift.temperature=["20 degC", "-40 degC", "60 degC"])"});
   ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
-  EXPECT_THAT(sweep.output, HasSubstr("coarse: at another temperature from the responses in out/temperature-20-degC\n"));
+  EXPECT_THAT(
+      sweep.output,
+      HasSubstr("coarse: at another temperature from the responses of task temperature-20-degC, without maps\n"));
   for (const std::string temperature : {"-40 degC", "60 degC"}) {
     const StudyDirectory single(chain);
     const auto run = single.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});

@@ -153,6 +153,19 @@ TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
   EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"), "table.csv:2: modulus_Pa: expected a number, got \"1,234\"");
 }
 
+TEST_F(MeasuredTableTest, CommasThatMayPartThousandsAreRefused) {
+  EXPECT_EQ(mistakes("time_s;modulus_Pa\n1;2,000\n2;1,500\n"),
+            "table.csv: the comma of \"2,000\" may be a decimal one or part thousands; write points, or no commas in "
+            "thousands");
+  EXPECT_THAT(read("time_s;modulus_Pa\n1;2,000\n2;0,125\n").column(modulus).values, ElementsAre(2.0, 0.125));
+}
+
+TEST_F(MeasuredTableTest, AFrequencyIsInHertzOrRadians) {
+  EXPECT_THAT(mistakes("frequency [1/s],modulus_Pa\n1,2\n",
+                       [](const MeasuredTable& table) { table.require({angular_frequency}); }),
+              testing::HasSubstr("may mean cycles or radians; write Hz or rad/s"));
+}
+
 TEST_F(MeasuredTableTest, Latin1) {
   const auto table = read(
       "Temp [\xb0"

@@ -95,6 +95,21 @@ TEST_F(Replacement, EndsWhereOnlyItsListIsLeft) {
   expect_the_new_results();
 }
 
+TEST_F(Replacement, RefusesListsThatItDidNotWrite) {
+  put("../victim.txt", "mine");
+  for (const auto* list : {"study.json\n../victim.txt\n", "/etc/hostname\n", ""}) {
+    put("unfinished/removing.list", list);
+    EXPECT_THAT(test::message_of<FileError>([&] { finish_replacement(place_.path()); }),
+                HasSubstr("removing.list: not as Breccia writes it"));
+    EXPECT_EQ(read_text(place_.path() / "study.json"), "old");
+  }
+  fs::remove(place_.path() / "unfinished/removing.list");
+  put("unfinished/moving.list", "");
+  EXPECT_THROW(finish_replacement(place_.path()), FileError);
+  EXPECT_EQ(read_text(place_.path() / "../victim.txt"), "mine");
+  fs::remove(place_.path() / "../victim.txt");
+}
+
 TEST_F(Replacement, DoesNothingWhereNoneHasBegun) {
   const auto before = files();
   finish_replacement(place_.path());

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace breccia {
 
@@ -23,6 +24,13 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Brings a replacement to its end that was cut off; does nothing where there is none. Nobody else may be at work in
 /// the directory. Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
+
+/// Has a replacement begun that has not come to its end?
+bool is_being_replaced(const std::filesystem::path& directory);
+
+/// The files in `unfinished`, relative to it, but for the lists of a replacement and half-written files of its top,
+/// which are removed. Throws FileError.
+std::vector<std::string> unfinished_files(const std::filesystem::path& directory);
 
 /// Removes directories if they are empty.
 void remove_if_empty(std::span<const std::filesystem::path> directories);

@@ -37,6 +37,8 @@ class WholeResults {
  private:
   [[nodiscard]] std::string record_name() const { return origin_.command + ".json"; }
   void refuse_others() const;
+  void refuse_foreign_unfinished() const;
+  void write_record() const;
 
   std::filesystem::path directory_;
   ResultsOrigin origin_;

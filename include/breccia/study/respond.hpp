@@ -54,6 +54,7 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
 struct ResponseDestination {
   std::filesystem::path directory;
   std::string matrix;                         ///< the new matrix, in words
+  std::string study;                          ///< hash of the study whose responses answer
   std::vector<std::filesystem::path> inputs;  ///< the files from which the curves come
   bool overwrite = false;                     ///< may curves from other files or another matrix be replaced?
 };

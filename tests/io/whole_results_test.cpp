@@ -1,0 +1,81 @@
+#include "breccia/io/whole_results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+class WholeResultsTest : public testing::Test {
+ protected:
+  [[nodiscard]] ResultsOrigin origin(const std::string& identity = "a") const {
+    return {.command = "fit", .source = "G.csv", .identity = identity, .files = {"prony.csv", "fit.csv"}};
+  }
+  void make(const std::string& identity, const std::string& text) const {
+    WholeResults results(directory(), origin(identity));
+    write_text(results.place() / "prony.csv", text);
+    results.commit();
+  }
+  [[nodiscard]] fs::path directory() const { return place_.path() / "out"; }
+
+  test::TemporaryDirectory place_;
+};
+
+TEST_F(WholeResultsTest, TakeThePlaceOfThoseOfTheSameOrigin) {
+  make("a", "first");
+  make("a", "second");
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "second");
+  EXPECT_FALSE(fs::exists(directory() / "unfinished"));
+  EXPECT_THROW(make("b", "third"), InputError);
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "second");
+}
+
+TEST_F(WholeResultsTest, LeaveNothingWithoutCommit) {
+  {
+    WholeResults results(directory(), origin());
+    write_text(results.place() / "prony.csv", "half");
+  }
+  EXPECT_FALSE(fs::exists(directory()));
+}
+
+TEST_F(WholeResultsTest, FollowOnWhatAKilledCommandHasLeft) {
+  fs::create_directories(directory() / "unfinished");
+  write_text(directory() / "unfinished/fit.json", R"({"program": "breccia"})");
+  write_text(directory() / "unfinished/fit.csv", "half");
+  make("a", "whole");
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "whole");
+  EXPECT_FALSE(fs::exists(directory() / "fit.csv"));
+}
+
+TEST_F(WholeResultsTest, TouchNoFilesOfOthers) {
+  fs::create_directories(directory() / "unfinished");
+  write_text(directory() / "unfinished/fit.csv", "mine");
+  EXPECT_THAT(test::message_of<InputError>([&] { make("a", "new"); }),
+              HasSubstr("out/unfinished/fit.csv: in the way of unfinished results"));
+  EXPECT_EQ(read_text(directory() / "unfinished/fit.csv"), "mine");
+}
+
+TEST_F(WholeResultsTest, SurviveAFailureWhileTheyArePutInPlace) {
+  make("a", "first");
+  fs::create_directories(directory() / "fit.csv/in-the-way");
+  EXPECT_THROW(make("a", "second"), FileError);
+  fs::remove_all(directory() / "fit.csv");
+  const bool is_first = fs::exists(directory() / "prony.csv") && read_text(directory() / "prony.csv") == "first";
+  const auto unfinished = directory() / "unfinished/prony.csv";
+  const bool is_second = fs::exists(unfinished) && read_text(unfinished) == "second";
+  EXPECT_TRUE(is_first || is_second);
+  make("a", "third");
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "third");
+}
+
+}  // namespace
+}  // namespace breccia
