@@ -184,7 +184,10 @@ TEST_F(Fit, IsToldTheKindOfTheModulus) {
   write_curve("g.csv", "time_s,modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
   ASSERT_EQ(run({"g.csv", "--modulus", "bulk", "--quiet"}).exit_code, 0);
   EXPECT_TRUE(result("results/g-fit/prony.csv").has("bulk_modulus_Pa"));
-  ASSERT_EQ(run({"g.csv", "--quiet"}).exit_code, 0);
+  const auto other = run({"g.csv", "--quiet"});
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_THAT(other.errors, HasSubstr("here is what `breccia fit` made of \"g.csv (--modulus bulk)\""));
+  ASSERT_EQ(run({"g.csv", "--quiet", "--overwrite"}).exit_code, 0);
   EXPECT_TRUE(result("results/g-fit/prony.csv").has("modulus_Pa"));
   write_curve("e.csv", "time_s,tensile_modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
   const auto wrong = run({"e.csv", "--modulus", "shear"});
