@@ -74,7 +74,7 @@ Coverage coverage(const ReducedResponse& response, const Material& matrix, const
 }
 
 double largest_error(const ReducedResponse& response, const Material& matrix, const TimeWindow& window) {
-  // Beside the times of the window those about it count too, and ever less the further they are.
+  // At s = 1/t of the window alone: beyond it the response counts ever less, and the estimate does not see it.
   constexpr double margin = 1.0;
   double error = 0.0;
   for (const auto& moduli : carson_path(matrix, window, margin)) {

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "breccia/io/deck.hpp"
+
+namespace breccia::detail {
+
+/// Is a value finite and within a range?
+bool accepts(const Range& range, double value);
+
+/// What a range asks for: "a positive length", "a number between 0 and 1".
+std::string described(const Range& range, std::string_view noun);
+std::string described(const Range& range, Dimension dimension);
+
+}  // namespace breccia::detail
