@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "csv_records.hpp"
+#include "trimmed.hpp"
 
 namespace breccia::detail {
 

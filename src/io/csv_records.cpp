@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "trimmed.hpp"
+
 namespace breccia::detail {
 
 namespace {
@@ -16,12 +18,6 @@ std::size_t closing_quote(std::string_view text, std::size_t opening) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
 
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -42,7 +42,4 @@ class CsvRecords {
 /// A number, which may be infinite but not NaN.
 std::optional<double> parse_number(std::string_view text);
 
-/// Without the spaces, tabs and carriage returns around it.
-std::string_view trimmed(std::string_view text);
-
 }  // namespace breccia::detail

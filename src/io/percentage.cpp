@@ -5,21 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "trimmed.hpp"
+
 namespace breccia {
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-}  // namespace
 
 std::optional<double> parse_percentage(std::string_view text) {
-  text = trimmed(text);
+  text = detail::trimmed(text);
   if (!text.ends_with('%')) return std::nullopt;
-  text = trimmed(text.substr(0, text.size() - 1));
+  text = detail::trimmed(text.substr(0, text.size() - 1));
   double number = 0.0;
   const auto* const end_of_text = text.data() + text.size();
   const auto [end, error] = std::from_chars(text.data(), end_of_text, number);

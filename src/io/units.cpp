@@ -18,6 +18,8 @@
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
 
+#include "trimmed.hpp"
+
 namespace breccia {
 
 namespace {
@@ -94,12 +96,6 @@ Converter converter_to(const Unit& unit, const Unit& si_unit) {
   return Converter(ut_get_converter(unit.get(), si_unit.get()));
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
 std::optional<double> convert(const NumberAndUnit& quantity, const std::string& unit) {
   const std::lock_guard lock(udunits_mutex);
   const auto from = parse_unit(quantity.unit), to = parse_unit(unit);
@@ -168,13 +164,13 @@ std::string_view example(Dimension dimension) {
 }
 
 std::optional<NumberAndUnit> split_quantity(std::string_view text) {
-  text = trimmed(text);
+  text = detail::trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   double number = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  text = trimmed(text);
+  text = detail::trimmed(text);
   if (text.starts_with('/')) return NumberAndUnit{number, fmt::format("1{}", text)};
   if (text.find_first_of("0123456789+-.") == 0 && !text.starts_with("1/")) return std::nullopt;
   return NumberAndUnit{number, std::string(text)};

@@ -25,9 +25,9 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double needed = std::ceil(cells_per_gap * stage.side / gap);
   constexpr double affordable = 20000.0;
   return fmt::format(
-      "the smallest gap between particles or to a wall, {}, is {:.2g} cells wide; below {:g} the "
+      "the smallest gap between particles or to a wall, {}, is {:.2g} {} wide; below {:g} the "
       "modulus at long times comes out several times too high, and tens of times at 1{}",
-      readable(gap, Dimension::length), cells, cells_per_gap,
+      readable(gap, Dimension::length), cells, cells == 1.0 ? "cell" : "cells", cells_per_gap,
       needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
 }
 
@@ -44,10 +44,9 @@ std::optional<std::string> warning_of_cut_particles(const std::vector<Bound>& bo
   const bool cuts = std::ranges::any_of(bounds, [](Bound bound) { return bound != Bound::periodic; });
   if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
   return "tests.bounds asks for the upper or the lower bound of a periodic box, whose boundaries cut the particles "
-         "that "
-         "cross its sides; under the upper one they bridge it, and the modulus at long times comes out tens of times "
-         "too high; without tests.bounds it is tested under the periodic boundary alone, and packing.walls = true "
-         "keeps its particles inside";
+         "that cross its sides; under the upper one they bridge it, and the modulus at long times comes out tens of "
+         "times too high; without tests.bounds it is tested under the periodic boundary alone, and "
+         "packing.walls = true keeps its particles inside";
 }
 
 std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {

@@ -7,6 +7,7 @@ namespace breccia {
 namespace {
 
 using testing::AllOf;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -53,6 +54,16 @@ TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   EXPECT_THAT(warnings(stage, within(1.0, 100.0)), ElementsAre(HasSubstr("times reach from 1 s to 100 s")));
   shear = PronySeries(0.0, {{1e-3, 1.0}});
   EXPECT_THAT(warnings(stage, within(1.0, 100.0)), IsEmpty()) << "a model with one term";
+}
+
+TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
+  auto study = within(1.0, 100.0);
+  study.stages = {two_discs(1e-3)};
+  study.stages[0].name = "small";
+  study.stages[0].filler.reset();
+  auto stage = two_discs(0.15e-3);
+  stage.matrix = EarlierStage{"small"};
+  EXPECT_THAT(warnings(stage, study), Each(Not(HasSubstr("times reach"))));
 }
 
 // In a study within which a stage of these discs is built on another.
