@@ -11,11 +11,11 @@
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/study/microstructures.hpp"
 
-#include "experiment/dynamic_state.hpp"
-#include "experiment/quasistatic_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "study/packing_state.hpp"
+#include "virtual_test/dynamic_state.hpp"
+#include "virtual_test/quasistatic_state.hpp"
 
 namespace {
 

@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/cell.hpp"
 #include "breccia/error.hpp"
-#include "breccia/mpm/cell.hpp"
 
 namespace breccia {
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/experiment/curve.hpp"
+#include "breccia/virtual_test/curve.hpp"
 
 #include "deck_sections.hpp"
 

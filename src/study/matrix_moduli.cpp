@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "breccia/experiment/extrapolation.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
+#include "breccia/virtual_test/extrapolation.hpp"
 
 namespace breccia {
 namespace {

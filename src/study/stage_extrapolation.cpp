@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/experiment/extrapolation.hpp"
+#include "breccia/virtual_test/extrapolation.hpp"
 
 #include "named_errors.hpp"
 #include "stage_tests.hpp"

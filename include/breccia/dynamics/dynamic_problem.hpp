@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/mpm/discretisation.hpp"
-#include "breccia/mpm/load.hpp"
-#include "breccia/mpm/plane_tensor.hpp"
-#include "breccia/mpm/volumetric.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/plane_tensor.hpp"
+#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
-#include "breccia/mpm/discretisation.hpp"
-#include "breccia/mpm/load.hpp"
-#include "breccia/mpm/volumetric.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {

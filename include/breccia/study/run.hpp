@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/experiment/dynamic_test.hpp"
-#include "breccia/experiment/homogenised_material.hpp"
 #include "breccia/study/microstructures.hpp"
 #include "breccia/study/study.hpp"
+#include "breccia/virtual_test/dynamic_test.hpp"
+#include "breccia/virtual_test/homogenised_material.hpp"
 
 namespace breccia {
 

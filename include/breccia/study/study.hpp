@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/experiment/curve.hpp"
-#include "breccia/experiment/quasistatic_test.hpp"
-#include "breccia/experiment/virtual_test.hpp"
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/quasistatic_test.hpp"
+#include "breccia/virtual_test/virtual_test.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
