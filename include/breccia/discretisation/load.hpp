@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <string>
+
 #include "breccia/discretisation/plane_tensor.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -10,6 +14,10 @@ enum class Load {
   diagonal_shear,  ///< pure shear of the diagonals, xx - yy; the modulus is G
   bulk             ///< equibiaxial in-plane strain; the modulus is the plane-strain bulk modulus K + G / 3
 };
+
+template <>
+inline constexpr auto words<Load> =
+    std::to_array<Word<Load>>({{"shear", Load::shear}, {"shear-xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}});
 
 /// Strain with engineering shear or in-plane dilatation 1. A body of modulus M stores M/2 per area under it; the
 /// traction of the stress 2 unit_strain(load) [1 Pa] deforms it by 1/M.
@@ -37,11 +45,21 @@ constexpr double compliance_of(Load load, const PlaneStrain& strain) noexcept {
   return 2.0 * (strain.xx * unit.xx + strain.yy * unit.yy + 2.0 * strain.xy * unit.xy);
 }
 
-/// What holds the box.
+/// The boundary condition of a virtual test. The first two give apparent moduli of the box that bound the effective
+/// ones from above and from below, in the mean over many boxes (Huet 1990).
 enum class Boundary {
-  displacement,  ///< nodes on the boundary follow the affine motion of the load: an upper bound
-  traction,      ///< the uniform traction of the load's stress on the boundary: a lower bound
+  displacement,  ///< kinematic uniform (KUBC): nodes on the boundary follow the affine motion of the load
+  traction,      ///< static uniform (SUBC): the uniform traction of the load's stress acts on the boundary
   periodic       ///< displacements on opposite sides differ by the affine motion of the load
 };
+
+template <>
+inline constexpr auto words<Boundary> = std::to_array<Word<Boundary>>({{"displacement", Boundary::displacement},
+                                                                       {"traction", Boundary::traction},
+                                                                       {"periodic", Boundary::periodic}});
+
+/// "upper bound", "lower bound" or "periodic": what the apparent modulus under a boundary condition is to the effective
+/// one.
+std::string bound_of(Boundary boundary);
 
 }  // namespace breccia
