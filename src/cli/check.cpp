@@ -135,7 +135,7 @@ void print_plan(const Study& study) {
 
 void add_check(CLI::App& application) {
   auto* command =
-      application.add_subcommand("check", "read a deck, report every mistake in it, show what it will take");
+      application.add_subcommand("check", "check a deck: report every mistake in it, estimate time and memory");
   auto arguments = std::make_shared<DeckArguments>();
   add_deck_arguments(*command, *arguments);
   command->callback([arguments] {
