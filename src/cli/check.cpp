@@ -9,6 +9,7 @@
 
 #include "breccia/report/display.hpp"
 #include "breccia/study/memory.hpp"
+#include "breccia/study/phases.hpp"
 #include "breccia/study/run.hpp"
 #include "breccia/study/stage_warnings.hpp"
 
@@ -37,7 +38,7 @@ std::string memory(double bytes) {
   return display(bytes, "B");
 }
 
-Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation, Boundary boundary,
+Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation<2>& discretisation, Boundary boundary,
                   Load load) {
   const auto test = make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
   const auto plan = plan_dynamic_test(test);
@@ -92,7 +93,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
     }
-    const auto discretisation = discretise(packed.microstructure, cells);
+    const auto discretisation = discretise(packed.microstructure, cells, matrix_phase, filler_phase);
     for (const auto load : loads_of(study, stage)) plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
   }
   return plan;

@@ -30,8 +30,8 @@ void unpack(const std::vector<double>& message, const RowForces& forces) {
 
 }  // namespace
 
-RowExchange::RowExchange(const Grid& grid, bool wraps, std::size_t length)
-    : rows_(grid.rows),
+RowExchange::RowExchange(const Grid<2>& grid, bool wraps, std::size_t length)
+    : rows_(grid.rows()),
       wraps_(wraps),
       up_(2 * length),
       down_(2 * length),

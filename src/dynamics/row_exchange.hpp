@@ -19,7 +19,7 @@ class RowExchange {
  public:
   /// Deals the rows in order. In a box that wraps, the first and the last process are neighbours. Rows of forces have
   /// so many values. Throws InputError when there are more processes than rows.
-  RowExchange(const Grid& grid, bool wraps, std::size_t length);
+  RowExchange(const Grid<2>& grid, bool wraps, std::size_t length);
 
   /// Rows of cells [first, end).
   [[nodiscard]] int first() const noexcept { return first_of(rank_); }

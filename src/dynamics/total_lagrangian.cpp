@@ -5,7 +5,7 @@
 
 #include <omp.h>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 
 #include "boundary_nodes.hpp"
 #include "kernels.hpp"
@@ -16,16 +16,16 @@ namespace {
 
 /// Length of a row of nodes: all blocks and the node to their right, in whole blocks, and never close to a multiple of
 /// 512 bytes, where rows would compete for the same cache sets.
-std::size_t padded_length(const Grid& grid) {
-  const int blocks_per_row = (grid.columns + lanes - 1) / lanes;
+std::size_t padded_length(const Grid<2>& grid) {
+  const int blocks_per_row = (grid.columns() + lanes - 1) / lanes;
   const auto length = static_cast<std::size_t>(blocks_per_row + 1) * lanes;
   return length % 64 == 0 ? length + lanes : length;
 }
 
 /// Steps whose sums of rows are kept: few enough to leave the caches to the nodes.
-int steps_of_chunk(const Grid& grid) {
+int steps_of_chunk(const Grid<2>& grid) {
   constexpr int most_sums = 1 << 10;
-  return std::max(1, most_sums / (grid.rows + 1));
+  return std::max(1, most_sums / (grid.rows() + 1));
 }
 
 /// Gives the nodes at both ends of a row the forces of the cells at the other end.
@@ -46,8 +46,8 @@ RowForces TotalLagrangian::ForceRow::view() noexcept {
   return {values[0].data(), values[1].data(), values[2].data(), values[3].data()};
 }
 
-TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions)
-    : DynamicSolver(std::move(problem)),
+TotalLagrangian::TotalLagrangian(DynamicProblem<2> problem, int threads, InstructionSet instructions)
+    : DynamicSolver<2>(std::move(problem)),
       kernels_(&kernels(instructions)),
       stride_(padded_length(this->problem().discretisation.grid())),
       exchange_(this->problem().discretisation.grid(), this->problem().boundary == Boundary::periodic, stride_),
@@ -62,13 +62,13 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, Instructio
     std::ranges::fill(forces->values[2], -0.0);
     std::ranges::fill(forces->values[3], -0.0);
   }
-  nodes_.assign(stride_ * 5 * static_cast<std::size_t>(grid.rows + 1), 0.0);
+  nodes_.assign(stride_ * 5 * static_cast<std::size_t>(grid.rows() + 1), 0.0);
   const double squared_step = this->problem().time_step * this->problem().time_step;
   auto mass = masses_.begin();
-  for (int row = 0; row <= grid.rows; ++row) {
-    for (int column = 0; column <= grid.columns; ++column, ++mass) {
+  for (int row = 0; row <= grid.rows(); ++row) {
+    for (int column = 0; column <= grid.columns(); ++column, ++mass) {
       step_over_mass(row)[column] =
-          is_prescribed(this->problem(), column, row) || *mass == 0.0 ? 0.0 : squared_step / *mass;
+          is_prescribed(this->problem(), {column, row}) || *mass == 0.0 ? 0.0 : squared_step / *mass;
     }
   }
   // With less to do than this a thread would mostly wait for the others.
@@ -82,16 +82,16 @@ TotalLagrangian::TotalLagrangian(DynamicProblem problem, int threads, Instructio
                       ForceRow(stride_), ForceRow(stride_), ForceRow(stride_), ForceRow(stride_)});
   }
   progress_ = std::vector<Progress>(bands_.size());
-  row_sums_.resize((static_cast<std::size_t>(grid.rows) + 1) * static_cast<std::size_t>(chunk_));
+  row_sums_.resize((static_cast<std::size_t>(grid.rows()) + 1) * static_cast<std::size_t>(chunk_));
 }
 
 void TotalLagrangian::set_velocities(const VelocityField& velocity) {
   const auto& grid = problem().discretisation.grid();
   const bool wraps = problem().boundary == Boundary::periodic;
-  for (int row = 0; row <= grid.rows; ++row) {
-    for (int column = 0; column <= grid.columns; ++column) {
-      if (is_prescribed(problem(), column, row)) continue;
-      const int x = wraps && column == grid.columns ? 0 : column, y = wraps && row == grid.rows ? 0 : row;
+  for (int row = 0; row <= grid.rows(); ++row) {
+    for (int column = 0; column <= grid.columns(); ++column) {
+      if (is_prescribed(problem(), {column, row})) continue;
+      const int x = wraps && column == grid.columns() ? 0 : column, y = wraps && row == grid.rows() ? 0 : row;
       const auto v = velocity({x * grid.cell_side, y * grid.cell_side});
       increment(row).x[column] = problem().time_step * v[0];
       increment(row).y[column] = problem().time_step * v[1];
@@ -99,7 +99,7 @@ void TotalLagrangian::set_velocities(const VelocityField& velocity) {
   }
 }
 
-void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averages) {
+void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages<2>* averages) {
   for (int done = 0; done < steps;) {
     const int taken = take_turn(first + done, steps - done, averages + done);
     crew_.judge(taken);
@@ -109,7 +109,7 @@ void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages* averag
 
 /// Takes as many steps as have time in a turn, in whole chunks, after which the number of threads may be another.
 /// Returns their number.
-int TotalLagrangian::take_turn(std::int64_t first, int most_steps, Averages* averages) {
+int TotalLagrangian::take_turn(std::int64_t first, int most_steps, Averages<2>* averages) {
   constexpr double longest = 0.015;  // [s]
   for (auto& progress : progress_) {
     progress.swept.reset();
@@ -179,11 +179,11 @@ void TotalLagrangian::sweep(std::size_t place, std::int64_t step, int done) {
         break;
       case Boundary::traction:
         sums.strain = boundary_strain(row);
-        if (row + 1 == grid.rows) sums_of(grid.rows, done).strain = boundary_strain(grid.rows);
+        if (row + 1 == grid.rows()) sums_of(grid.rows(), done).strain = boundary_strain(grid.rows());
         break;
       case Boundary::periodic:
-        join_ends(cells.below, grid.columns);
-        join_ends(cells.above, grid.columns);
+        join_ends(cells.below, grid.columns());
+        join_ends(cells.above, grid.columns());
         break;
     }
     if (row == exchange_.first() && exchange_.has_neighbours()) exchange_.begin(bottom.view());
@@ -201,7 +201,7 @@ void TotalLagrangian::take_outer_forces(int done) {
 }
 
 void TotalLagrangian::move_lowest_row(std::size_t place, std::int64_t step, int done) {
-  const int rows = problem().discretisation.grid().rows;
+  const int rows = problem().discretisation.grid().rows();
   const bool wraps = problem().boundary == Boundary::periodic;
   auto& own = bands_[place];
   if (place > 0) progress_[place - 1].swept.wait_for(done + 1);
@@ -220,7 +220,7 @@ void TotalLagrangian::move_lowest_row(std::size_t place, std::int64_t step, int 
 }
 
 /// Averages of the steps of a chunk, once all threads have come so far.
-void TotalLagrangian::sum_rows(std::int64_t first, int taken, int steps, Averages* averages) {
+void TotalLagrangian::sum_rows(std::int64_t first, int taken, int steps, Averages<2>* averages) {
   for (const auto& progress : progress_) progress.moved.wait_for(taken);
   static_assert(sizeof(RowSums) == 6 * sizeof(double));
   exchange_.gather_node_rows({row_sums_.front().stress.data(), 6 * row_sums_.size()});
@@ -259,8 +259,8 @@ void TotalLagrangian::follow_load(int row, std::int64_t step) {
   const auto u = displacement(row), du = increment(row);
   if (follows_affinely(problem())) {
     const double acceleration = next - 2.0 * now + load_at(step - 1);
-    for (int column = 0; column <= grid.columns; ++column) {
-      const auto affine = affine_motion(problem(), column, row);
+    for (int column = 0; column <= grid.columns(); ++column) {
+      const auto affine = affine_motion(problem(), {column, row});
       u.x[column] += acceleration * affine[0];
       u.y[column] += acceleration * affine[1];
       du.x[column] += acceleration * affine[0];
@@ -269,7 +269,7 @@ void TotalLagrangian::follow_load(int row, std::int64_t step) {
   }
   if (problem().boundary != Boundary::displacement) return;
   for_boundary_nodes(grid, row, [&](int column) {
-    const auto affine = affine_motion(problem(), column, row);
+    const auto affine = affine_motion(problem(), {column, row});
     u.x[column] = next * affine[0];
     u.y[column] = next * affine[1];
     du.x[column] = (next - now) * affine[0];
@@ -282,7 +282,7 @@ void TotalLagrangian::add_traction(int row, std::int64_t step) {
   const double now = load_at(step);
   const auto u = displacement(row), du = increment(row);
   for_boundary_nodes(grid, row, [&](int column) {
-    const auto force = traction_force(problem(), column, row);
+    const auto force = traction_force(problem(), {column, row});
     const double scale = now * step_over_mass(row)[column];
     u.x[column] += scale * force[0];
     u.y[column] += scale * force[1];
@@ -293,8 +293,8 @@ void TotalLagrangian::add_traction(int row, std::int64_t step) {
 
 /// Makes the last node of a row the image of the first.
 void TotalLagrangian::close_row(int row, std::int64_t step) {
-  const int last = problem().discretisation.grid().columns;
-  const auto across = affine_difference(problem(), last, 0);
+  const int last = problem().discretisation.grid().columns();
+  const auto across = affine_difference(problem(), {static_cast<double>(last), 0.0});
   const double next = load_at(step + 1), rise = next - load_at(step);
   const auto u = displacement(row), du = increment(row);
   u.x[last] = u.x[0] + next * across[0];
@@ -306,11 +306,11 @@ void TotalLagrangian::close_row(int row, std::int64_t step) {
 /// Makes the highest row of nodes the image of the lowest.
 void TotalLagrangian::copy_lowest_row(std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
-  const auto up = affine_difference(problem(), 0, grid.rows);
+  const auto up = affine_difference(problem(), {0.0, static_cast<double>(grid.rows())});
   const double next = load_at(step + 1), rise = next - load_at(step);
   const auto from_u = displacement(0), from_du = increment(0);
-  const auto u = displacement(grid.rows), du = increment(grid.rows);
-  for (int column = 0; column <= grid.columns; ++column) {
+  const auto u = displacement(grid.rows()), du = increment(grid.rows());
+  for (int column = 0; column <= grid.columns(); ++column) {
     u.x[column] = from_u.x[column] + next * up[0];
     u.y[column] = from_u.y[column] + next * up[1];
     du.x[column] = from_du.x[column] + rise * up[0];
@@ -319,11 +319,11 @@ void TotalLagrangian::copy_lowest_row(std::int64_t step) {
 }
 
 /// Share of a row of nodes in the integral of sym(u n) over the boundary [m^2].
-PlaneStrain TotalLagrangian::boundary_strain(int row) const {
+Strain<2> TotalLagrangian::boundary_strain(int row) const {
   const auto& grid = problem().discretisation.grid();
-  PlaneStrain sum;
+  Strain<2> sum;
   for_boundary_nodes(grid, row, [&](int column) {
-    const auto side = outward_side(grid, column, row);
+    const auto side = outward_area<2>(grid, {column, row});
     const double u = field(row, 0)[column], v = field(row, 1)[column];
     sum.xx += u * side[0];
     sum.yy += v * side[1];
@@ -333,12 +333,12 @@ PlaneStrain TotalLagrangian::boundary_strain(int row) const {
 }
 
 /// Averages at a step, whose sums stand at a place among those of a chunk.
-Averages TotalLagrangian::averages(std::int64_t step, int place) const {
+Averages<2> TotalLagrangian::averages(std::int64_t step, int place) const {
   const auto& grid = problem().discretisation.grid();
-  PlaneStress stress;
-  PlaneStrain strain;
+  Stress<2> stress;
+  Strain<2> strain;
   auto of_row = static_cast<std::size_t>(place);
-  for (int row = 0; row <= grid.rows; ++row, of_row += static_cast<std::size_t>(chunk_)) {
+  for (int row = 0; row <= grid.rows(); ++row, of_row += static_cast<std::size_t>(chunk_)) {
     const auto& sums = row_sums_[of_row];
     stress.xx += sums.stress[0];
     stress.yy += sums.stress[1];
@@ -347,10 +347,10 @@ Averages TotalLagrangian::averages(std::int64_t step, int place) const {
     strain.yy += sums.strain.yy;
     strain.xy += sums.strain.xy;
   }
-  const double per_point = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * grid.cell_side);
-  const double per_area = 1.0 / grid.area();
-  Averages averages = {{per_point * stress.xx, per_point * stress.yy, per_point * stress.xy},
-                       {per_area * strain.xx, per_area * strain.yy, per_area * strain.xy}};
+  const double per_point = 1.0 / (static_cast<double>(grid.cell_count() * CellShape<2>::points) * grid.cell_side);
+  const double per_area = 1.0 / grid.volume();
+  Averages<2> averages = {{per_point * stress.xx, per_point * stress.yy, per_point * stress.xy},
+                          {per_area * strain.xx, per_area * strain.yy, per_area * strain.xy}};
   if (problem().boundary != Boundary::traction) {
     const auto& load = problem().load;
     const double now = load_at(step);

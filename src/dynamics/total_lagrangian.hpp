@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 
 #include "aligned_vector.hpp"
@@ -28,14 +28,14 @@ namespace breccia::dynamics {
 ///
 /// Opposite nodes of a periodic box move as one: the forces at the ends of a row are added crosswise, the lowest row of
 /// nodes takes the forces of the highest row of cells, too, and images are copies but for the affine motion.
-class TotalLagrangian final : public DynamicSolver {
+class TotalLagrangian final : public DynamicSolver<2> {
  public:
-  TotalLagrangian(DynamicProblem problem, int threads, InstructionSet instructions);
+  TotalLagrangian(DynamicProblem<2> problem, int threads, InstructionSet instructions);
 
   void set_velocities(const VelocityField& velocity) override;
   [[nodiscard]] Vector<2> momentum() const override;
   [[nodiscard]] Energy energy() const override;
-  [[nodiscard]] PointFields fields() const override;
+  [[nodiscard]] PointFields<2> fields() const override;
   [[nodiscard]] Footprint footprint() const override;
 
  private:
@@ -69,27 +69,27 @@ class TotalLagrangian final : public DynamicSolver {
   /// What a row of cells, and the row of nodes below it, adds to the averages.
   struct RowSums {
     std::array<double, 3> stress = {};
-    PlaneStrain strain = {};
+    Strain<2> strain = {};
   };
 
-  void take_steps(std::int64_t first, int steps, Averages* averages) override;
+  void take_steps(std::int64_t first, int steps, Averages<2>* averages) override;
   [[nodiscard]] Vector<2> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  int take_turn(std::int64_t first, int most_steps, Averages* averages);
+  int take_turn(std::int64_t first, int most_steps, Averages<2>* averages);
   void take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done);
   void sweep(std::size_t place, std::int64_t step, int done);
   void take_outer_forces(int done);
   void move_lowest_row(std::size_t place, std::int64_t step, int done);
-  void sum_rows(std::int64_t first, int taken, int steps, Averages* averages);
+  void sum_rows(std::int64_t first, int taken, int steps, Averages<2>* averages);
   void move_row(int row, const RowForces& from_cells_below, const RowForces& from_cells_above, std::int64_t step);
   void follow_load(int row, std::int64_t step);
   void add_traction(int row, std::int64_t step);
   void close_row(int row, std::int64_t step);
   void copy_lowest_row(std::int64_t step);
   void fetch_nodes() const;
-  [[nodiscard]] PlaneStrain boundary_strain(int row) const;
-  [[nodiscard]] Averages averages(std::int64_t step, int place) const;
+  [[nodiscard]] Strain<2> boundary_strain(int row) const;
+  [[nodiscard]] Averages<2> averages(std::int64_t step, int place) const;
   [[nodiscard]] RowSums& sums_of(int row, int done) noexcept {
     const int place = row * chunk_ + done % chunk_;
     return row_sums_[static_cast<std::size_t>(place)];
@@ -104,7 +104,7 @@ class TotalLagrangian final : public DynamicSolver {
   [[nodiscard]] const double* field(int row, int which) const noexcept {
     return nodes_.data() + (static_cast<std::size_t>(row) * 5 + static_cast<std::size_t>(which)) * stride_;
   }
-  [[nodiscard]] CellVector cell_values(int column, int row, int first_field) const;
+  [[nodiscard]] CellShape<2>::Values cell_values(int column, int row, int first_field) const;
 
   const KernelTable* kernels_;
   std::size_t stride_;  ///< nodes a row holds, with the filling

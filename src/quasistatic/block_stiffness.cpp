@@ -53,8 +53,8 @@ BlockStiffness::BlockStiffness(const BlockKind& kind, double stiffness_of_held)
       nodes[static_cast<std::size_t>(a)] = numbers[static_cast<std::size_t>(node)];
     }
     const auto& stiffness = *kind.cells[static_cast<std::size_t>(cell)];
-    for (int a = 0; a < cell_dofs; ++a) {
-      for (int b = 0; b < cell_dofs; ++b) {
+    for (int a = 0; a < CellShape<2>::dofs; ++a) {
+      for (int b = 0; b < CellShape<2>::dofs; ++b) {
         add(nodes[static_cast<std::size_t>(a / 2)], a % 2, nodes[static_cast<std::size_t>(b / 2)], b % 2,
             stiffness(a, b));
       }

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 
 #include "block_grid.hpp"
 
@@ -14,8 +14,8 @@ namespace breccia::quasistatic {
 /// What makes the stiffness of a block: its shape, its cells, and which displacements of its boundary are held.
 struct BlockKind {
   Block shape;
-  std::vector<const CellMatrix*> cells;  ///< row by row
-  std::vector<bool> held;                ///< by unknown of the boundary
+  std::vector<const CellShape<2>::Stiffness*> cells;  ///< row by row
+  std::vector<bool> held;                             ///< by unknown of the boundary
 };
 
 /// The stiffness of a block, with the nodes inside it eliminated (theory, Eq. 36). Held displacements are zero and have

@@ -40,27 +40,16 @@ NodalVector local_copy(DM grid, Vec values) {
 
 }  // namespace
 
-CellVector affine_motion(const PlaneStrain& strain) {
-  constexpr std::array<std::array<double, 2>, 4> corners = {{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
-  CellVector motion;
-  for (Eigen::Index node = 0; node < 4; ++node) {
-    const auto& [x, y] = corners[static_cast<std::size_t>(node)];
-    motion[2 * node] = strain.xx * x + strain.xy * y;
-    motion[2 * node + 1] = strain.xy * x + strain.yy * y;
-  }
-  return motion;
-}
-
-ElasticBox::ElasticBox(const Discretisation& discretisation, Volumetric volumetric, Boundary boundary)
-    : columns_(discretisation.grid().columns),
-      rows_(discretisation.grid().rows),
+ElasticBox::ElasticBox(const Discretisation<2>& discretisation, Volumetric volumetric, Boundary boundary)
+    : columns_(discretisation.grid().columns()),
+      rows_(discretisation.grid().rows()),
       volumetric_(volumetric),
       boundary_(boundary) {
   parallel::start();
-  std::map<CellMaterials, std::uint32_t> known;
+  std::map<CellPhases<2>, std::uint32_t> known;
   kind_of_.reserve(discretisation.cells().size());
   for (const auto& cell : discretisation.cells()) {
-    if (std::find(cell.begin(), cell.end(), no_material) != cell.end()) {
+    if (std::find(cell.begin(), cell.end(), no_phase) != cell.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
     const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint32_t>(known.size()));
@@ -102,7 +91,7 @@ Field ElasticBox::uniform_strain(Load load) const {
     return field;
   }
   // Turned so that the lower side stays on its line, as the nodes do that are held.
-  const auto strain = unit_strain(load);
+  const auto strain = unit_strain<2>(load);
   constexpr const char* what = "writing nodal values";
   double*** nodes = nullptr;
   int x = 0, y = 0, width = 0, height = 0;
@@ -149,9 +138,9 @@ std::vector<CellMatrix> ElasticBox::stiffnesses(std::span<const Moduli> moduli) 
   std::vector<CellMatrix> by_kind;
   by_kind.reserve(kinds_.size());
   for (const auto& kind : kinds_) {
-    std::array<Moduli, points_per_cell> of_points{};
-    for (std::size_t p = 0; p < points_per_cell; ++p) of_points[p] = moduli[kind[p]];
-    by_kind.push_back(cell_stiffness(of_points, volumetric_));
+    CellShape<2>::PointModuli of_points{};
+    for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kind[p]];
+    by_kind.push_back(CellShape<2>::stiffness(of_points, volumetric_));
   }
   return by_kind;
 }
@@ -211,20 +200,23 @@ Field ElasticBox::load_forces(Load load) const {
     return forces;
   }
   // The traction of a uniform stress does the work of that stress on the mean strains of the cells.
-  const auto strain = unit_strain(load);
+  const auto strain = unit_strain<2>(load);
   const Eigen::Vector3d stress(2.0 * strain.xx, 2.0 * strain.yy, 2.0 * strain.xy);
   CellVector of_cell = CellVector::Zero();
-  for (int p = 0; p < points_per_cell; ++p) of_cell += strain_matrix(p).transpose() * stress / points_per_cell;
+  for (int p = 0; p < CellShape<2>::points; ++p) {
+    of_cell += CellShape<2>::strain_matrix(p).transpose() * stress / CellShape<2>::points;
+  }
   return sum_over_cells([&](int, int) { return std::pair(of_cell, 0.0); });
 }
 
 Field ElasticBox::forces(std::span<const Moduli> moduli, Load load, const Field& displacement) const {
   const auto by_kind = stiffnesses(moduli);
-  const CellVector affine = displacement.affine() * affine_motion(unit_strain(load));
+  const CellVector affine = displacement.affine() * CellShape<2>::affine_motion(unit_strain<2>(load));
   // Forces conjugate to the affine motion, from the stiffness that is symmetric.
   std::vector<CellVector> conjugate;
   conjugate.reserve(by_kind.size());
-  for (const auto& stiffness : by_kind) conjugate.emplace_back(stiffness * affine_motion(unit_strain(load)));
+  for (const auto& stiffness : by_kind)
+    conjugate.emplace_back(stiffness * CellShape<2>::affine_motion(unit_strain<2>(load)));
   const auto local = local_copy(grid_.get(), displacement.rest());
   const Values values(local.get());
   return sum_over_cells([&](int column, int row) {

@@ -5,13 +5,17 @@
 #include <span>
 #include <vector>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 
 #include "field.hpp"
 
 namespace breccia::quasistatic {
+
+using CellVector = CellShape<2>::Values;
+using CellMatrix = CellShape<2>::Stiffness;
 
 /// The nodes of a discretisation under one boundary, spread over the processes, and the forces of its cells.
 ///
@@ -20,7 +24,7 @@ namespace breccia::quasistatic {
 /// with a traction boundary three components of w that could be a rigid motion are zero, and a is not used.
 class ElasticBox {
  public:
-  ElasticBox(const Discretisation& discretisation, Volumetric volumetric, Boundary boundary);
+  ElasticBox(const Discretisation<2>& discretisation, Volumetric volumetric, Boundary boundary);
 
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
   /// Of the box, in squares of the cell side.
@@ -76,14 +80,11 @@ class ElasticBox {
   int columns_, rows_;
   Volumetric volumetric_;
   Boundary boundary_;
-  std::vector<CellMaterials> kinds_;    ///< the different cells that there are
+  std::vector<CellPhases<2>> kinds_;    ///< the different cells that there are
   std::vector<std::uint32_t> kind_of_;  ///< by cell
   NodeGrid grid_;
   CellRange cells_{};
   Patch patch_{};
 };
-
-/// Displacements of the nodes of a cell, in units of its side, under a strain.
-[[nodiscard]] CellVector affine_motion(const PlaneStrain& strain);
 
 }  // namespace breccia::quasistatic

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
 
@@ -115,7 +116,7 @@ void require_complete(const QuasistaticProblem& problem, std::span<const double>
   }
   for (const auto& cell : problem.discretisation.cells()) {
     for (const auto material : cell) {
-      if (material == no_material || material < problem.materials.size()) continue;
+      if (material == no_phase || material < problem.materials.size()) continue;
       throw InputError(
           fmt::format("log-time stepping: a point has material {} of {}", material, problem.materials.size()));
     }

@@ -10,9 +10,9 @@ namespace {
 /// A displacement on the nodes of the whole box, in units of the cell side.
 class NodalDisplacement {
  public:
-  NodalDisplacement(const ElasticBox& box, const Grid& grid, Load load, const Field& field)
+  NodalDisplacement(const ElasticBox& box, const Grid<2>& grid, Load load, const Field& field)
       : grid_(grid),
-        strain_(unit_strain(load)),
+        strain_(unit_strain<2>(load)),
         affine_(field.affine()),
         wraps_(box.boundary() == Boundary::periodic),
         rest_(box.gathered(field)) {}
@@ -30,12 +30,12 @@ class NodalDisplacement {
 
  private:
   [[nodiscard]] std::size_t place(int x, int y) const noexcept {
-    if (!wraps_) return grid_.node_index(x, y);
-    return grid_.cell_index(x % grid_.columns, y % grid_.rows);
+    if (!wraps_) return grid_.node_index({x, y});
+    return grid_.cell_index({x % grid_.columns(), y % grid_.rows()});
   }
 
-  Grid grid_;
-  PlaneStrain strain_;
+  Grid<2> grid_;
+  Strain<2> strain_;
   double affine_;
   bool wraps_;
   std::vector<double> rest_;  ///< x and y of the nodes in turn, row by row
@@ -53,8 +53,8 @@ std::array<double, 4> stress_of(const Eigen::Vector3d& shear, double pressure) {
 
 }  // namespace
 
-PointFields recover_fields(const ElasticBox& box, const Discretisation& discretisation, Volumetric volumetric,
-                           Load load, const Field& displacement, const std::vector<AppliedModuli>& applied) {
+PointFields<2> recover_fields(const ElasticBox& box, const Discretisation<2>& discretisation, Volumetric volumetric,
+                              Load load, const Field& displacement, const std::vector<AppliedModuli>& applied) {
   const auto& grid = discretisation.grid();
   const NodalDisplacement moved(box, grid, load, displacement);
   std::vector<AppliedToNodes> by_material;
@@ -64,13 +64,13 @@ PointFields recover_fields(const ElasticBox& box, const Discretisation& discreti
   }
   auto fields = zero_fields(discretisation);
   if (parallel::rank() != 0) return fields;
-  for (int p = 0; p < points_per_cell; ++p) {
-    const auto weights = node_weights(p);
-    const auto strain = strain_matrix(p, volumetric);
-    const auto volume = volumetric_strain_matrix(p, volumetric);
-    for (int row = 0; row < grid.rows; ++row) {
-      for (int column = 0; column < grid.columns; ++column) {
-        const auto point = grid.point_index(column, row, p);
+  for (int p = 0; p < CellShape<2>::points; ++p) {
+    const auto weights = CellShape<2>::weights(p);
+    const auto strain = CellShape<2>::strain_matrix(p, volumetric);
+    const auto volume = CellShape<2>::volumetric_strain_matrix(p, volumetric);
+    for (int row = 0; row < grid.rows(); ++row) {
+      for (int column = 0; column < grid.columns(); ++column) {
+        const auto point = grid.point_index({column, row}, p);
         const CellVector u = moved.of_cell(column, row);
         for (std::size_t node = 0; node < 4; ++node) {
           fields.displacement[point][0] += grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(2 * node)];
@@ -78,7 +78,7 @@ PointFields recover_fields(const ElasticBox& box, const Discretisation& discreti
         }
         const Eigen::Vector3d e = strain * u;
         fields.strain[point] = {e[0], e[1], 0.5 * e[2]};
-        const auto& [bulk, shear] = by_material[fields.material[point]];
+        const auto& [bulk, shear] = by_material[fields.phase[point]];
         fields.stress[point] = stress_of(strain * shear.of_cell(column, row), volume.dot(bulk.of_cell(column, row)));
       }
     }

@@ -17,7 +17,7 @@ struct AppliedModuli {
 
 /// Fields of the points from the displacement of the nodes and, by material, what the stress answers to (theory, Eq.
 /// 35). On the first process; on the others all is zero.
-PointFields recover_fields(const ElasticBox& box, const Discretisation& discretisation, Volumetric volumetric,
-                           Load load, const Field& displacement, const std::vector<AppliedModuli>& applied);
+PointFields<2> recover_fields(const ElasticBox& box, const Discretisation<2>& discretisation, Volumetric volumetric,
+                              Load load, const Field& displacement, const std::vector<AppliedModuli>& applied);
 
 }  // namespace breccia::quasistatic

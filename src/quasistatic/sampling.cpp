@@ -26,7 +26,7 @@ using quasistatic::Field;
 using quasistatic::ReducedBasis;
 using quasistatic::StiffnessParts;
 
-StiffnessParts parts_of(const QuasistaticProblem& problem, MaterialIndex matrix) {
+StiffnessParts parts_of(const QuasistaticProblem& problem, PhaseIndex matrix) {
   const auto count = problem.materials.size();
   StiffnessParts parts = {std::vector<Moduli>(count, {0.0, 0.0}), std::vector<Moduli>(count, {0.0, 0.0}),
                           std::vector<Moduli>(count, {0.0, 0.0})};
@@ -79,8 +79,7 @@ struct Worst {
 /// The basis of each load, as it grows solution by solution. The bases point to the box and the parts.
 class Sampling {
  public:
-  Sampling(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
-           const Moduli& reference)
+  Sampling(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads, const Moduli& reference)
       : parts_(parts_of(problem, matrix)),
         box_(problem.discretisation, problem.volumetric, problem.boundary),
         scales_(loads.size(), 0.0),
@@ -180,8 +179,8 @@ class Sampling {
   double error_ = 1.0;
 };
 
-PointFields recover(const Sampling& sampling, const QuasistaticProblem& problem, MaterialIndex matrix_index,
-                    std::size_t load, const Material& matrix, double time) {
+PointFields<2> recover(const Sampling& sampling, const QuasistaticProblem& problem, PhaseIndex matrix_index,
+                       std::size_t load, const Material& matrix, double time) {
   const auto& basis = sampling.bases().at(load);
   const auto state = quasistatic::network_state(basis.response(), matrix, time);
   // A unit of e is that of the load over the root of the area.
@@ -213,7 +212,7 @@ std::vector<Moduli> first_moduli(std::span<const Moduli> path) {
 
 }  // namespace
 
-SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
+SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> path, const SamplingOptions& options,
                                   const std::function<void(const SamplingProgress&)>& observer,
                                   Checkpoint* checkpoint) {

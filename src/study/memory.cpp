@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/study/phases.hpp"
 #include "breccia/study/run.hpp"
 
 namespace breccia {
@@ -17,7 +18,7 @@ namespace {
 /// no way through the times, about which the run itself knows better.
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Where the particles are does not matter.
-  const auto discretisation = discretise({stage.side, Walls::hard, {}}, cells);
+  const auto discretisation = discretise<2>({stage.side, Walls::hard, {}}, cells, matrix_phase, filler_phase);
   double most = 0.0;
   try {
     for (const auto bound : study.tests.bounds) {

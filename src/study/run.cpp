@@ -13,6 +13,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/memory.hpp"
+#include "breccia/study/phases.hpp"
 #include "breccia/study/report.hpp"
 #include "breccia/study/resume.hpp"
 
@@ -135,9 +136,12 @@ class StageRun {
 
   void run() {
     for (const int cells : grids_of(stage_)) {
-      const StageGrid grid = {
-          &study_,  &stage_,      discretise(done_.microstructure.microstructure, cells), directory_ / stage_.name,
-          threads_, &checkpoints_};
+      const StageGrid grid = {&study_,
+                              &stage_,
+                              discretise(done_.microstructure.microstructure, cells, matrix_phase, filler_phase),
+                              directory_ / stage_.name,
+                              threads_,
+                              &checkpoints_};
       for (const auto bound : study_.tests.bounds) {
         for (const auto method : study_.tests.methods) run(grid, boundary_of(bound), method);
       }

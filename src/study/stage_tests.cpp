@@ -52,7 +52,7 @@ PronySeries fitted(const Curve& curve) {
 }
 
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
-                              const Discretisation& discretisation, Boundary boundary, Load load, int threads) {
+                              const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads) {
   return {.discretisation = discretisation,
           .materials = materials_of(stage, matrix),
           .boundary = boundary,
@@ -65,7 +65,7 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
 }
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation& discretisation, Boundary boundary, int threads) {
+                                      const Discretisation<2>& discretisation, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
   return {.discretisation = discretisation,
@@ -82,7 +82,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
                                         std::vector<Moduli> matrix_moduli, Boundary boundary,
                                         const StudyObserver& observer) {
   const auto& stage = *grid.stage;
-  const int cells = grid.discretisation.grid().columns;
+  const int cells = grid.discretisation.grid().columns();
   const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), cells);
   auto checkpoint = grid.checkpoints->of_quasistatic(stage, boundary, cells);
   auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
@@ -114,7 +114,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
                        const StudyObserver& observer) {
   const auto& stage = *grid.stage;
-  const int cells = grid.discretisation.grid().columns;
+  const int cells = grid.discretisation.grid().columns();
   const auto name = fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(boundary), cells);
   std::size_t number = 0;
   DynamicObserver follow;

@@ -13,7 +13,7 @@ namespace breccia {
 struct StageGrid {
   const Study* study;
   const Stage* stage;
-  Discretisation discretisation;
+  Discretisation<2> discretisation;
   std::filesystem::path directory;  ///< of the stage's results
   int threads;
   const Checkpoints* checkpoints;

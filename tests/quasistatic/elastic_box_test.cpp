@@ -8,21 +8,21 @@ namespace breccia::quasistatic {
 namespace {
 
 /// Every cell has materials of its own.
-Discretisation of_different_cells(int side, int materials) {
-  const Grid grid = {side, side, 1.0};
-  Discretisation discretisation(grid);
+Discretisation<2> of_different_cells(int side, int materials) {
+  const Grid<2> grid = {{side, side}, 1.0};
+  Discretisation<2> discretisation(grid);
   for (int material = 1; material < materials; ++material) {
     discretisation.paint(
         [&](const Vector<2>& place) {
           const int column = static_cast<int>(place[0]), row = static_cast<int>(place[1]);
           const bool right = place[0] - column > 0.5, upper = place[1] - row > 0.5;
-          auto number = grid.cell_index(column, row);
+          auto number = grid.cell_index({column, row});
           for (int point = 0; point < (right ? 1 : 0) + (upper ? 2 : 0); ++point) {
             number /= static_cast<std::size_t>(materials);
           }
           return static_cast<int>(number % static_cast<std::size_t>(materials)) == material;
         },
-        static_cast<MaterialIndex>(material));
+        static_cast<PhaseIndex>(material));
   }
   return discretisation;
 }

@@ -22,7 +22,7 @@ struct SteppedResponse {
 
 struct SteppingResult {
   std::vector<SteppedResponse> responses;  ///< by load
-  std::vector<TimedFields> fields;         ///< of the first load; on the first process, on the others zero
+  std::vector<TimedFields<2>> fields;      ///< of the first load; on the first process, on the others zero
   LinearEffort effort;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/volumetric.hpp"
@@ -50,8 +51,8 @@ LinearEffort read_effort(const StateReader& state, const std::string& group);
 
 /// A composite without inertia: what both quasi-static solvers solve. Points must all have a material.
 struct QuasistaticProblem {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<2> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};

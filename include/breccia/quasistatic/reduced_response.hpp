@@ -6,8 +6,9 @@
 #include <Eigen/Dense>
 
 #include "breccia/checkpoint/state.hpp"
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/moduli.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 

@@ -26,7 +26,7 @@ struct SamplingProgress {
 struct SampledResponses {
   /// Fields of the points at a time [s] after one of the loads, by its place, was applied to the composite with a
   /// viscoelastic matrix; per unit of the load (theory, Eqs. 34 and 35). On the first process; on the others zero.
-  using Recovery = std::function<PointFields(std::size_t load, const Material& matrix, double time)>;
+  using Recovery = std::function<PointFields<2>(std::size_t load, const Material& matrix, double time)>;
 
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;
@@ -38,7 +38,7 @@ struct SampledResponses {
 /// With a checkpoint it leaves its state there between solutions when that is due, and goes on from what is there: the
 /// same bits as in one go. The moduli of the matrix in the problem are not used; all other materials must be elastic.
 /// Throws InputError when they are not, NumericalError when a system cannot be solved or the tolerance not be met.
-SampledResponses sample_responses(const QuasistaticProblem& problem, MaterialIndex matrix, std::span<const Load> loads,
+SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> path, const SamplingOptions& options = {},
                                   const std::function<void(const SamplingProgress&)>& observer = {},
                                   Checkpoint* checkpoint = nullptr);

@@ -137,9 +137,9 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
 
 /// A stage with its matrix and its microstructure on a grid, ready to be tested.
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
-                              const Discretisation& discretisation, Boundary boundary, Load load, int threads);
+                              const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads);
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation& discretisation, Boundary boundary, int threads);
+                                      const Discretisation<2>& discretisation, Boundary boundary, int threads);
 
 /// Does a later stage take the result of this one as its matrix?
 bool serves_as_matrix(const Study& study, const Stage& stage);

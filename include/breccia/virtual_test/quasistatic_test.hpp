@@ -37,8 +37,8 @@ struct QuasistaticOptions {
 
 /// What a quasi-static test is made on. The matrix is material 0.
 struct QuasistaticTest {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<2> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   /// Moduli [Pa] that the matrix shows over the whole of its relaxation, from stiff to soft, where its series does not
   /// tell them: that of a composite is a fit to some times. Empty: those of its series. For SampledRange::matrix alone.
   std::vector<Moduli> matrix_moduli = {};
@@ -64,7 +64,7 @@ struct QuasistaticResponse {
 
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields> fields;             ///< of the first load; on the first process, on the others zero
+  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, on the others zero
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time
 };
