@@ -12,6 +12,7 @@
 
 #include "boundary_nodes.hpp"
 #include "classical.hpp"
+#include "step_times.hpp"
 #include "total_lagrangian.hpp"
 
 namespace breccia {
@@ -24,12 +25,12 @@ DynamicSolver<dim>::DynamicSolver(DynamicProblem<dim> problem) : problem_(std::m
 
 template <int dim>
 double DynamicSolver<dim>::load_at(std::int64_t step) const noexcept {
-  return step <= 0 ? 0.0 : problem_.ramp.at(time_at(step));
+  return dynamics::load_at(problem_, step);
 }
 
 template <int dim>
 double DynamicSolver<dim>::time_at(std::int64_t step) const noexcept {
-  return static_cast<double>(step) * problem_.time_step - 0.5 * problem_.ramp.duration();
+  return dynamics::time_at(problem_, step);
 }
 
 template <int dim>

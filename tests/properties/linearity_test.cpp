@@ -64,7 +64,7 @@ TEST(RandomComposites, AnswerTwoLoadsByTheSumOfTheAnswers) {
 /// Mean over the points of stress : unit_strain(load) [Pa].
 double mean_work(const PointFields<2>& fields, Load load) {
   double work = 0.0;
-  for (const auto& [xx, yy, zz, xy] : fields.stress) work += modulus_of(load, {xx, yy, xy});
+  for (const auto& [xx, yy, zz, xy] : fields.stress) work += modulus_of<2>(load, {xx, yy, xy});
   return work / static_cast<double>(fields.stress.size());
 }
 

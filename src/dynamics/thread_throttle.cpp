@@ -1,4 +1,4 @@
-#include "crew.hpp"
+#include "thread_throttle.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -8,10 +8,10 @@
 namespace breccia::dynamics {
 namespace {
 
-/// More threads are worth their while if they are faster by this factor.
-constexpr double worth_it = 1.02;
+/// More threads are used only if they are faster by this factor.
+constexpr double least_gain = 1.02;
 
-/// As Linux counts it for the calling thread; 0 where it does not.
+/// Time that the calling thread was ready to run while its core was taken [s], as Linux counts it; 0 on other systems.
 double seconds_displaced() {
   std::ifstream file("/proc/thread-self/schedstat");
   double running = 0.0, displaced = 0.0;
@@ -25,31 +25,31 @@ double seconds_now() {
 
 }  // namespace
 
-Crew::Crew(int most_threads)
+ThreadThrottle::ThreadThrottle(int most_threads)
     : most_(most_threads), threads_(most_threads), times_(static_cast<std::size_t>(most_threads)) {}
 
-void Crew::add(std::size_t thread, const Time& time) {
+void ThreadThrottle::record(std::size_t thread, const Time& time) {
   times_[thread].displaced += time.displaced;
   times_[thread].wall += time.wall;
 }
 
-void Crew::judge(int steps) {
-  constexpr double long_enough = 0.03;  // several turns of the programs on a core
+void ThreadThrottle::adjust(int steps) {
+  constexpr double long_enough = 0.03;  // [s], several time slices of the programs on a core
   steps_ += steps;
   const double wall = times_.front().wall;
   if (wall < long_enough) return;
   if (threads_ == most_) {
-    judge_all(steps_ / wall, wall);
+    adjust_after_all(steps_ / wall, wall);
   } else {
-    judge_some(wall);
+    adjust_after_some(wall);
   }
   steps_ = 0.0;
   std::ranges::fill(times_, Time{});
 }
 
-void Crew::judge_all(double speed, double wall) {
+void ThreadThrottle::adjust_after_all(double speed, double wall) {
   if (some_steps_ > 0.0) {
-    const bool is_faster = speed * some_wall_ > worth_it * some_steps_;
+    const bool is_faster = speed * some_wall_ > least_gain * some_steps_;
     if (!is_faster) leave_out(some_threads_, wall);
     some_steps_ = some_wall_ = 0.0;
     return;
@@ -61,15 +61,15 @@ void Crew::judge_all(double speed, double wall) {
   if (best < most_) leave_out(best, wall);
 }
 
-void Crew::judge_some(double wall) {
+void ThreadThrottle::adjust_after_some(double wall) {
   some_steps_ += steps_;
   some_wall_ += wall;
   rest_ -= wall;
   if (rest_ <= 0.0) threads_ = most_;
 }
 
-/// After all threads have worked for a time [s] in vain.
-void Crew::leave_out(int threads, double wall) {
+/// Leaves all but some threads out, after all have worked for a time [s] and were no faster.
+void ThreadThrottle::leave_out(int threads, double wall) {
   constexpr double shortest = 1.0, times_the_trial = 20.0;
   threads_ = some_threads_ = threads;
   rest_ = std::max(shortest, times_the_trial * wall);
@@ -89,7 +89,7 @@ int best_number_of_threads(const std::vector<double>& shares) {
   for (int threads = 1; threads <= static_cast<int>(shares.size()); ++threads) {
     const double share = std::min(1.0, cores / (programs + threads));
     const double done = threads == static_cast<int>(shares.size()) ? all : threads * std::pow(share, threads);
-    if (done > worth_it * most) {
+    if (done > least_gain * most) {
       best = threads;
       most = done;
     }
@@ -99,7 +99,7 @@ int best_number_of_threads(const std::vector<double>& shares) {
 
 ThreadWatch::ThreadWatch() : start_{seconds_displaced(), seconds_now()} {}
 
-Crew::Time ThreadWatch::time() const {
+ThreadThrottle::Time ThreadWatch::time() const {
   return {seconds_displaced() - start_.displaced, wall()};
 }
 

@@ -1,88 +1,88 @@
-#include "crew.hpp"
+#include "thread_throttle.hpp"
 
 #include <gtest/gtest.h>
 
 namespace breccia::dynamics {
 namespace {
 
-TEST(Crew, IsWholeWhereEveryThreadHasACore) {
+TEST(ThreadThrottle, TakesAllWhereEveryThreadHasACore) {
   EXPECT_EQ(best_number_of_threads({1.0}), 1);
   EXPECT_EQ(best_number_of_threads({0.99, 1.0, 0.98, 1.0}), 4);
 }
 
-TEST(Crew, LeavesOutAThreadThatHasHalfACore) {
+TEST(ThreadThrottle, LeavesOutAThreadThatHasHalfACore) {
   // Two threads, half of the time, are no faster than one.
   EXPECT_EQ(best_number_of_threads({0.5, 1.0}), 1);
   EXPECT_EQ(best_number_of_threads({1.0, 1.0, 0.5, 1.0}), 3);
 }
 
-TEST(Crew, IsOneWhereNoThreadHasACore) {
+TEST(ThreadThrottle, TakesOneWhereNoThreadHasACore) {
   EXPECT_EQ(best_number_of_threads({0.5, 0.5, 0.5}), 1);
 }
 
-TEST(Crew, BearsProgramsThatTakeLittle) {
+TEST(ThreadThrottle, ToleratesProgramsThatTakeLittle) {
   EXPECT_EQ(best_number_of_threads({0.9, 0.9}), 2);
 }
 
-TEST(Crew, KnowsThatAThreadAloneHasMoreOfTheCores) {
+TEST(ThreadThrottle, KnowsThatAThreadAloneHasMoreOfTheCores) {
   // Beside one busy program each of two threads has two thirds of a core, but a thread alone has a whole one.
   EXPECT_EQ(best_number_of_threads({2.0 / 3.0, 2.0 / 3.0}), 1);
   EXPECT_EQ(best_number_of_threads({0.0, 0.0}), 1);
 }
 
-/// A crew of two at work: steps of so many seconds, of which its threads have a core for a share.
-class CrewOfTwo {
+/// Two threads at work: steps of so many seconds, of which its threads have a core for a share.
+class ThrottleOfTwo {
  public:
-  Crew crew{2};
+  ThreadThrottle throttle{2};
 
   void work(int steps, double seconds_each, double share) {
     const double wall = steps * seconds_each;
-    for (int thread = 0; thread < crew.threads(); ++thread) {
-      crew.add(static_cast<std::size_t>(thread), {(1.0 - share) * wall, wall});
+    for (int thread = 0; thread < throttle.threads(); ++thread) {
+      throttle.record(static_cast<std::size_t>(thread), {(1.0 - share) * wall, wall});
     }
-    crew.judge(steps);
+    throttle.adjust(steps);
   }
 };
 
-TEST(Crew, IsTriedAgainAsAWhole) {
-  CrewOfTwo two;
-  EXPECT_EQ(two.crew.threads(), 2);
+TEST(ThreadThrottle, TriesAllThreadsAgain) {
+  ThrottleOfTwo two;
+  EXPECT_EQ(two.throttle.threads(), 2);
   two.work(10, 0.01, 0.1);
-  EXPECT_EQ(two.crew.threads(), 1);
+  EXPECT_EQ(two.throttle.threads(), 1);
   int pieces = 0;
-  for (; two.crew.threads() == 1 && pieces < 100; ++pieces) two.work(100, 1e-3, 1.0);
+  for (; two.throttle.threads() == 1 && pieces < 100; ++pieces) two.work(100, 1e-3, 1.0);
   EXPECT_GE(pieces, 10);  // after a second of work at the earliest
-  EXPECT_EQ(two.crew.threads(), 2);
+  EXPECT_EQ(two.throttle.threads(), 2);
   // Alone now, and faster.
   for (int i = 0; i < 9; ++i) {
     two.work(100, 6e-4, 1.0);
-    EXPECT_EQ(two.crew.threads(), 2);
+    EXPECT_EQ(two.throttle.threads(), 2);
   }
 }
 
-TEST(Crew, StaysWholeOnlyWhereThatIsFaster) {
-  CrewOfTwo two;
-  const auto until_it_is_whole = [&two] {
+TEST(ThreadThrottle, KeepsAllThreadsOnlyWhereThatIsFaster) {
+  ThrottleOfTwo two;
+  const auto until_all_take_part = [&two] {
     two.work(10, 0.01, 0.1);
-    for (int i = 0; i < 100 && two.crew.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
-    ASSERT_EQ(two.crew.threads(), 2);
+    for (int i = 0; i < 100 && two.throttle.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
+    ASSERT_EQ(two.throttle.threads(), 2);
   };
   // The threads are not displaced, and slower than one of them for another reason.
-  until_it_is_whole();
+  until_all_take_part();
   two.work(100, 2e-3, 1.0);
-  EXPECT_EQ(two.crew.threads(), 1);
-  for (int i = 0; i < 100 && two.crew.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
+  EXPECT_EQ(two.throttle.threads(), 1);
+  for (int i = 0; i < 100 && two.throttle.threads() == 1; ++i) two.work(100, 1e-3, 0.7);
   // They are displaced, and faster all the same.
   two.work(100, 6e-4, 0.6);
-  EXPECT_EQ(two.crew.threads(), 2);
+  EXPECT_EQ(two.throttle.threads(), 2);
 }
 
-TEST(Crew, SpendsLittleOnTrials) {
+TEST(ThreadThrottle, SpendsLittleOnTrials) {
   // Where steps of two threads take a hundred times as long.
-  CrewOfTwo two;
+  ThrottleOfTwo two;
   double of_two = 0.0, of_one = 0.0;
   while (of_one < 1000.0) {
-    if (two.crew.threads() == 2) {
+    if (two.throttle.threads() == 2) {
       of_two += 1.0;
       two.work(10, 0.1, 0.2);
     } else {
@@ -94,10 +94,10 @@ TEST(Crew, SpendsLittleOnTrials) {
   EXPECT_LT(of_two, 0.06 * of_one);
 }
 
-TEST(Crew, DoesNotJudgeByAMoment) {
-  CrewOfTwo two;
+TEST(ThreadThrottle, DoesNotDecideByAMoment) {
+  ThrottleOfTwo two;
   two.work(1, 1e-3, 0.0);
-  EXPECT_EQ(two.crew.threads(), 2);
+  EXPECT_EQ(two.throttle.threads(), 2);
 }
 
 }  // namespace
