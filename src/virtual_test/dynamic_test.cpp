@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
@@ -217,11 +218,6 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
-}
-
-void save_result(StateWriter& state, const DynamicTestResult& result) {
-  save_domains(state, result.domains);
-  save(state, "/fields", std::span<const TimedFields>());
 }
 
 }  // namespace breccia
