@@ -11,12 +11,12 @@
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/study/microstructures.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "study/packing_state.hpp"
 #include "virtual_test/dynamic_state.hpp"
-#include "virtual_test/quasistatic_state.hpp"
 
 namespace {
 

@@ -8,6 +8,8 @@
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
+#include "breccia/virtual_test/dynamic_test_state.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include "field_files.hpp"

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/modulus_bounds.hpp"
 #include "breccia/virtual_test/time_domains.hpp"

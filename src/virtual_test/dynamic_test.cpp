@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
@@ -218,11 +219,6 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
-}
-
-void save_result(StateWriter& state, const DynamicTestResult& result) {
-  save_domains(state, result.domains);
-  save(state, "/fields", std::vector<TimedFields<2>>());
 }
 
 }  // namespace breccia

@@ -6,13 +6,14 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
+
+class Checkpoint;
 
 /// What a dynamic test is made on: relaxation under a displacement or periodic boundary, creep under a traction one.
 struct DynamicTest {
@@ -89,9 +90,6 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test);
 /// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {},
                                    Checkpoint* checkpoint = nullptr);
-
-/// Leaves a result, without its fields, as the state that run_dynamic_test takes up with nothing left to do.
-void save_result(StateWriter& state, const DynamicTestResult& result);
 
 /// Material points x steps per second that a run of this test does on this machine, from a short trial.
 double trial_speed(const DynamicTest& test);

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
 namespace breccia {
+
+class Checkpoint;
 
 /// How the quasi-static method goes through time.
 enum class Solver {
@@ -78,8 +79,5 @@ using QuasistaticObserver = std::function<void(const std::string& details, doubl
 /// tolerance defeats it.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
-
-/// Leaves a result, without its fields, as the state of a finished test.
-void save_result(StateWriter& state, const QuasistaticTestResult& result);
 
 }  // namespace breccia
