@@ -7,15 +7,15 @@
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/discretisation/point_fields_state.hpp"
+#include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
-#include "breccia/study/microstructures.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
 
+#include "homogenisation/packing_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
-#include "study/packing_state.hpp"
 #include "virtual_test/dynamic_state.hpp"
 
 namespace {

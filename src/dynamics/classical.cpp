@@ -423,5 +423,6 @@ Averages<dim> Classical<dim>::averages() const {
 }
 
 template class Classical<2>;
+template class Classical<3>;
 
 }  // namespace breccia::dynamics

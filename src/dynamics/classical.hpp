@@ -114,5 +114,6 @@ class Classical final : public DynamicSolver<dim> {
 };
 
 extern template class Classical<2>;
+extern template class Classical<3>;
 
 }  // namespace breccia::dynamics

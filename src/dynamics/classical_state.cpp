@@ -149,5 +149,12 @@ template PointFields<2> Classical<2>::fields() const;
 template Vector<2> Classical<2>::most_moved() const;
 template void Classical<2>::save_arrays(StateWriter&, const std::string&) const;
 template void Classical<2>::restore_arrays(const StateReader&, const std::string&);
+template Vector<3> Classical<3>::momentum() const;
+template Energy Classical<3>::energy() const;
+template Footprint Classical<3>::footprint() const;
+template PointFields<3> Classical<3>::fields() const;
+template Vector<3> Classical<3>::most_moved() const;
+template void Classical<3>::save_arrays(StateWriter&, const std::string&) const;
+template void Classical<3>::restore_arrays(const StateReader&, const std::string&);
 
 }  // namespace breccia::dynamics

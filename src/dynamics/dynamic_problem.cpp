@@ -14,10 +14,6 @@
 
 namespace breccia {
 
-std::string_view name_of(Formulation formulation) {
-  return formulation == Formulation::classical ? "classical" : "total-lagrangian";
-}
-
 StrainRamp::StrainRamp(double duration) : duration_(duration) {
   if (!(duration >= 0.0)) throw InputError(fmt::format("strain ramp: a duration of {} s is negative", duration));
 }

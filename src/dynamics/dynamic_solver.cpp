@@ -90,6 +90,7 @@ void DynamicSolver<dim>::require_elastic() const {
 }
 
 template class DynamicSolver<2>;
+template class DynamicSolver<3>;
 
 std::unique_ptr<DynamicSolver<2>> make_dynamic_solver(Formulation formulation, DynamicProblem<2> problem, int threads,
                                                       InstructionSet instructions) {

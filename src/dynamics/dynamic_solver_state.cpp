@@ -17,5 +17,7 @@ void DynamicSolver<dim>::restore(const StateReader& state, const std::string& gr
 
 template void DynamicSolver<2>::save(StateWriter&, const std::string&) const;
 template void DynamicSolver<2>::restore(const StateReader&, const std::string&);
+template void DynamicSolver<3>::save(StateWriter&, const std::string&) const;
+template void DynamicSolver<3>::restore(const StateReader&, const std::string&);
 
 }  // namespace breccia

@@ -1,3 +1,5 @@
+#include "classical.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -68,6 +70,36 @@ TEST(MovingPoints, LeavingTheGridStopsTheRun) {
   const auto run = travelling_body([](const Vector<2>&) { return Vector<2>{-100.0, 0.0}; });
   std::vector<Averages<2>> averages;
   EXPECT_THROW(run->advance(200, averages), NumericalError);
+}
+
+/// A homogeneous cube that is strained at once as a whole shows the modulus of the load, and has no momentum.
+TEST(ClassicalInThreeDimensions, HomogeneousCubeShowsItsModuli) {
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
+      DynamicProblem<3> problem{Discretisation<3>(Grid<3>{{3, 4, 2}, 1e-3}), {soft}};
+      problem.volumetric = volumetric;
+      problem.boundary = Boundary::periodic;
+      problem.load = unit_strain<3>(load);
+      problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
+      problem.ramp = StrainRamp(20.0 * problem.time_step);
+      dynamics::Classical<3> run(problem, 1);
+      std::vector<Averages<3>> averages;
+      run.advance(40, averages);
+      const double modulus = (load == Load::bulk ? soft.bulk : soft.shear).equilibrium();
+      EXPECT_NEAR(modulus_of(load, averages.back().stress) / modulus, 1.0, 1e-5);
+      for (int place = 0; place < 6; ++place) {
+        EXPECT_NEAR(component(averages.back().strain, place), component(problem.load, place), 1e-5);
+      }
+      const auto energy = run.energy();
+      const double volume = problem.discretisation.grid().volume();
+      EXPECT_NEAR(energy.strain / (0.5 * modulus * volume), 1.0, 1e-5);
+      const auto fields = run.fields();
+      const double pressure = load == Load::bulk ? modulus : 0.0;
+      for (const auto& [xx, yy, zz, yz, zx, xy] : fields.stress) {
+        EXPECT_NEAR(xx + yy + zz, 3.0 * pressure, 1e-4 * modulus);
+      }
+    }
+  }
 }
 
 class Agreement : public testing::TestWithParam<Volumetric> {};

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+
 #include "breccia/discretisation/tensor.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -10,6 +13,10 @@ enum class Load {
   diagonal_shear,  ///< pure shear of the diagonals, xx - yy; the modulus is G
   bulk             ///< equal strain along all axes; the modulus is K, in plane strain K + G / 3
 };
+
+template <>
+inline constexpr auto words<Load> =
+    std::to_array<Word<Load>>({{"shear", Load::shear}, {"shear-xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}});
 
 /// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it.
 template <int dim>

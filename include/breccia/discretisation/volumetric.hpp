@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+
+#include "breccia/words.hpp"
+
 namespace breccia {
 
 /// Which volumetric strain the stress of a material point depends on.
@@ -7,5 +11,9 @@ enum class Volumetric {
   averaged,  ///< the mean over the cell (B-bar, mean dilatation): does not lock
   standard   ///< the point's own (full integration), as in the paper: locks where the matrix is nearly incompressible
 };
+
+template <>
+inline constexpr auto words<Volumetric> = std::to_array<Word<Volumetric>>({{"averaged", Volumetric::averaged},
+                                                                           {"standard", Volumetric::standard}});
 
 }  // namespace breccia

@@ -104,6 +104,7 @@ class DynamicSolver {
 };
 
 extern template class DynamicSolver<2>;
+extern template class DynamicSolver<3>;
 
 /// A solver for the problem. `threads` = 0 takes all that OpenMP offers; the results depend neither on it nor on the
 /// instructions of the total-lagrangian formulation, which this processor must have.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/virtual_test/curve.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -20,11 +22,19 @@ enum class Solver {
   stepping  ///< step by step in log time: the reference, and the way where filler relaxes
 };
 
+template <>
+inline constexpr auto words<Solver> = std::to_array<Word<Solver>>({{"reduced", Solver::reduced},
+                                                                   {"stepping", Solver::stepping}});
+
 /// Over which moduli of the matrix a reduced response is sampled.
 enum class SampledRange {
   matrix,  ///< all that the matrix shows from unrelaxed to relaxed: every temperature can be answered
   times    ///< those that count at the times wanted
 };
+
+template <>
+inline constexpr auto words<SampledRange> = std::to_array<Word<SampledRange>>({{"matrix", SampledRange::matrix},
+                                                                               {"times", SampledRange::times}});
 
 /// Settings of the quasi-static method.
 struct QuasistaticOptions {
