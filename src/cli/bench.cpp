@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/benchmark/kernel_benchmark.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "bench_results.hpp"
@@ -67,7 +68,7 @@ std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
   std::vector<KernelCase> cases;
   const auto add = [&](Formulation formulation, InstructionSet instructions) {
     for (const double points : points_of(arguments, formulation)) {
-      const auto cells = static_cast<int>(std::lround(std::sqrt(points / points_per_cell)));
+      const auto cells = static_cast<int>(std::lround(std::sqrt(points / CellShape<2>::points)));
       for (const int terms : arguments.terms) {
         for (const int threads : threads_of(arguments))
           cases.push_back({formulation, instructions, cells, terms, threads});
