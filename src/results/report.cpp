@@ -41,9 +41,9 @@ Json json_of(const StoredResponses::Entry& entry) {
   return {{"load", name_of(response.load)},
           {"boundary", name_of(response.boundary)},
           {"cells", entry.cells},
-          {"filler_Pa", json_of(response.filler)},
-          {"matrix_shear", json_of(response.matrix_shear)},
-          {"matrix_bulk", json_of(response.matrix_bulk)},
+          {"filler_Pa", json_of(response.constant)},
+          {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
+          {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
           {"load_forces", std::vector<double>(response.load_forces.begin(), response.load_forces.end())},
           {"snapshots", std::move(snapshots)}};
 }

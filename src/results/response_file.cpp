@@ -31,9 +31,9 @@ Eigen::MatrixXd read_matrix(const Hdf5Reader& file, const std::string& name) {
 }
 
 void write_response(Hdf5Writer& file, const std::string& group, const ReducedResponse& response) {
-  write_matrix(file, group + "/filler_Pa", response.filler);
-  write_matrix(file, group + "/matrix_shear", response.matrix_shear);
-  write_matrix(file, group + "/matrix_bulk", response.matrix_bulk);
+  write_matrix(file, group + "/filler_Pa", response.constant);
+  write_matrix(file, group + "/matrix_shear", response.part(ElasticModulus::shear));
+  write_matrix(file, group + "/matrix_bulk", response.part(ElasticModulus::bulk));
   write_matrix(file, group + "/load_forces", response.load_forces);
   write_matrix(file, group + "/residual_products", response.residual_products);
   Eigen::MatrixXd snapshots(static_cast<Eigen::Index>(response.snapshots.size()), 3);
@@ -51,12 +51,12 @@ void require(bool is_so, const std::string& group, const char* expected) {
 
 /// All parts of a response belong to bases of one size.
 void require_consistent(const ReducedResponse& response, const std::string& group) {
-  const auto size = response.filler.rows();
+  const auto size = response.constant.rows();
   const auto is_square = [size](const Eigen::MatrixXd& matrix) {
     return matrix.rows() == size && matrix.cols() == size;
   };
-  const bool fits = size > 0 && is_square(response.filler) && is_square(response.matrix_shear) &&
-                    is_square(response.matrix_bulk) && response.load_forces.size() == size &&
+  const bool fits = size > 0 && is_square(response.constant) && is_square(response.part(ElasticModulus::shear)) &&
+                    is_square(response.part(ElasticModulus::bulk)) && response.load_forces.size() == size &&
                     response.residual_products.rows() == 3 * size + 1 &&
                     response.residual_products.cols() == 3 * size + 1 && !response.snapshots.empty();
   require(fits, group, "matrices of one size");
@@ -70,9 +70,8 @@ int read_cells(const std::string& name, const std::string& group) {
 
 ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) {
   ReducedResponse response;
-  response.filler = read_matrix(file, group + "/filler_Pa");
-  response.matrix_shear = read_matrix(file, group + "/matrix_shear");
-  response.matrix_bulk = read_matrix(file, group + "/matrix_bulk");
+  response.constant = read_matrix(file, group + "/filler_Pa");
+  response.parts = matrix_parts(read_matrix(file, group + "/matrix_shear"), read_matrix(file, group + "/matrix_bulk"));
   response.load_forces = read_matrix(file, group + "/load_forces");
   response.residual_products = read_matrix(file, group + "/residual_products");
   response.residual_scale = file.attribute<double>(group, "residual_scale");

@@ -29,10 +29,11 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
           .linear = test.options.linear};
 }
 
-/// Moduli of the matrix [Pa] for which the reduced response is to be good, from stiff to soft.
-std::vector<Moduli> sampled_path(const QuasistaticTest& test) {
+/// Training set of the reduced basis: moduli of the matrix [Pa], from stiff to soft.
+std::vector<Moduli> training_set(const QuasistaticTest& test) {
   const auto& matrix = test.materials.front();
-  // Where a fit stands for the matrix it is somewhat off the moduli that it was made from: both count.
+  // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
+  // training set has both.
   auto path = carson_path(matrix, test.times);
   if (test.options.range == SampledRange::times) return path;
   const auto whole = test.matrix_moduli.empty() ? relaxation_path(matrix, test.times) : test.matrix_moduli;
@@ -44,7 +45,7 @@ std::vector<Moduli> sampled_path(const QuasistaticTest& test) {
 void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                  Checkpoint* checkpoint) {
   const auto& matrix = test.materials.front();
-  const auto path = sampled_path(test);
+  const auto path = training_set(test);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
   auto sampled = sample_responses(
       problem_of(test), 0, test.loads, path, test.options.sampling,
@@ -109,7 +110,7 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
 void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                   Checkpoint* checkpoint) {
   auto steps = step_times(test);
-  // The first time wanted is an end of the curve, and need not be one of the steps; nor need those of fields.
+  // The first time of the curve and the times of the fields are added to the steps.
   make_step_at(steps, test.times.begin);
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
@@ -132,7 +133,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
       values.push_back(found.values[step]);
       response.error_estimate = std::max(response.error_estimate, found.error_estimates[step]);
     }
-    // Of all steps, for what came before the first time wanted counts in the conversion of creep.
+    // All steps are converted: creep before the first time of the curve has an influence on the modulus.
     if (test.boundary == Boundary::traction) {
       const auto fit = fit_creep(steps, found.values);
       response.series = relaxation_modulus(fit.compliance);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -20,26 +23,58 @@ struct Snapshot {
   double error_before = 0.0;
 };
 
-/// The stiffness of one microstructure with elastic filler under one load and boundary condition, as a function of the
-/// shear modulus G and bulk modulus K of the matrix: the Galerkin projection of K(G, K) = A + G B + K C on a reduced
-/// basis of r vectors (theory, Eq. 18). The modulus of the projection is never below that of the unreduced composite,
-/// under any boundary condition.
+/// A modulus of an isotropic solid.
+enum class ElasticModulus { shear, bulk };
+
+/// Name of the phase that a composite's matrix is.
+inline constexpr std::string_view matrix_phase = "matrix";
+
+/// A modulus of a phase.
+struct PhaseModulus {
+  std::string phase;
+  ElasticModulus modulus = ElasticModulus::shear;
+
+  friend bool operator==(const PhaseModulus&, const PhaseModulus&) = default;
+};
+
+/// One part K_i of the affine stiffness K(p) = K_0 + sum_i p_i K_i of a reduced basis with r vectors.
+struct AffinePart {
+  PhaseModulus parameter;     ///< whose modulus p_i is
+  Eigen::MatrixXd stiffness;  ///< K_i, the stiffness of a unit modulus: r x r [-]
+};
+
+/// The two parts of a composite in which the shear and the bulk modulus of the matrix vary.
+std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk);
+
+/// The stiffness of one microstructure under one load and boundary condition as an affine function of the moduli p_i
+/// that vary, such as those of the matrix: the Galerkin projection of K(p) = K_0 + sum_i p_i K_i on a reduced basis of
+/// r vectors (theory, Eq. 18). The modulus of the projection is never below that of the unreduced composite, under any
+/// boundary condition. Parameters p_i are in Pa and in the order of the parts; where the moduli of the matrix alone
+/// vary, they can be given as such.
 struct ReducedResponse {
   Load load = Load::shear;
   Boundary boundary = Boundary::displacement;
-  Eigen::MatrixXd filler;        ///< A, r x r
-  Eigen::MatrixXd matrix_shear;  ///< B, r x r
-  Eigen::MatrixXd matrix_bulk;   ///< C, r x r
-  Eigen::VectorXd load_forces;   ///< e, r; the compliance is e' K^-1 e
-  /// Scalar products of the parts of the residual, A v, B v and C v of the r vectors v, and of the load: 3 r + 1
-  /// square.
+  Eigen::MatrixXd constant;       ///< K_0, the stiffness of the elastic phases: r x r [Pa]
+  std::vector<AffinePart> parts;  ///< K_i
+  Eigen::VectorXd load_forces;    ///< e, r; the compliance is e' K^-1 e
+  /// Scalar products of the parts of the residual, with n parts and the r vectors v: K_0 v, then K_i v part by part,
+  /// then the load; (n + 1) r + 1 square.
   Eigen::MatrixXd residual_products;
   double residual_scale = 0.0;  ///< largest ratio of a measured error to its estimate from the residual [-]
   std::vector<Snapshot> snapshots;
 
-  /// Modulus of the composite [Pa] with an elastic matrix of these moduli [Pa].
+  /// K_i of a modulus of the matrix. Throws InputError when the response has no such part.
+  [[nodiscard]] const Eigen::MatrixXd& part(ElasticModulus modulus) const;
+  /// Parameters p_i for a matrix of these moduli [Pa]. Throws InputError when moduli of another phase vary too.
+  [[nodiscard]] std::vector<double> parameters(const Moduli& matrix) const;
+
+  /// K(p), r x r [Pa].
+  [[nodiscard]] Eigen::MatrixXd stiffness(std::span<const double> parameters) const;
+  /// Modulus of the elastic composite [Pa].
+  [[nodiscard]] double modulus(std::span<const double> parameters) const;
   [[nodiscard]] double modulus(const Moduli& matrix) const;
   /// Estimate of the relative error of that modulus, from the residual of the reduced solution [-].
+  [[nodiscard]] double error_estimate(std::span<const double> parameters) const;
   [[nodiscard]] double error_estimate(const Moduli& matrix) const;
 };
 

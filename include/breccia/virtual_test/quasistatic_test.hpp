@@ -16,20 +16,20 @@ namespace breccia {
 
 class Checkpoint;
 
-/// How the quasi-static method goes through time.
+/// How the quasi-static method integrates through time.
 enum class Solver {
-  reduced,  ///< a few elastic solutions span all times: exact poles
-  stepping  ///< step by step in log time: the reference, and the way where filler relaxes
+  reduced,  ///< reduced basis of a few elastic solutions, with exact poles in time
+  stepping  ///< log-time stepping: the reference, and the only method when a filler relaxes
 };
 
 template <>
 inline constexpr auto words<Solver> = std::to_array<Word<Solver>>({{"reduced", Solver::reduced},
                                                                    {"stepping", Solver::stepping}});
 
-/// Over which moduli of the matrix a reduced response is sampled.
+/// Training set of a reduced response: moduli of the matrix.
 enum class SampledRange {
-  matrix,  ///< all that the matrix shows from unrelaxed to relaxed: every temperature can be answered
-  times    ///< those that count at the times wanted
+  matrix,  ///< the whole relaxation of the matrix: the response then holds for every temperature
+  times    ///< the moduli that matter at the times of the test
 };
 
 template <>
@@ -42,32 +42,33 @@ struct QuasistaticOptions {
   SampledRange range = SampledRange::matrix;  ///< of the reduced solver
   Volumetric volumetric = Volumetric::averaged;
   SamplingOptions sampling = {};  ///< of the reduced solver
-  int steps_per_decade = 20;      ///< of the stepping solver
+  int steps_per_decade = 20;      ///< time steps of the stepping solver
   LinearOptions linear = {};
 };
 
-/// What a quasi-static test is made on. The matrix is material 0.
+/// A quasi-static test: the composite, its loads and what is wanted. The matrix is material 0.
 struct QuasistaticTest {
   Discretisation<2> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
-  /// Moduli [Pa] that the matrix shows over the whole of its relaxation, from stiff to soft, where its series does not
-  /// tell them: that of a composite is a fit to some times. Empty: those of its series. For SampledRange::matrix alone.
+  /// Carson moduli [Pa] of the matrix over its whole relaxation, from stiff to soft. They are given when the matrix is
+  /// itself a composite, whose series is a fit to some times alone; empty, they follow from its series. Used with
+  /// SampledRange::matrix alone.
   std::vector<Moduli> matrix_moduli = {};
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
-  TimeWindow times;                      ///< wanted [s]
+  TimeWindow times;                      ///< times of the curves [s]
   int points_per_decade = 20;            ///< of the curves
-  std::vector<double> field_times = {};  ///< at which the fields of the first load are wanted, rising [s]
+  std::vector<double> field_times = {};  ///< rising times at which fields of the first load are wanted [s]
   QuasistaticOptions options = {};
 };
 
-/// The answer to one load.
+/// The response to one load.
 struct QuasistaticResponse {
   Load load = Load::shear;
-  Curve modulus;       ///< relaxation modulus at logarithmic times; from creep by interconversion
-  Creep compliance;    ///< creep compliance at the same times, of a traction boundary alone
-  PronySeries series;  ///< exact by the reduced solver; a fit by the stepping one
-  /// Largest, relative, by the method in time; of the reduced solver over all moduli of the matrix sampled [-].
+  Curve modulus;       ///< relaxation modulus at logarithmic times; under a traction boundary by interconversion
+  Creep compliance;    ///< creep compliance at the same times, under a traction boundary alone
+  PronySeries series;  ///< relaxation modulus; exact with the reduced solver, a fit with the stepping solver
+  /// Largest estimated relative error [-]: of the reduced basis over the training set, or of the time steps.
   double error_estimate = 0.0;
   std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-]
   std::optional<ReducedResponse> reduced = {};
@@ -75,18 +76,19 @@ struct QuasistaticResponse {
 
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, on the others zero
+  std::vector<TimedFields<2>> fields;             ///< of the first load; on the first process, zero on the others
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time
 };
 
-/// Told what is going on, and the share of the test that is done, 0 to 1. What it throws ends the test.
+/// Is called with a description of the present work and the finished share of the test, 0 to 1. An exception that it
+/// throws ends the test.
 using QuasistaticObserver = std::function<void(const std::string& details, double share)>;
 
-/// With a checkpoint the test leaves its state there when that is due, and goes on from what is there: the same bits as
-/// in one go; of a test that is finished the result without its fields.
-/// Throws InputError for an incomplete test or fields outside its times, NumericalError when a linear system or the
-/// tolerance defeats it.
+/// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with the same
+/// bits as in one run; a finished test returns its result without the fields.
+/// Throws InputError for an incomplete test or field times outside its times, NumericalError when a linear system
+/// cannot be solved or the tolerance cannot be met.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
 

@@ -15,15 +15,15 @@ double carson_modulus(const PronySeries& series, double s) {
   return modulus;
 }
 
-/// Adds moduli to a path where one of the two has changed by more than a share of it.
-void append(std::vector<Moduli>& path, const Moduli& moduli, double share) {
+/// Adds moduli to a path if one of the two differs from the last point by more than a relative change.
+void append(std::vector<Moduli>& path, const Moduli& moduli, double least) {
   // The bulk modulus of a stage's result may rise while the shear modulus falls.
   const double change =
       std::max(std::abs(moduli.bulk / path.back().bulk - 1.0), std::abs(moduli.shear / path.back().shear - 1.0));
-  if (change > share) path.push_back(moduli);
+  if (change > least) path.push_back(moduli);
 }
 
-/// Goes on with a path from one Laplace variable, which is on it, down to another.
+/// Continues a path from one Laplace variable, whose moduli are its last point, down to another.
 void append_between(std::vector<Moduli>& path, const Material& material, double first, double last) {
   constexpr double per_decade = 8.0;
   const int count = static_cast<int>(std::ceil(per_decade * std::log10(first / last)));
@@ -33,7 +33,7 @@ void append_between(std::vector<Moduli>& path, const Material& material, double 
   }
 }
 
-/// Relaxation times [s] of a material and a window: all that lies between is of interest.
+/// A time window [s] that is widened to include the relaxation times of a material, with a factor beyond them.
 TimeWindow widened(const Material& material, TimeWindow window, double beyond) {
   for (const auto* series : {&material.bulk, &material.shear}) {
     for (const auto& term : series->terms()) {

@@ -41,16 +41,16 @@ struct Network {
 
 Network network_of(const ReducedResponse& response, const Material& matrix) {
   const auto stiffness = [&](const Moduli& moduli) -> Eigen::MatrixXd {
-    return moduli.shear * response.matrix_shear + moduli.bulk * response.matrix_bulk;
+    return moduli.shear * response.part(ElasticModulus::shear) + moduli.bulk * response.part(ElasticModulus::bulk);
   };
-  const Eigen::MatrixXd unrelaxed = response.filler + stiffness({matrix.bulk.unrelaxed(), matrix.shear.unrelaxed()});
+  const Eigen::MatrixXd unrelaxed = response.constant + stiffness({matrix.bulk.unrelaxed(), matrix.shear.unrelaxed()});
   const double rounding = 1e-16 * unrelaxed.diagonal().maxCoeff();
-  const auto size = response.filler.rows();
+  const auto size = response.constant.rows();
   Network network = {.terms = terms_of(matrix), .springs = {}, .rates = {}};
   network.rates.resize(static_cast<Eigen::Index>(network.terms.size()) * size);
   network.springs.resize(size + network.dashpots(), size);
   network.springs.topRows(size) =
-      square_root(response.filler + stiffness({matrix.bulk.equilibrium(), matrix.shear.equilibrium()}), rounding);
+      square_root(response.constant + stiffness({matrix.bulk.equilibrium(), matrix.shear.equilibrium()}), rounding);
   Eigen::Index row = 0;
   for (const auto& [time, moduli] : network.terms) {
     network.springs.middleRows(size + row, size) = square_root(stiffness(moduli), rounding);

@@ -1,6 +1,5 @@
 #include "reduced/reduced_basis.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -31,24 +30,16 @@ double product(const Forces& a, const Forces& b) {
 
 }  // namespace
 
-std::vector<Moduli> StiffnessParts::with(const Moduli& matrix) const {
-  auto moduli = filler;
-  for (std::size_t m = 0; m < moduli.size(); ++m) {
-    moduli[m].bulk += matrix.bulk * matrix_bulk[m].bulk;
-    moduli[m].shear += matrix.shear * matrix_shear[m].shear;
-  }
-  return moduli;
-}
-
-ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const StiffnessParts& parts, Load load,
+ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const AffineStiffness& stiffness, Load load,
                            const Moduli& reference)
     : elastic_operator_(&elastic_operator),
-      parts_(&parts),
+      stiffness_(&stiffness),
       load_(load),
       reference_(reference),
       load_forces_(elastic_operator.load_forces(load)) {
   response_.load = load;
   response_.boundary = elastic_operator.boundary();
+  for (const auto& part : stiffness.parts) response_.parts.push_back({part.parameter, {}});
   // With the square root of the area, e' K^-1 e is a compliance [1/Pa].
   load_forces_.scale(1.0 / std::sqrt(elastic_operator.volume()));
   if (elastic_operator.boundary() != Boundary::traction)
@@ -57,7 +48,7 @@ ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const Sti
 }
 
 Forces ReducedBasis::reference_forces(const Displacement& displacement) const {
-  return elastic_operator_->forces(parts_->with(reference_), load_, displacement);
+  return elastic_operator_->forces(stiffness_->moduli_at(response_.parameters(reference_)), load_, displacement);
 }
 
 /// Orthonormalises a vector against the others (Gram-Schmidt). False when it lies in their span.
@@ -92,23 +83,25 @@ void ReducedBasis::extend(Displacement candidate) {
 void ReducedBasis::extend_projection() {
   auto& response = response_;
   const auto last = static_cast<Eigen::Index>(vectors_.size()) - 1;
-  const auto extend = [&](Eigen::MatrixXd& projection, const std::vector<Moduli>& part) {
+  const auto extend = [&](Eigen::MatrixXd& projection, const std::vector<Moduli>& moduli) {
     enlarge(projection);
-    const auto forces = elastic_operator_->forces(part, load_, vectors_.back());
+    const auto forces = elastic_operator_->forces(moduli, load_, vectors_.back());
     for (Eigen::Index i = 0; i <= last; ++i) {
       projection(i, last) = projection(last, i) = work(forces, vectors_[static_cast<std::size_t>(i)]);
     }
   };
-  extend(response.filler, parts_->filler);
-  extend(response.matrix_shear, parts_->matrix_shear);
-  extend(response.matrix_bulk, parts_->matrix_bulk);
+  extend(response.constant, stiffness_->constant);
+  for (std::size_t i = 0; i < response.parts.size(); ++i) {
+    extend(response.parts[i].stiffness, stiffness_->parts[i].unit);
+  }
   response.load_forces.conservativeResize(last + 1);
   response.load_forces[last] = work(load_forces_, vectors_.back());
 }
 
-/// Scalar products of the parts of the residual, in the order A v, B v, C v, load.
+/// Scalar products of the parts of the residual: K_0 v of all vectors v, then K_i v for each part, then the load.
 void ReducedBasis::extend_residual_products() {
-  const std::array parts = {&parts_->filler, &parts_->matrix_shear, &parts_->matrix_bulk};
+  std::vector<const std::vector<Moduli>*> parts = {&stiffness_->constant};
+  for (const auto& part : stiffness_->parts) parts.push_back(&part.unit);
   const auto count = static_cast<Eigen::Index>(parts.size());
   const auto size = static_cast<Eigen::Index>(vectors_.size()), last = size - 1;
   Eigen::MatrixXd products(count * size + 1, count * size + 1);
@@ -145,10 +138,7 @@ void ReducedBasis::extend_residual_products() {
 
 Displacement ReducedBasis::approximation(const Moduli& matrix) const {
   if (vectors_.empty()) return elastic_operator_->zero();
-  const Eigen::VectorXd weights =
-      (response_.filler + matrix.shear * response_.matrix_shear + matrix.bulk * response_.matrix_bulk)
-          .ldlt()
-          .solve(response_.load_forces);
+  const Eigen::VectorXd weights = response_.stiffness(response_.parameters(matrix)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
   // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise.
   const bool is_strained = elastic_operator_->boundary() != Boundary::traction;

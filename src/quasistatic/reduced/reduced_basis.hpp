@@ -7,18 +7,9 @@
 #include "breccia/quasistatic/reduced_response.hpp"
 
 #include "operator/elastic_operator.hpp"
+#include "reduced/affine_stiffness.hpp"
 
 namespace breccia::quasistatic {
-
-/// The three parts of the stiffness A + G B + K C, each as the moduli by material of which it is the stiffness.
-struct StiffnessParts {
-  std::vector<Moduli> filler;        ///< A: the moduli of the filler; the matrix has none
-  std::vector<Moduli> matrix_shear;  ///< B: a unit shear modulus of the matrix alone
-  std::vector<Moduli> matrix_bulk;   ///< C: a unit bulk modulus of the matrix alone
-
-  /// Moduli by material of A + G B + K C.
-  [[nodiscard]] std::vector<Moduli> with(const Moduli& matrix) const;
-};
 
 /// The reduced basis of one load, and the Galerkin projection of the stiffness on it. Its vectors are the uniform
 /// strain of the load and the solutions for the moduli of the snapshots, orthonormal in the energy of a composite with
@@ -28,14 +19,15 @@ struct StiffnessParts {
 /// The forces of the vectors are not stored: computing them again is cheap.
 class ReducedBasis {
  public:
-  ReducedBasis(const ElasticOperator<2>& elastic_operator, const StiffnessParts& parts, Load load,
+  ReducedBasis(const ElasticOperator<2>& elastic_operator, const AffineStiffness& stiffness, Load load,
                const Moduli& reference);
 
   [[nodiscard]] Load load() const noexcept { return load_; }
   [[nodiscard]] const Forces& load_forces() const noexcept { return load_forces_; }
   [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
 
-  /// The reduced solution for a matrix of these moduli [Pa], scaled to the prescribed strain; zero for an empty basis.
+  /// The reduced solution for a matrix of these moduli [Pa], a guess for the solver: under the prescribed strain or,
+  /// under a traction boundary, under the traction over the square root of the area. Zero for an empty basis.
   [[nodiscard]] Displacement approximation(const Moduli& matrix) const;
   /// Linear combination of the vectors with these weights.
   [[nodiscard]] Displacement combination(const Eigen::VectorXd& weights) const;
@@ -54,7 +46,7 @@ class ReducedBasis {
   void extend_residual_products();
 
   const ElasticOperator<2>* elastic_operator_;
-  const StiffnessParts* parts_;
+  const AffineStiffness* stiffness_;
   Load load_;
   Moduli reference_;
   Forces load_forces_;

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "reduced/network.hpp"
@@ -11,17 +16,32 @@
 namespace breccia {
 namespace {
 
-Eigen::VectorXd reduced_solution(const ReducedResponse& response, const Moduli& matrix) {
-  return (response.filler + matrix.shear * response.matrix_shear + matrix.bulk * response.matrix_bulk)
-      .ldlt()
-      .solve(response.load_forces);
+Eigen::VectorXd reduced_solution(const ReducedResponse& response, std::span<const double> parameters) {
+  return response.stiffness(parameters).ldlt().solve(response.load_forces);
 }
 
-/// The weights of the parts of the residual in it: of A v, B v and C v, and of the load.
-Eigen::VectorXd residual_weights(const Eigen::VectorXd& solution, const Moduli& matrix) {
-  Eigen::VectorXd weights(3 * solution.size() + 1);
-  weights << solution, matrix.shear * solution, matrix.bulk * solution, -1.0;
+/// Weights of the parts of the residual: of K_0 v for all vectors v, of K_i v for each part, and of the load.
+Eigen::VectorXd residual_weights(const Eigen::VectorXd& solution, std::span<const double> parameters) {
+  const auto size = solution.size();
+  Eigen::VectorXd weights((static_cast<Eigen::Index>(parameters.size()) + 1) * size + 1);
+  weights.head(size) = solution;
+  Eigen::Index row = size;
+  for (const double parameter : parameters) {
+    weights.segment(row, size) = parameter * solution;
+    row += size;
+  }
+  weights[row] = -1.0;
   return weights;
+}
+
+/// The part of the residual that the basis leaves is held by the phases that vary: the softest of them has this shear
+/// modulus [Pa].
+double softest_shear(const ReducedResponse& response, std::span<const double> parameters) {
+  double softest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (response.parts[i].parameter.modulus == ElasticModulus::shear) softest = std::min(softest, parameters[i]);
+  }
+  return softest;
 }
 
 /// 1 / (p + q G) is the compliance of a solid with the relaxation modulus p + q G(t).
@@ -33,11 +53,11 @@ PronySeries combined(double p, double q, const PronySeries& series) {
 
 /// With an elastic bulk modulus the compliance is a sum of simple poles in G (theory, Eq. 19).
 CreepCompliance sum_of_poles(const ReducedResponse& response, double bulk, const PronySeries& shear) {
-  const Eigen::MatrixXd fixed = response.filler + bulk * response.matrix_bulk;
+  const Eigen::MatrixXd fixed = response.constant + bulk * response.part(ElasticModulus::bulk);
   // The basis is orthonormal for the matrix of the first snapshot.
   const double reference = response.snapshots.front().matrix.shear;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(fixed,
-                                                                        fixed + reference * response.matrix_shear);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      fixed, fixed + reference * response.part(ElasticModulus::shear));
   double instantaneous = 0.0, fluidity = 0.0;
   std::vector<RetardationTerm> terms;
   for (Eigen::Index k = 0; k < modes.eigenvalues().size(); ++k) {
@@ -53,24 +73,64 @@ CreepCompliance sum_of_poles(const ReducedResponse& response, double bulk, const
 
 }  // namespace
 
+std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk) {
+  const std::string phase(matrix_phase);
+  return {{{phase, ElasticModulus::shear}, std::move(shear)}, {{phase, ElasticModulus::bulk}, std::move(bulk)}};
+}
+
+const Eigen::MatrixXd& ReducedResponse::part(ElasticModulus modulus) const {
+  const PhaseModulus wanted = {std::string(matrix_phase), modulus};
+  const auto found = std::ranges::find(parts, wanted, &AffinePart::parameter);
+  if (found == parts.end()) throw InputError("reduced response: no part of its stiffness belongs to the matrix");
+  return found->stiffness;
+}
+
+std::vector<double> ReducedResponse::parameters(const Moduli& matrix) const {
+  std::vector<double> parameters;
+  parameters.reserve(parts.size());
+  for (const auto& [parameter, stiffness] : parts) {
+    if (parameter.phase != matrix_phase) {
+      throw InputError(
+          fmt::format("reduced response: the moduli of {} vary too, not those of the matrix alone", parameter.phase));
+    }
+    parameters.push_back(parameter.modulus == ElasticModulus::shear ? matrix.shear : matrix.bulk);
+  }
+  return parameters;
+}
+
+Eigen::MatrixXd ReducedResponse::stiffness(std::span<const double> parameters) const {
+  Eigen::MatrixXd sum = constant;
+  for (std::size_t i = 0; i < parts.size(); ++i) sum += parameters[i] * parts[i].stiffness;
+  return sum;
+}
+
+double ReducedResponse::modulus(std::span<const double> parameters) const {
+  return 1.0 / load_forces.dot(reduced_solution(*this, parameters));
+}
+
 double ReducedResponse::modulus(const Moduli& matrix) const {
-  return 1.0 / load_forces.dot(reduced_solution(*this, matrix));
+  return modulus(parameters(matrix));
+}
+
+double ReducedResponse::error_estimate(std::span<const double> parameters) const {
+  const Eigen::VectorXd solution = reduced_solution(*this, parameters);
+  const auto residual = residual_weights(solution, parameters);
+  const double squared = std::max(0.0, residual.dot(residual_products * residual));
+  // The error of e' K^-1 e is r' K^-1 r.
+  return residual_scale * squared / (softest_shear(*this, parameters) * load_forces.dot(solution));
 }
 
 double ReducedResponse::error_estimate(const Moduli& matrix) const {
-  const Eigen::VectorXd weights = reduced_solution(*this, matrix);
-  const auto residual = residual_weights(weights, matrix);
-  const double squared = std::max(0.0, residual.dot(residual_products * residual));
-  // The error of e' K^-1 e is r' K^-1 r. What is left of r is held by the matrix, as stiff as its shear modulus.
-  return residual_scale * squared / (matrix.shear * load_forces.dot(weights));
+  return error_estimate(parameters(matrix));
 }
 
 double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, const Moduli& matrix) {
   constexpr double rounding = 4e-16;
-  const auto solution = reduced_solution(response, matrix);
-  const Eigen::VectorXd weights = residual_weights(solution, matrix).cwiseAbs();
+  const auto parameters = response.parameters(matrix);
+  const auto solution = reduced_solution(response, parameters);
+  const Eigen::VectorXd weights = residual_weights(solution, parameters).cwiseAbs();
   const double squared = rounding * weights.dot(response.residual_products.cwiseAbs() * weights);
-  return response.residual_scale * squared / (matrix.shear * response.load_forces.dot(solution));
+  return response.residual_scale * squared / (softest_shear(response, parameters) * response.load_forces.dot(solution));
 }
 
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix) {

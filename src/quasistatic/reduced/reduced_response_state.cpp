@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <fmt/format.h>
+
 namespace breccia {
 namespace {
 
@@ -22,9 +24,15 @@ Eigen::MatrixXd read_square(const StateReader& state, const std::string& name, s
 void save(StateWriter& state, const std::string& group, const ReducedResponse& response) {
   state.write(group + "/load", static_cast<std::int64_t>(response.load));
   state.write(group + "/boundary", static_cast<std::int64_t>(response.boundary));
-  save_matrix(state, group + "/filler_Pa", response.filler);
-  save_matrix(state, group + "/matrix_shear", response.matrix_shear);
-  save_matrix(state, group + "/matrix_bulk", response.matrix_bulk);
+  save_matrix(state, group + "/constant_Pa", response.constant);
+  state.write(group + "/parts", static_cast<std::int64_t>(response.parts.size()));
+  for (std::size_t i = 0; i < response.parts.size(); ++i) {
+    const auto& [parameter, stiffness] = response.parts[i];
+    const auto part = fmt::format("{}/part/{}", group, i);
+    state.write(part + "/phase", parameter.phase);
+    state.write(part + "/modulus", static_cast<std::int64_t>(parameter.modulus));
+    save_matrix(state, part + "/stiffness", stiffness);
+  }
   save_matrix(state, group + "/load_forces", response.load_forces);
   save_matrix(state, group + "/residual_products", response.residual_products);
   state.write(group + "/residual_scale", response.residual_scale);
@@ -46,11 +54,15 @@ ReducedResponse read_response(const StateReader& state, const std::string& group
   const auto forces = state.numbers(group + "/load_forces");
   const auto size = forces.size();
   response.load_forces = Eigen::Map<const Eigen::VectorXd>(forces.data(), static_cast<Eigen::Index>(size));
-  response.filler = read_square(state, group + "/filler_Pa", size);
-  response.matrix_shear = read_square(state, group + "/matrix_shear", size);
-  response.matrix_bulk = read_square(state, group + "/matrix_bulk", size);
-  // Of three parts of each vector, and the load.
-  response.residual_products = read_square(state, group + "/residual_products", 3 * size + 1);
+  response.constant = read_square(state, group + "/constant_Pa", size);
+  const auto parts = state.integer(group + "/parts");
+  for (std::int64_t i = 0; i < parts; ++i) {
+    const auto part = fmt::format("{}/part/{}", group, i);
+    response.parts.push_back(
+        {{state.text(part + "/phase"), static_cast<ElasticModulus>(state.integer(part + "/modulus"))},
+         read_square(state, part + "/stiffness", size)});
+  }
+  response.residual_products = read_square(state, group + "/residual_products", (response.parts.size() + 1) * size + 1);
   response.residual_scale = state.number(group + "/residual_scale");
   const auto shear = state.numbers(group + "/snapshots/shear_Pa");
   const auto bulk = state.numbers(group + "/snapshots/bulk_Pa", shear.size());

@@ -9,7 +9,7 @@
 namespace breccia {
 namespace {
 
-/// Takes moduli into a range.
+/// Widens a range to include these moduli.
 void widen(ModuliRange& range, const Moduli& moduli) {
   range.least = {std::min(range.least.bulk, moduli.bulk), std::min(range.least.shear, moduli.shear)};
   range.most = {std::max(range.most.bulk, moduli.bulk), std::max(range.most.shear, moduli.shear)};
@@ -23,11 +23,12 @@ ModuliRange empty_range() {
 ModuliRange usable_range(const ReducedResponse& response) {
   auto range = empty_range();
   for (const auto& snapshot : response.snapshots) widen(range, snapshot.matrix);
-  // The ends of the range are snapshots, near which the error is of second order in the distance: it is below the
-  // tolerance for what differs by the spacing of a path. A bulk modulus off the path costs little: the matrix is nearly
-  // incompressible, or its volume matters little.
+  // The ends of the range are snapshots. The error is of second order in the distance from a snapshot, so it is below
+  // the tolerance for moduli that differ by the spacing of the training set. A bulk modulus off the training set does
+  // little harm: the matrix is nearly incompressible, or its volume change has little influence.
   constexpr double off_shear = 0.05, off_bulk = 0.1;
-  // Eight points a decade: the last one sampled is at most that far from where all softer matrices are alike.
+  // The training set has eight points a decade, so its softest point is at most this factor above the shear modulus
+  // from which on all softer matrices are alike.
   constexpr double spacing = 1.4;
   const auto softest = std::ranges::min(response.snapshots, {}, [](const Snapshot& one) { return one.matrix.shear; });
   const bool holds_for_softer = is_like_softer({softest.matrix.bulk, softest.matrix.shear / spacing});
@@ -39,7 +40,7 @@ bool is_within(double value, double least, double most) {
   return value >= least && value <= most;
 }
 
-/// Times [s] of a window, both ends included, so close that nothing of interest lies between two.
+/// Closely spaced times [s] of a window, both ends included.
 std::vector<double> close_times(const TimeWindow& window) {
   constexpr double per_decade = 48.0;
   const double decades = std::log10(window.end / window.begin);
@@ -74,7 +75,7 @@ Coverage coverage(const ReducedResponse& response, const Material& matrix, const
 }
 
 double largest_error(const ReducedResponse& response, const Material& matrix, const TimeWindow& window) {
-  // At s = 1/t of the window alone: beyond it the response counts ever less, and the estimate does not see it.
+  // Without a margin, at s = 1/t of the window alone: moduli beyond it have less and less influence.
   constexpr double margin = 1.0;
   double error = 0.0;
   for (const auto& moduli : carson_path(matrix, window, margin)) {

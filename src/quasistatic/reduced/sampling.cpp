@@ -23,29 +23,11 @@
 namespace breccia {
 namespace {
 
+using quasistatic::AffineStiffness;
 using quasistatic::Displacement;
 using quasistatic::ElasticOperator;
 using quasistatic::ElasticSolver;
 using quasistatic::ReducedBasis;
-using quasistatic::StiffnessParts;
-
-StiffnessParts parts_of(const QuasistaticProblem& problem, PhaseIndex matrix) {
-  const auto count = problem.materials.size();
-  StiffnessParts parts = {std::vector<Moduli>(count, {0.0, 0.0}), std::vector<Moduli>(count, {0.0, 0.0}),
-                          std::vector<Moduli>(count, {0.0, 0.0})};
-  for (std::size_t m = 0; m < count; ++m) {
-    const auto& [name, density, bulk, shear] = problem.materials[m];
-    if (m == matrix) continue;
-    if (!bulk.is_elastic() || !shear.is_elastic()) {
-      throw InputError(
-          fmt::format("reduced basis: {} relaxes; with a filler that relaxes, take solver = \"stepping\"", name));
-    }
-    parts.filler[m] = {bulk.equilibrium(), shear.equilibrium()};
-  }
-  parts.matrix_shear.at(matrix).shear = 1.0;
-  parts.matrix_bulk.at(matrix).bulk = 1.0;
-  return parts;
-}
 
 /// The solution for an elastic matrix. The reduced solution is the initial guess.
 Displacement solve(const ElasticOperator<2>& elastic_operator, ElasticSolver& solver, const ReducedBasis& basis,
@@ -81,19 +63,19 @@ struct Candidate {
 };
 
 /// The reduced basis of each load, which grows snapshot by snapshot by a greedy selection. The bases point to the
-/// operator and to the parts of the stiffness.
+/// operator and to the affine stiffness.
 class GreedySampling {
  public:
   GreedySampling(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
                  const Moduli& reference)
-      : parts_(parts_of(problem, matrix)),
+      : stiffness_(quasistatic::affine_stiffness(problem.materials, matrix)),
         elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary),
         scales_(loads.size(), 0.0),
         measured_(loads.size()) {
-    for (const auto load : loads) bases_.emplace_back(elastic_operator_, parts_, load, reference);
+    for (const auto load : loads) bases_.emplace_back(elastic_operator_, stiffness_, load, reference);
   }
 
-  [[nodiscard]] const StiffnessParts& parts() const noexcept { return parts_; }
+  [[nodiscard]] const AffineStiffness& stiffness() const noexcept { return stiffness_; }
   [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return elastic_operator_; }
   [[nodiscard]] const std::vector<ReducedBasis>& bases() const noexcept { return bases_; }
   [[nodiscard]] int snapshots() const noexcept { return snapshots_; }
@@ -167,10 +149,15 @@ class GreedySampling {
   }
 
  private:
+  /// Moduli by material [Pa] of the composite with a matrix of these moduli [Pa].
+  [[nodiscard]] std::vector<Moduli> moduli_at(const Moduli& matrix) const {
+    return stiffness_.moduli_at(bases_.front().response().parameters(matrix));
+  }
+
   /// Solves for each load, and adds the solution after error_at(load, solution) has returned the error to record.
   template <class ErrorAt>
   void add_snapshot(ElasticSolver& solver, const Moduli& at, const ErrorAt& error_at) {
-    const auto moduli = parts_.with(at);
+    const auto moduli = moduli_at(at);
     solver.set_moduli(moduli);
     solver.update_preconditioner();
     for (std::size_t l = 0; l < bases_.size(); ++l) {
@@ -187,7 +174,7 @@ class GreedySampling {
     constexpr double least_share = 0.1;
     auto response = bases_[load].response();
     response.residual_scale = 1.0;
-    const double exact = modulus_of(elastic_operator_, bases_[load], parts_.with(at), solution);
+    const double exact = modulus_of(elastic_operator_, bases_[load], moduli_at(at), solution);
     const double error = std::abs(response.modulus(at) / exact - 1.0);
     if (error > least_share * tolerance || scales_[load] == 0.0) {
       scales_[load] = std::max(scales_[load], error / std::max(response.error_estimate(at), 1e-300));
@@ -195,7 +182,7 @@ class GreedySampling {
     return error;
   }
 
-  StiffnessParts parts_;
+  AffineStiffness stiffness_;
   ElasticOperator<2> elastic_operator_;
   std::vector<ReducedBasis> bases_;            ///< by load
   std::vector<double> scales_;                 ///< largest ratio of error to residual found so far, by load
@@ -213,13 +200,13 @@ PointFields<2> recover(const GreedySampling& sampling, const QuasistaticProblem&
   const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
   const auto displacement = combined(state.displacement);
   std::vector<quasistatic::AppliedModuli> applied;
-  for (std::size_t m = 0; m < sampling.parts().filler.size(); ++m) {
+  for (std::size_t m = 0; m < sampling.stiffness().constant.size(); ++m) {
     if (m == matrix_index) {
       applied.push_back({combined(state.bulk), combined(state.shear)});
     } else {
       applied.push_back({displacement.copy(), displacement.copy()});
-      applied.back().bulk.scale(sampling.parts().filler[m].bulk);
-      applied.back().shear.scale(sampling.parts().filler[m].shear);
+      applied.back().bulk.scale(sampling.stiffness().constant[m].bulk);
+      applied.back().shear.scale(sampling.stiffness().constant[m].shear);
     }
   }
   return quasistatic::recover_fields(sampling.elastic_operator(), problem.discretisation, problem.volumetric,

@@ -6,7 +6,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Numbers of the nodes of a block, row by row: those inside from 0, those of its boundary from -1 down.
+/// Numbers of the nodes of a block, row by row: 0, 1, ... for the nodes inside it, -1, -2, ... for its boundary nodes.
 std::vector<int> numbers_of_nodes(const Block& shape) {
   const auto width = static_cast<std::size_t>(shape.columns) + 1, height = static_cast<std::size_t>(shape.rows) + 1;
   std::vector<int> numbers(width * height, 0);
@@ -32,19 +32,6 @@ BlockStiffness::BlockStiffness(const BlockKind& kind, double stiffness_of_held)
   boundary_.setZero(on_boundary, on_boundary);
   const auto numbers = numbers_of_nodes(kind.shape);
   const int width = kind.shape.columns + 1;
-  const auto add = [&](int node, int component, int other, int other_component, double stiffness) {
-    const Eigen::Index i = 2 * (node < 0 ? -node - 1 : node) + component;
-    const Eigen::Index j = 2 * (other < 0 ? -other - 1 : other) + other_component;
-    const auto is_held = [&](int n, Eigen::Index k) { return n < 0 && kind.held[static_cast<std::size_t>(k)]; };
-    if (is_held(node, i) || is_held(other, j)) return;
-    if (node >= 0 && other >= 0) {
-      if (j <= i) factor_(i, j - i + band_) += stiffness;
-    } else if (node >= 0) {
-      inside_boundary_(i, j) += stiffness;
-    } else if (other < 0) {
-      boundary_(i, j) += stiffness;
-    }
-  };
   for (int cell = 0; cell < static_cast<int>(kind.cells.size()); ++cell) {
     const int x = cell % kind.shape.columns, y = cell / kind.shape.columns;
     std::array<int, 4> nodes{};
@@ -52,18 +39,38 @@ BlockStiffness::BlockStiffness(const BlockKind& kind, double stiffness_of_held)
       const int node = (y + a / 2) * width + x + a % 2;
       nodes[static_cast<std::size_t>(a)] = numbers[static_cast<std::size_t>(node)];
     }
-    const auto& stiffness = *kind.cells[static_cast<std::size_t>(cell)];
-    for (int a = 0; a < CellShape<2>::dofs; ++a) {
-      for (int b = 0; b < CellShape<2>::dofs; ++b) {
-        add(nodes[static_cast<std::size_t>(a / 2)], a % 2, nodes[static_cast<std::size_t>(b / 2)], b % 2,
-            stiffness(a, b));
-      }
-    }
+    add_cell(kind.held, nodes, *kind.cells[static_cast<std::size_t>(cell)]);
   }
   for (Eigen::Index i = 0; i < on_boundary; ++i) {
     if (kind.held[static_cast<std::size_t>(i)]) boundary_(i, i) = stiffness_of_held;
   }
   factorise();
+}
+
+/// Adds the stiffness of a cell to A_ii (in the place of its factor), A_ib and A_bb. Its nodes have the numbers of
+/// numbers_of_nodes().
+void BlockStiffness::add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes,
+                              const CellMatrix& stiffness) {
+  const auto is_held = [&](int node, Eigen::Index unknown) {
+    return node < 0 && held[static_cast<std::size_t>(unknown)];
+  };
+  for (int a = 0; a < cell_dofs; ++a) {
+    const int node = nodes[static_cast<std::size_t>(a / 2)];
+    const Eigen::Index i = 2 * (node < 0 ? -node - 1 : node) + a % 2;
+    if (is_held(node, i)) continue;
+    for (int b = 0; b < cell_dofs; ++b) {
+      const int other = nodes[static_cast<std::size_t>(b / 2)];
+      const Eigen::Index j = 2 * (other < 0 ? -other - 1 : other) + b % 2;
+      if (is_held(other, j)) continue;
+      if (node >= 0 && other >= 0) {
+        if (j <= i) factor_(i, j - i + band_) += stiffness(a, b);
+      } else if (node >= 0) {
+        inside_boundary_(i, j) += stiffness(a, b);
+      } else if (other < 0) {
+        boundary_(i, j) += stiffness(a, b);
+      }
+    }
+  }
 }
 
 void BlockStiffness::factorise() {

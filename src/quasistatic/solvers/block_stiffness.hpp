@@ -1,6 +1,6 @@
 #pragma once
 
-#include <span>
+#include <array>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -38,6 +38,7 @@ class BlockStiffness {
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+  void add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes, const CellMatrix& stiffness);
   void factorise();
   template <class Rows>
   void solve_lower(Rows& right) const;

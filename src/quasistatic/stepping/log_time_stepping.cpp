@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -99,6 +100,14 @@ std::vector<std::size_t> every_other(std::size_t count) {
   return coarse;
 }
 
+/// Values at some places of a list.
+std::vector<double> at_places(std::span<const double> values, const std::vector<std::size_t>& places) {
+  std::vector<double> chosen;
+  chosen.reserve(places.size());
+  for (const auto place : places) chosen.push_back(values[place]);
+  return chosen;
+}
+
 /// Relative errors of the fine run. The method is of second order, so the error of the fine run is a third of its
 /// difference to the coarse run. A time between two times of the coarse run takes the larger of their estimates.
 std::vector<double> error_estimates(const std::vector<double>& fine, const std::vector<double>& coarse,
@@ -126,6 +135,80 @@ void require_complete(const QuasistaticProblem& problem, std::span<const double>
   }
 }
 
+/// The run over all times, and the run over every other time, from whose difference the error is estimated.
+class TwoRuns {
+ public:
+  TwoRuns(const QuasistaticProblem& problem, const ElasticOperator<2>& elastic_operator, std::span<const Load> loads,
+          std::span<const double> times)
+      : problem_(&problem),
+        elastic_operator_(&elastic_operator),
+        loads_(loads),
+        places_(every_other(times.size())),
+        solver_(quasistatic::make_elastic_solver(elastic_operator, problem.linear)),
+        fine_(problem, elastic_operator, loads, {times.begin(), times.end()}),
+        coarse_(problem, elastic_operator, loads, at_places(times, places_)) {}
+
+  [[nodiscard]] bool is_over() const noexcept { return fine_.is_over() && coarse_.is_over(); }
+  /// Finished share of the work, 0 to 1.
+  [[nodiscard]] double share() const {
+    constexpr double share_of_fine = 2.0 / 3.0;
+    return share_of_fine * fine_.share() + (1.0 - share_of_fine) * coarse_.share();
+  }
+
+  /// Takes the next step. Keeps the fields after it if its time is one of the field times [s].
+  void step(std::span<const double> field_times) {
+    if (fine_.is_over()) {
+      coarse_.step(*solver_);
+      return;
+    }
+    fine_.step(*solver_);
+    if (std::find(field_times.begin(), field_times.end(), fine_.time()) == field_times.end()) return;
+    const auto& first = fine_.first_load();
+    fields_.push_back({fine_.time(), recover_fields(*elastic_operator_, problem_->discretisation, problem_->volumetric,
+                                                    loads_.front(), first.displacement(), first.applied_moduli())});
+  }
+
+  void save(StateWriter& state) const {
+    state.write("/processes", std::int64_t{parallel::ranks()});
+    fine_.save(state, "/fine");
+    coarse_.save(state, "/coarse");
+    breccia::save(state, "/fields", fields_);
+    solver_->save_preconditioner(state, "/preparation");
+    breccia::save(state, "/effort", solver_->effort());
+  }
+  void restore(const StateReader& state) {
+    quasistatic::require_as_many_processes(state);
+    fine_.restore(state, "/fine");
+    coarse_.restore(state, "/coarse");
+    fields_ = read_fields(state, "/fields", problem_->discretisation);
+    solver_->restore_preconditioner(state, "/preparation");
+    solver_->count_from(read_effort(state, "/effort"));
+  }
+
+  /// Call it once, at the end.
+  [[nodiscard]] SteppingResult result() {
+    SteppingResult result = {{}, std::move(fields_), solver_->effort()};
+    for (std::size_t l = 0; l < loads_.size(); ++l) {
+      const auto& fine = fine_.values()[l];
+      const std::vector values(fine.begin() + 1, fine.end());
+      const auto& coarse = coarse_.values()[l];
+      result.responses.push_back(
+          {loads_[l], fine.front(), values, error_estimates(values, {coarse.begin() + 1, coarse.end()}, places_)});
+    }
+    return result;
+  }
+
+ private:
+  const QuasistaticProblem* problem_;
+  const ElasticOperator<2>* elastic_operator_;
+  std::span<const Load> loads_;
+  std::vector<std::size_t> places_;  ///< indices of the times of the coarse run among all times
+  std::unique_ptr<ElasticSolver> solver_;
+  TimeSteppingRun fine_;
+  TimeSteppingRun coarse_;
+  std::vector<TimedFields<2>> fields_;
+};
+
 }  // namespace
 
 SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
@@ -133,63 +216,16 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
                                      std::span<const double> field_times, Checkpoint* checkpoint) {
   require_complete(problem, times);
   const ElasticOperator<2> elastic_operator(problem.discretisation, problem.volumetric, problem.boundary);
-  const auto solver = quasistatic::make_elastic_solver(elastic_operator, problem.linear);
-  const auto places = every_other(times.size());
-  std::vector<double> coarse_times;
-  coarse_times.reserve(places.size());
-  for (const auto place : places) coarse_times.push_back(times[place]);
-  TimeSteppingRun fine(problem, elastic_operator, loads, {times.begin(), times.end()});
-  TimeSteppingRun coarse(problem, elastic_operator, loads, coarse_times);
-
-  SteppingResult result;
-  if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
-    quasistatic::require_as_many_processes(*earlier);
-    fine.restore(*earlier, "/fine");
-    coarse.restore(*earlier, "/coarse");
-    result.fields = read_fields(*earlier, "/fields", problem.discretisation);
-    solver->restore_preconditioner(*earlier, "/preparation");
-    solver->count_from(read_effort(*earlier, "/effort"));
-  }
-  const auto save_if_due = [&] {
-    if (checkpoint == nullptr || !checkpoint->is_due()) return;
-    checkpoint->save([&](StateWriter& state) {
-      state.write("/processes", std::int64_t{parallel::ranks()});
-      fine.save(state, "/fine");
-      coarse.save(state, "/coarse");
-      save(state, "/fields", result.fields);
-      solver->save_preconditioner(state, "/preparation");
-      save(state, "/effort", solver->effort());
-    });
-  };
-
-  constexpr double share_of_fine = 2.0 / 3.0;
-  while (!fine.is_over()) {
-    save_if_due();
-    fine.step(*solver);
-    if (std::find(field_times.begin(), field_times.end(), fine.time()) != field_times.end()) {
-      const auto& first = fine.first_load();
-      result.fields.push_back(
-          {fine.time(), recover_fields(elastic_operator, problem.discretisation, problem.volumetric, loads.front(),
-                                       first.displacement(), first.applied_moduli())});
+  TwoRuns runs(problem, elastic_operator, loads, times);
+  if (checkpoint != nullptr && checkpoint->earlier() != nullptr) runs.restore(*checkpoint->earlier());
+  while (!runs.is_over()) {
+    if (checkpoint != nullptr && checkpoint->is_due()) {
+      checkpoint->save([&](StateWriter& state) { runs.save(state); });
     }
-    if (observer) observer(share_of_fine * fine.share());
+    runs.step(field_times);
+    if (observer) observer(runs.share());
   }
-  while (!coarse.is_over()) {
-    save_if_due();
-    coarse.step(*solver);
-    if (observer) observer(share_of_fine + (1.0 - share_of_fine) * coarse.share());
-  }
-
-  result.effort = solver->effort();
-  for (std::size_t l = 0; l < loads.size(); ++l) {
-    const auto after_jump = [](const std::vector<double>& values) {
-      return std::vector(values.begin() + 1, values.end());
-    };
-    const auto values = after_jump(fine.values()[l]);
-    result.responses.push_back(
-        {loads[l], fine.values()[l].front(), values, error_estimates(values, after_jump(coarse.values()[l]), places)});
-  }
-  return result;
+  return runs.result();
 }
 
 }  // namespace breccia

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia::quasistatic {
+
+/// The stiffness of a composite as an affine function of the moduli p_i that vary, K(p) = K_0 + sum_i p_i K_i. Each of
+/// the parts is given by the moduli by material of which it is the stiffness.
+struct AffineStiffness {
+  struct Part {
+    PhaseModulus parameter;    ///< whose modulus p_i is
+    std::vector<Moduli> unit;  ///< K_i, by material: 1 for this modulus of this phase, 0 for all others [-]
+  };
+  std::vector<Moduli> constant;  ///< K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary
+  std::vector<Part> parts;
+
+  /// Moduli by material [Pa] whose stiffness is K(p).
+  [[nodiscard]] std::vector<Moduli> moduli_at(std::span<const double> parameters) const;
+};
+
+/// The affine stiffness of a composite in which the moduli of the matrix vary and all other materials are elastic.
+/// Throws InputError when another material relaxes.
+AffineStiffness affine_stiffness(const std::vector<Material>& materials, MaterialIndex matrix);
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,127 @@
+#include "operator/recovery.hpp"
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace breccia::quasistatic {
+namespace {
+
+const Grid<2> grid = {{4, 3}, 0.5};
+
+/// A displacement whose fluctuation is a function of the node's coordinates in units of the cell side.
+Displacement with_fluctuation(const ElasticOperator<2>& elastic_operator,
+                              const std::function<std::array<double, 2>(double, double)>& fluctuation) {
+  auto displacement = elastic_operator.zero();
+  double* values = nullptr;
+  check(VecGetArray(displacement.fluctuation(), &values), "writing");
+  for (int row = 0; row <= grid.rows(); ++row) {
+    for (int column = 0; column <= grid.columns(); ++column) {
+      const auto [x, y] = fluctuation(column, row);
+      values[2 * grid.node_index({column, row})] = x;
+      values[2 * grid.node_index({column, row}) + 1] = y;
+    }
+  }
+  check(VecRestoreArray(displacement.fluctuation(), &values), "writing");
+  return displacement;
+}
+
+std::vector<AppliedModuli> elastic(const Displacement& displacement, const std::vector<Moduli>& moduli) {
+  std::vector<AppliedModuli> applied;
+  for (const auto& [bulk, shear] : moduli) {
+    applied.push_back({displacement.copy(), displacement.copy()});
+    applied.back().bulk.scale(bulk);
+    applied.back().shear.scale(shear);
+  }
+  return applied;
+}
+
+// Hooke's law in plane strain, and the affine motion of the points.
+TEST(RecoverFields, OfAUniformStrainAreUniform) {
+  Discretisation<2> discretisation(grid);
+  discretisation.paint([](const Vector<2>& place) { return place[0] < 1.0; }, 1);
+  const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 3.0}, {.bulk = 20.0, .shear = 0.5}};
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
+      const ElasticOperator<2> elastic_operator(discretisation, volumetric, Boundary::displacement);
+      const auto displacement = elastic_operator.uniform_strain(load);
+      const auto fields = recover_fields(elastic_operator, discretisation, volumetric, load, displacement,
+                                         elastic(displacement, moduli));
+      const auto [xx, yy, xy] = unit_strain<2>(load);
+      for (int row = 0; row < grid.rows(); ++row) {
+        for (int column = 0; column < grid.columns(); ++column) {
+          for (int p = 0; p < CellShape<2>::points; ++p) {
+            const auto point = grid.point_index({column, row}, p);
+            const auto place = discretisation.position({column, row}, p);
+            const auto& [bulk, shear] = moduli[fields.phase[point]];
+            EXPECT_EQ(fields.phase[point], place[0] < 1.0 ? 1 : 0);
+            EXPECT_NEAR(fields.displacement[point][0], xx * place[0] + xy * place[1], 1e-14);
+            EXPECT_NEAR(fields.displacement[point][1], xy * place[0] + yy * place[1], 1e-14);
+            const double mean = (xx + yy) / 3.0;
+            const std::array strain = {xx, yy, xy};
+            const std::array stress = {bulk * 3.0 * mean + 2.0 * shear * (xx - mean),
+                                       bulk * 3.0 * mean + 2.0 * shear * (yy - mean),
+                                       bulk * 3.0 * mean - 2.0 * shear * mean, 2.0 * shear * xy};
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(fields.strain[point].at(k), strain.at(k), 1e-14);
+            for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(fields.stress[point].at(k), stress.at(k), 1e-13);
+          }
+        }
+      }
+    }
+  }
+}
+
+// The bilinear displacement u_x = x y has the strain xx = y, xy = x / 2, which B-bar replaces by its mean over the cell
+// in the volumetric part alone.
+TEST(RecoverFields, OfABilinearDisplacementHaveItsStrainAtThePoints) {
+  const Discretisation<2> discretisation(grid);
+  for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
+    const ElasticOperator<2> elastic_operator(discretisation, volumetric, Boundary::traction);
+    const auto displacement = with_fluctuation(elastic_operator, [](double x, double y) {
+      return std::array{x * y, 0.0};
+    });
+    const auto fields = recover_fields(elastic_operator, discretisation, volumetric, Load::shear, displacement,
+                                       elastic(displacement, {{.bulk = 2.0, .shear = 0.0}}));
+    for (int row = 0; row < grid.rows(); ++row) {
+      for (int column = 0; column < grid.columns(); ++column) {
+        for (int p = 0; p < CellShape<2>::points; ++p) {
+          const auto point = grid.point_index({column, row}, p);
+          const auto place = discretisation.position({column, row}, p);
+          const double x = place[0] / grid.cell_side, y = place[1] / grid.cell_side;
+          const double volume = volumetric == Volumetric::averaged ? row + 0.5 : y;
+          EXPECT_NEAR(fields.displacement[point][0], grid.cell_side * x * y, 1e-13);
+          EXPECT_NEAR(fields.strain[point][0], y + 0.5 * (volume - y), 1e-13);
+          EXPECT_NEAR(fields.strain[point][1], 0.5 * (volume - y), 1e-13);
+          EXPECT_NEAR(fields.strain[point][2], 0.5 * x, 1e-13);
+          EXPECT_NEAR(fields.stress[point][2], 2.0 * volume, 1e-13);
+        }
+      }
+    }
+  }
+}
+
+TEST(RecoverFields, OfAPeriodicBoxJoinItsSides) {
+  // One node has moved: of a periodic box the one in all four corners.
+  const Discretisation<2> discretisation(grid);
+  const ElasticOperator<2> elastic_operator(discretisation, Volumetric::standard, Boundary::periodic);
+  auto displacement = elastic_operator.zero();
+  double* values = nullptr;
+  check(VecGetArray(displacement.fluctuation(), &values), "writing");
+  values[0] = 1.0;
+  check(VecRestoreArray(displacement.fluctuation(), &values), "writing");
+  const auto fields = recover_fields(elastic_operator, discretisation, Volumetric::standard, Load::shear, displacement,
+                                     elastic(displacement, {{.bulk = 1.0, .shear = 1.0}}));
+  const auto moved = [&](int column, int row, int p) {
+    return fields.displacement[grid.point_index({column, row}, p)][0] / grid.cell_side;
+  };
+  EXPECT_DOUBLE_EQ(moved(0, 0, 0), 9.0 / 16.0);
+  EXPECT_DOUBLE_EQ(moved(3, 0, 1), 9.0 / 16.0);
+  EXPECT_DOUBLE_EQ(moved(0, 2, 2), 9.0 / 16.0);
+  EXPECT_DOUBLE_EQ(moved(3, 2, 3), 9.0 / 16.0);
+  EXPECT_DOUBLE_EQ(moved(1, 1, 0), 0.0);
+}
+
+}  // namespace
+}  // namespace breccia::quasistatic
