@@ -283,7 +283,8 @@ void add_respond(CLI::App& application) {
       ->type_name("BEGIN END");
   command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
-  command->add_flag("--overwrite", arguments->overwrite, "replace the curves of another matrix in that directory");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "replace the curves of another matrix or of other times in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { run_respond(*arguments); });
 }

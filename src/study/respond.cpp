@@ -6,9 +6,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/io/units.hpp"
 #include "breccia/io/whole_results.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/study/stage_warnings.hpp"
@@ -132,6 +134,12 @@ void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   }
 }
 
+/// Warns of times at which the spectrum of a stage's new matrix says nothing.
+void warn_of_unknown_times(StageResult& result, const Material& matrix, const TimeWindow& window) {
+  const auto warning = warning_of_unknown_times(matrix, window);
+  if (warning) result.warnings.push_back(fmt::format("{}: {}", result.name, *warning));
+}
+
 /// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
 std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
                                         const std::map<std::string, Material>& matrices, const TimeWindow& window) {
@@ -145,10 +153,7 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
       return matrix_of(stage, done, boundary, Method::quasistatic);
     };
     auto result = respond_within(next, matrix_under, window);
-    if (const auto* material = std::get_if<Material>(&stage.matrix)) {
-      const auto warning = warning_of_unknown_times(*material, window);
-      if (warning) result.warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
-    }
+    if (const auto* material = std::get_if<Material>(&stage.matrix)) warn_of_unknown_times(result, *material, window);
     if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
     done.push_back(std::move(result));
   }
@@ -159,8 +164,10 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
 
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
   return or_tell_covered_times(times.value_or(stored.times), [&](const TimeWindow& window) {
-    return respond_within(
+    auto result = respond_within(
         stored, [&](Boundary) -> const Material& { return matrix; }, window);
+    warn_of_unknown_times(result, matrix, window);
+    return result;
   });
 }
 
@@ -182,18 +189,36 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });
 }
 
-void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
-  refuse_to_replace(destination.directory, curve_files(), destination.inputs);
-  auto identity = destination.matrix + destination.study;
+namespace {
+
+/// What the curves come from, for people: "aged: A, B from 1 ms to 1 s, study 0123456789abcdef".
+std::string source_of(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
+  std::vector<std::string> names;
+  for (const auto& stage : stages) names.push_back(stage.name);
+  const auto& curve = stages.front().tests.front().modulus;
+  return fmt::format("{}: {} from {} to {}, study {}", destination.matrix, fmt::join(names, ", "),
+                     readable(curve.front().time, Dimension::time), readable(curve.back().time, Dimension::time),
+                     destination.study);
+}
+
+/// All that the curves depend on.
+std::string identity_of(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
+  auto identity = fmt::format("{}\n{}", destination.matrix, destination.study);
   for (const auto& stage : stages) {
     const auto& curve = stage.tests.front().modulus;
     identity += fmt::format("\n{} {} {}", stage.name, curve.front().time, curve.back().time);
   }
-  for (const auto& input : destination.inputs)
-    identity += fmt::format("\n{}", std::filesystem::weakly_canonical(input).string());
+  for (const auto& input : destination.inputs) identity += fmt::format("\n{}", content_hash(read_text(input)));
+  return content_hash(identity);
+}
+
+}  // namespace
+
+void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
+  refuse_to_replace(destination.directory, curve_files(), destination.inputs);
   WholeResults results(destination.directory, {.command = "respond",
-                                               .source = destination.matrix,
-                                               .identity = content_hash(identity),
+                                               .source = source_of(destination, stages),
+                                               .identity = identity_of(destination, stages),
                                                .files = curve_files(),
                                                .overwrite = destination.overwrite});
   write_curves(results.place(), {stages});
