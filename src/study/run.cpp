@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/memory.hpp"
@@ -57,10 +58,10 @@ class RemoveIfEmpty {
   RemoveIfEmpty& operator=(RemoveIfEmpty&&) = delete;
   ~RemoveIfEmpty() {
     if (parallel::rank() != 0) return;
-    std::error_code is_not_empty;
+    std::error_code is_missing;
     // A record alone tells of no result.
-    if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_not_empty);
-    fs::remove(directory_, is_not_empty);
+    if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_missing);
+    remove_if_empty(directory_);
   }
 
  private:
@@ -76,16 +77,19 @@ void write_once(const Write& write) {
 /// The directory that the first process of a group chooses, for all of them, or the InputError that it throws.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
-  constexpr char is_chosen = '+', is_refused = '-';
+  constexpr char is_chosen = '+', is_refused = '-', is_in_use = '!';
   std::string answer;
   if (parallel::rank() == 0) {
     try {
       answer = is_chosen + choose().string();
+    } catch (const DirectoryInUse& error) {
+      answer = is_in_use + std::string(error.what());
     } catch (const InputError& error) {
       answer = is_refused + std::string(error.what());
     }
   }
   answer = parallel::text_of_first(answer);
+  if (answer.front() == is_in_use) throw DirectoryInUse(answer.substr(1));
   if (answer.front() == is_refused) throw InputError(answer.substr(1));
   return answer.substr(1);
 }
