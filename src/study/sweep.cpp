@@ -165,7 +165,7 @@ class SweepRun {
     } catch (const NumericalError& error) {
       fail(task, error);
     } catch (const DirectoryInUse&) {
-      throw;
+      throw;  // another process has the task, which has not failed
     } catch (const InputError& error) {
       fail(task, error);
     }

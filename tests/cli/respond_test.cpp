@@ -218,7 +218,10 @@ TEST_F(Respond, ReplacesCurvesOfAnotherOriginOnlyWhenAsked) {
   const auto curves = read_text(study->path() / "same/curves.csv");
   const auto refused = respond(at_31);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, HasSubstr("same: here is what `breccia respond` made of \"binder at 30 degC\""));
+  EXPECT_THAT(
+      refused.errors,
+      HasSubstr(
+          "same: here is what `breccia respond` made of \"binder at 30 degC: fine, coarse from 1 ms to 1 s, study "));
   EXPECT_EQ(read_text(study->path() / "same/curves.csv"), curves);
   at_31.emplace_back("--overwrite");
   EXPECT_EQ(respond(at_31).exit_code, 0);
