@@ -209,7 +209,7 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
 }
 
 void lock_and_finish_interrupted_replacement(const Study& study, const fs::path& directory) {
-  if (!fs::is_directory(directory)) return;
+  if (is_missing_or_empty(directory)) return;
   const DirectoryLock lock(directory);
   finish_interrupted_replacement(study, directory);
 }

@@ -1,6 +1,7 @@
 #include "breccia/study/resume.hpp"
 
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/report.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 /// Does for a run that was killed at its very end what was left. The first process alone may do it.
 void finish_killed_run(const Study& study, const std::filesystem::path& directory) {
-  if (!std::filesystem::is_directory(directory)) return;
+  if (is_missing_or_empty(directory)) return;
   const DirectoryLock lock(directory);
   finish_interrupted_replacement(study, directory);
   if (!time_of_complete_run(study, directory)) return;

@@ -123,5 +123,13 @@ TEST(DirectoryThatIsALink, StaysOne) {
   EXPECT_TRUE(fs::exists(study.path() / "stage/microstructure.csv"));
 }
 
+TEST(DirectoryThatIsEmpty, KeepsItsPermissions) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  fs::create_directory(study.path() / "out");
+  fs::permissions(study.path() / "out", fs::perms::owner_all);
+  ASSERT_EQ(study.breccia("run", {"--resume"}).exit_code, 0);
+  EXPECT_EQ(fs::status(study.path() / "out").permissions(), fs::perms::owner_all);
+}
+
 }  // namespace
 }  // namespace breccia
