@@ -96,15 +96,15 @@ std::string objection_to_inputs(const Study& study, const fs::path& directory) {
 /// Removes files of a directory, and in some of its subdirectories what was half written; those that are empty then go,
 /// too. The record goes last: as long as it is there, the others are known as Breccia's.
 void remove_results(const fs::path& directory, std::vector<std::string> names, const std::vector<std::string>& stages) {
-  constexpr auto record = "study.json";
-  std::erase(names, record);
+  const std::vector<std::string> record = {"study.json"};
+  const bool has_record = std::erase(names, record.front()) > 0;
   remove_files(directory, names);
   for (const auto& stage : stages) {
     remove_partial_files(directory / stage);
     remove_if_empty(directory / stage);
   }
   remove_partial_files(directory);
-  remove_files(directory, std::vector<std::string>{record});
+  if (has_record) remove_files(directory, record);
 }
 
 /// The directory with nothing of an earlier run in it that has finished nothing.
@@ -116,17 +116,20 @@ fs::path cleared(const fs::path& directory) {
   return directory;
 }
 
-/// Removes all of Breccia's in `unfinished`.
+/// Removes all of Breccia's in `unfinished`. The record goes first: what a killed process leaves must not pass for
+/// whole results, and is known by its names.
 void remove_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
   auto names = unfinished_files(directory);
   std::erase_if(names, [&](const std::string& name) { return !may_be_ours(unfinished, name); });
+  std::ranges::stable_partition(names, [](const std::string& name) { return name == "study.json"; });
+  remove_files(unfinished, names);
   std::vector<std::string> stages;
   std::error_code is_missing;
   for (const auto& entry : fs::directory_iterator(unfinished, is_missing)) {
     if (fs::is_directory(entry.symlink_status())) stages.push_back(entry.path().filename().string());
   }
-  remove_results(unfinished, std::move(names), stages);
+  remove_results(unfinished, {}, stages);
   remove_if_empty(unfinished);
 }
 
