@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/parallel/session.hpp"
 
 namespace breccia {
@@ -28,10 +29,10 @@ RemoveIfEmpty::RemoveIfEmpty(fs::path directory) : directory_(std::move(director
 
 RemoveIfEmpty::~RemoveIfEmpty() {
   if (parallel::rank() != 0) return;
-  std::error_code is_not_empty;
-  // A record alone tells of no result.
-  if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_not_empty);
-  fs::remove(directory_, is_not_empty);
+  std::error_code is_missing;
+  // A record alone holds no result.
+  if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_missing);
+  remove_if_empty(directory_);
 }
 
 }  // namespace breccia

@@ -7,6 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/directory_lock.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/result_files.hpp"
@@ -57,13 +59,25 @@ std::string objection_to_foreign_files(const Study& study, const fs::path& direc
   return foreign;
 }
 
+/// Has a file in `unfinished` a name that Breccia writes there? Its record may be gone: a run that was killed while it
+/// cleared the directory may have left anything. The name is relative to `unfinished`.
+bool may_be_ours(const fs::path& unfinished, const std::string& name) {
+  if (!fs::is_regular_file(fs::symlink_status(unfinished / name))) return false;
+  const fs::path path(name);
+  if (path.has_parent_path()) {
+    return !path.parent_path().has_parent_path() && is_file_of_a_stage(path.filename().string());
+  }
+  const auto known = files_of_a_study();
+  if (path.extension() == ".json") return is_record_of_breccia(unfinished / name);
+  return std::ranges::find(known, name) != known.end();
+}
+
 /// A line for each file in `unfinished` that Breccia did not write.
 std::string objection_to_foreign_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
-  const auto ours = own_files(unfinished, read_study_record(unfinished));
   std::string foreign;
   for (const auto& name : unfinished_files(directory)) {
-    if (std::ranges::find(ours, name) != ours.end() || name.ends_with(".partial")) continue;
+    if (may_be_ours(unfinished, name)) continue;
     foreign += fmt::format("{}{}: in the way of unfinished results, and not written by Breccia; move it elsewhere",
                            foreign.empty() ? "" : "\n", (unfinished / name).string());
   }
@@ -80,45 +94,82 @@ std::string objection_to_inputs(const Study& study, const fs::path& directory) {
   return {};
 }
 
-/// Removes what Breccia has written to a directory, and directories of stages that are empty then.
-void remove_own_files(const fs::path& directory, const StudyRecord& record) {
-  remove_files(directory, own_files(directory, record));
-  std::vector<fs::path> stages;
-  for (const auto& stage : record.stages) {
+/// Removes files of a directory, and in some of its subdirectories what was half written; those that are empty then go,
+/// too. The record goes last: as long as it is there, the others are known as Breccia's.
+void remove_results(const fs::path& directory, std::vector<std::string> names, const std::vector<std::string>& stages) {
+  const std::vector<std::string> record = {"study.json"};
+  const bool has_record = std::erase(names, record.front()) > 0;
+  remove_files(directory, names);
+  for (const auto& stage : stages) {
     remove_partial_files(directory / stage);
-    stages.push_back(directory / stage);
+    remove_if_empty(directory / stage);
   }
-  remove_if_empty(stages);
+  remove_partial_files(directory);
+  if (has_record) remove_files(directory, record);
 }
 
-/// A directory with nothing of an earlier run in it. One whose study has finished nothing is made so.
+/// The directory with nothing of an earlier run in it that has finished nothing.
 fs::path cleared(const fs::path& directory) {
-  remove_own_files(directory, read_study_record(directory));
+  const auto record = read_study_record(directory);
+  if (record.is_ours) remove_results(directory, own_files(directory, record), record.stages);
   make_directory(directory);
   remove_partial_files(directory);
   return directory;
 }
 
+/// Removes all of Breccia's in `unfinished`. The record goes first: what a killed process leaves must not pass for
+/// whole results, and is known by its names.
+void remove_unfinished(const fs::path& directory) {
+  const auto unfinished = unfinished_in(directory);
+  auto names = unfinished_files(directory);
+  std::erase_if(names, [&](const std::string& name) { return !may_be_ours(unfinished, name); });
+  std::ranges::stable_partition(names, [](const std::string& name) { return name == "study.json"; });
+  remove_files(unfinished, names);
+  std::vector<std::string> stages;
+  std::error_code is_missing;
+  for (const auto& entry : fs::directory_iterator(unfinished, is_missing)) {
+    if (fs::is_directory(entry.symlink_status())) stages.push_back(entry.path().filename().string());
+  }
+  remove_results(unfinished, {}, stages);
+  remove_if_empty(unfinished);
+}
+
+std::string objection_to_sweep(const fs::path& directory) {
+  if (!holds_sweep(directory)) return {};
+  return fmt::format(
+      "{}: here are the results of a sweep; replace them (--overwrite) or take another directory (--out)",
+      directory.string());
+}
+
 std::string objection_to_resuming(const Study& study, const fs::path& directory) {
   const auto record = read_study_record(directory);
   if (record.is_of(study) || read_study_record(unfinished_in(directory)).is_of(study)) return {};
-  if (!record.is_ours) return objection_to_foreign_files(study, directory, record);
+  if (!record.is_ours) {
+    auto objection = objection_to_foreign_files(study, directory, record);
+    return objection.empty() ? objection_to_sweep(directory) : objection;
+  }
   return fmt::format(
       "{}: cannot go on from these results: {}; take another directory (--out), or run with --overwrite "
       "in the place of --resume, which begins anew and replaces them in the end",
       directory.string(), difference(record, study));
 }
 
-std::string objection_to_replacing(const Study& study, const fs::path& directory) {
-  const auto* choice = "replace them (--overwrite) or take another directory (--out)";
+/// Is a record among those of the results that may be replaced?
+bool may_be_replaced(const fs::path& record, const RunOptions& options) {
+  if (options.overwrite) return true;
+  return !options.replaceable.empty() && is_record_of_breccia(record) &&
+         std::ranges::find(options.replaceable, content_hash(read_text(record))) != options.replaceable.end();
+}
+
+std::string objection_to_replacing(const Study& study, const fs::path& directory, const RunOptions& options) {
   for (const auto& place : {directory, unfinished_in(directory)}) {
     const auto record = read_study_record(place);
-    if (!record.has_tests || record.is_of(study)) continue;
-    return fmt::format("{}: here are {}results of another study: {}; {}", place.string(),
-                       record.is_complete ? "complete " : "", difference(record, study), choice);
+    if (!record.has_tests || record.is_of(study) || may_be_replaced(place / "study.json", options)) continue;
+    return fmt::format(
+        "{}: here are {}results of another study: {}; replace them (--overwrite) or take another directory (--out)",
+        place.string(), record.is_complete ? "complete " : "", difference(record, study));
   }
-  if (holds_sweep(directory)) return fmt::format("{}: here are the results of a sweep; {}", directory.string(), choice);
-  return {};
+  return may_be_replaced(directory / "sweep.json", options) ? "" : objection_to_sweep(directory);
 }
 
 void refuse_objections(const Study& study, const fs::path& directory, const RunOptions& options) {
@@ -141,7 +192,9 @@ fs::path directory_to_resume_in(const Study& study, const fs::path& directory) {
 fs::path directory_to_begin_in(const fs::path& directory) {
   const auto record = read_study_record(directory);
   const bool has_results = !record.stages_packed.empty() || holds_sweep(directory);
-  return cleared(has_results ? unfinished_in(directory) : directory);
+  if (!has_results) return cleared(directory);
+  remove_unfinished(directory);
+  return cleared(unfinished_in(directory));
 }
 
 }  // namespace
@@ -155,19 +208,37 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
     put_in_place(study, unfinished, directory);
   } else if (read_study_record(directory).is_complete_run_of(study)) {
     // Another run of the same study was to replace these results, and would have ended with the same bits.
-    remove_own_files(unfinished, record);
-    remove_if_empty(std::vector{unfinished});
+    remove_unfinished(directory);
   }
+}
+
+void lock_and_finish_interrupted_replacement(const Study& study, const fs::path& directory) {
+  if (is_missing_or_empty(directory)) return;
+  const DirectoryLock lock(directory);
+  finish_interrupted_replacement(study, directory);
+}
+
+std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
+  std::vector<std::string> hashes;
+  for (const auto& record :
+       {directory / "study.json", directory / "sweep.json", unfinished_in(directory) / "study.json"}) {
+    if (is_record_of_breccia(record)) hashes.push_back(content_hash(read_text(record)));
+  }
+  return hashes;
 }
 
 std::string objection_to(const Study& study, const fs::path& directory, const RunOptions& options) {
   for (auto objection : {objection_to_inputs(study, directory), objection_to_foreign_unfinished(directory)}) {
     if (!objection.empty()) return objection;
   }
-  if (options.resume && !options.overwrite) return objection_to_resuming(study, directory);
+  if (options.resume) {
+    auto objection = objection_to_resuming(study, directory);
+    const bool begins_anew =
+        may_be_replaced(directory / "study.json", options) || may_be_replaced(directory / "sweep.json", options);
+    if (objection.empty() || !begins_anew) return objection;
+  }
   auto objection = objection_to_foreign_files(study, directory, read_study_record(directory));
-  if (objection.empty() && !options.overwrite) objection = objection_to_replacing(study, directory);
-  return objection;
+  return objection.empty() ? objection_to_replacing(study, directory, options) : objection;
 }
 
 fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
@@ -191,7 +262,12 @@ fs::path directory_to_pack_in(const Study& study, const fs::path& directory, con
 void put_in_place(const Study& study, const fs::path& written, const fs::path& directory) {
   if (written == directory) return;
   remove_partial_files(study, written);
-  replace_results(directory, own_files(directory, read_study_record(directory)), "study.json");
+  try {
+    replace_results(directory, own_files(directory, read_study_record(directory)), "study.json");
+  } catch (const FileError& error) {
+    if (is_being_replaced(directory)) throw;
+    throw FileError(fmt::format("{}; the new results are in {}", error.what(), written.string()));
+  }
 }
 
 }  // namespace breccia

@@ -12,7 +12,7 @@ namespace breccia {
 /// `unfinished` where earlier results stay until then. Brings a replacement to its end that was cut off, and removes
 /// what a run that begins anew finds of one that has finished nothing.
 /// Throws InputError where there is an objection to that (objection_to), and where files would be replaced that Breccia
-/// did not write. Only the first process of a group may call it.
+/// did not write. Only the holder of a DirectoryLock may call it.
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
@@ -21,12 +21,21 @@ std::filesystem::path directory_to_run_in(const Study& study, const std::filesys
 std::filesystem::path directory_to_pack_in(const Study& study, const std::filesystem::path& directory,
                                            const RunOptions& options);
 
-/// Puts the results of a run into the place of earlier ones, if it has not written them there. Throws FileError.
+/// Puts the results of a run into the place of earlier ones, if it has not written them there. Throws FileError. Only
+/// the holder of a DirectoryLock may call it.
 void put_in_place(const Study& study, const std::filesystem::path& written, const std::filesystem::path& directory);
 
 /// Brings to its end what a killed run of the study has left half done: results that were to take the place of earlier
-/// ones. Throws FileError.
+/// ones. Throws FileError. Only the holder of a DirectoryLock may call it.
 void finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
+
+/// The same for a directory that nobody has locked yet. Does nothing where it does not exist. Throws DirectoryInUse
+/// where another process writes to it.
+void lock_and_finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
+
+/// Hashes of the records of all earlier results in a directory and in its `unfinished`, by which a sweep knows them
+/// again (RunOptions::replaceable).
+std::vector<std::string> hashes_of_records_in(const std::filesystem::path& directory);
 
 /// What forbids that a run goes on from what is in a directory, or begins anew and replaces it; empty if nothing does.
 std::string objection_to(const Study& study, const std::filesystem::path& directory, const RunOptions& options);

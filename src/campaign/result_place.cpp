@@ -17,16 +17,19 @@ namespace fs = std::filesystem;
 /// The directory that the first process of a group chooses, for all of them, or the InputError that it throws.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
-  constexpr char is_chosen = '+', is_refused = '-';
+  constexpr char is_chosen = '+', is_refused = '-', is_in_use = '!';
   std::string answer;
   if (parallel::rank() == 0) {
     try {
       answer = is_chosen + choose().string();
+    } catch (const DirectoryInUse& error) {
+      answer = is_in_use + std::string(error.what());
     } catch (const InputError& error) {
       answer = is_refused + std::string(error.what());
     }
   }
   answer = parallel::text_of_first(answer);
+  if (answer.front() == is_in_use) throw DirectoryInUse(answer.substr(1));
   if (answer.front() == is_refused) throw InputError(answer.substr(1));
   return answer.substr(1);
 }

@@ -1,7 +1,7 @@
 #include "breccia/campaign/resume.hpp"
 
-#include "breccia/io/replacement.hpp"
-#include "breccia/io/text_file.hpp"
+#include "breccia/io/directory_lock.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/report.hpp"
 #include "breccia/results/study_record.hpp"
@@ -16,15 +16,25 @@ std::optional<double> time_of_complete_run(const Study& study, const std::filesy
   return record.is_complete_run_of(study) ? record.wall_time : std::nullopt;
 }
 
-std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
-  if (parallel::is_first()) finish_interrupted_replacement(study, directory);
-  // Nobody looks before the files are in their places.
-  static_cast<void>(parallel::gather({}));
-  const auto seconds = time_of_complete_run(study, directory);
-  if (!seconds || !parallel::is_first()) return seconds;
+namespace {
+
+/// Does for a run that was killed at its very end what was left. The first process alone may do it.
+void finish_killed_run(const Study& study, const std::filesystem::path& directory) {
+  if (is_missing_or_empty(directory)) return;
+  const DirectoryLock lock(directory);
+  finish_interrupted_replacement(study, directory);
+  if (!time_of_complete_run(study, directory)) return;
   remove_partial_files(study, directory);
   if (remove_checkpoints(study, directory)) write_study_report(directory);
-  return seconds;
+}
+
+}  // namespace
+
+std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
+  if (parallel::is_first()) finish_killed_run(study, directory);
+  // Nobody looks before the files are in their places.
+  static_cast<void>(parallel::gather({}));
+  return time_of_complete_run(study, directory);
 }
 
 bool holds_tests(const std::filesystem::path& directory) {

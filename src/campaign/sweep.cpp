@@ -38,9 +38,7 @@ class SweepRun {
         result_(sweep.tasks.size()) {}
 
   SweepResult run() {
-    for (const auto& task : sweep_.tasks) {
-      if (parallel::is_first()) finish_interrupted_replacement(task.study, task.directory_in(directory_));
-    }
+    const auto lock = hold_sweep_directory(sweep_, directory_);
     static_cast<void>(parallel::gather({}));
     refuse_objections(sweep_, directory_, options_);
     options_of_ = options_of_tasks(sweep_, directory_, options_);
@@ -48,6 +46,8 @@ class SweepRun {
     if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
     if (options_.resume) write();
+    // What may be replaced must be known to whoever resumes a sweep that was cut off in its first task.
+    if (options_.overwrite) write_record();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
       if (options_.resume && result_[task].state == TaskState::done) {
@@ -164,6 +164,8 @@ class SweepRun {
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);
+    } catch (const DirectoryInUse&) {
+      throw;  // another process has the task, which has not failed
     } catch (const InputError& error) {
       fail(task, error);
     }
@@ -178,8 +180,15 @@ class SweepRun {
     if (!parallel::is_first()) return;
     if (parallel::groups() > 1) look_at_others();
     write_sweep_tables(directory_, sweep_, result_);
+    write_record();
     write_sweep_plot(directory_, sweep_, result_);
     write_sweep_report(directory_, result_);
+  }
+
+  void write_record() const {
+    std::vector<std::vector<std::string>> replaceable;
+    for (const auto& options : options_of_) replaceable.push_back(options.replaceable);
+    if (parallel::is_first()) write_sweep_record(directory_, sweep_, result_, replaceable);
   }
 
   const Sweep& sweep_;

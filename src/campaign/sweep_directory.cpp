@@ -1,6 +1,7 @@
 #include "sweep_directory.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "breccia/campaign/sweep.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
 #include "breccia/study/result_names.hpp"
@@ -43,20 +45,30 @@ bool holds_other_tasks(const Sweep& sweep, const Json& record) {
          });
 }
 
-/// Do the tables of a directory name this task, of this study?
-bool names(const Json& record, const SweepTask& task) {
+/// The results that the sweep of an earlier process was to replace by those of a task that it has not done.
+std::vector<std::string> replaceable_by(const SweepTask& task, const Json& record) {
   const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
-  return tasks.is_array() && std::ranges::any_of(tasks, [&](const Json& one) {
-           return one.is_object() && one.value("name", Json()) == task.name &&
-                  one.value("hash", Json()) == task.study.provenance.hash;
-         });
+  std::vector<std::string> hashes;
+  if (!tasks.is_array()) return hashes;
+  for (const auto& one : tasks) {
+    const bool is_waiting = one.is_object() && one.value("name", Json()) == task.name &&
+                            one.value("hash", Json()) == task.study.provenance.hash &&
+                            one.value("state", Json()) != "done";
+    const auto known = is_waiting ? one.value("may_replace", Json::array()) : Json::array();
+    for (const auto& hash : known) {
+      if (hash.is_string()) hashes.push_back(hash.get<std::string>());
+    }
+  }
+  return hashes;
 }
 
 /// What forbids to write the tables of a sweep to a directory; empty if nothing does.
 std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    return fmt::format("{0}: here are the results of a single study; take another directory (--out {0}-sweep)",
-                       directory.string());
+    // Without the slash at the end of `--out results/`.
+    const auto name = directory.has_filename() ? directory : directory.parent_path();
+    return fmt::format("{}: here are the results of a single study; take another directory (--out {}-sweep)",
+                       directory.string(), name.string());
   }
   const auto record = sweep_record(directory);
   if (record.is_null()) {
@@ -79,10 +91,23 @@ std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, c
 
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   std::vector<RunOptions> all(sweep.tasks.size(), options);
-  if (!options.resume || sweep.keys.empty()) return all;
-  const auto record = sweep_record(directory);
-  for (std::size_t task = 0; task < all.size(); ++task) all[task].overwrite = names(record, sweep.tasks[task]);
+  if (sweep.keys.empty()) return all;
+  const auto record = options.resume ? sweep_record(directory) : Json();
+  for (std::size_t task = 0; task < all.size(); ++task) {
+    all[task].overwrite = false;
+    if (options.resume) all[task].replaceable = replaceable_by(sweep.tasks[task], record);
+    if (options.overwrite) all[task].replaceable = hashes_of_records_in(sweep.tasks[task].directory_in(directory));
+  }
   return all;
+}
+
+std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs::path& directory) {
+  if (sweep.keys.empty() || !parallel::is_first()) return nullptr;
+  auto lock = std::make_unique<DirectoryLock>(directory);
+  for (const auto& task : sweep.tasks) {
+    lock_and_finish_interrupted_replacement(task.study, task.directory_in(directory));
+  }
+  return lock;
 }
 
 void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {

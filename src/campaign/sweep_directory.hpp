@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// How each task is run. A sweep that resumes may replace the results of other studies in the directories of those
-/// tasks that the tables of the directory name already: the run that began the sweep was to overwrite them.
+/// How each task is run. A sweep that is to overwrite may replace the results that are in the directories of its tasks
+/// when it begins, and one that resumes those of them that `sweep.json` still names: not what others put there since.
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesystem::path& directory,
                                          const RunOptions& options);
 

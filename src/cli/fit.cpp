@@ -212,9 +212,14 @@ std::filesystem::path default_directory(const std::filesystem::path& file) {
   return std::filesystem::path("results") / (file.stem().string() + "-fit");
 }
 
-/// The options by which fits of one file differ, as on the command line.
-std::string options_of(const FitArguments& arguments) {
+/// The options by which fits of one file differ, as on the command line. What is said by default is left out.
+std::string options_of(const FitArguments& arguments, const FitResult& result) {
   std::vector<std::string> options;
+  if (!arguments.to.empty() && kinds.at(arguments.to) != result.measured)
+    options.push_back(fmt::format("--to {}", arguments.to));
+  if (arguments.times_per_decade != FitOptions{}.times_per_decade) {
+    options.push_back(fmt::format("--times-per-decade {}", arguments.times_per_decade));
+  }
   for (const auto& [name, value] : {std::pair("--modulus", arguments.modulus), std::pair("--ramp", arguments.ramp),
                                     std::pair("--reference-temperature", arguments.reference_temperature)}) {
     if (!value.empty()) options.push_back(fmt::format("{} {}", name, value));
@@ -231,7 +236,7 @@ void fit(const FitArguments& arguments) {
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
   const auto files =
-      write_fit({directory, arguments.file, options_of(arguments), arguments.overwrite}, data, result, kind);
+      write_fit({directory, arguments.file, options_of(arguments, result), arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
   if (result.quality) fmt::print("{}", quality(result));
@@ -272,7 +277,8 @@ void add_fit(CLI::App& application) {
   command
       ->add_option("--out", arguments->directory, "directory for the results (default: results/<name of the file>-fit)")
       ->type_name("DIR");
-  command->add_flag("--overwrite", arguments->overwrite, "replace the fit of another file in the directory");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "replace the fit of other data or with other options in the directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { fit(*arguments); });
 }

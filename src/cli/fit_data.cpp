@@ -136,8 +136,10 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
       table.path().string(), table.list_of_names()));
 }
 
-/// Tables of results hold the curves of several tests, one below the other; a fit takes one.
+/// Tables of results hold the curves of several tests, one below the other; a fit takes one. Those of a sweep may
+/// differ in the values of swept keys alone, and have each time several times then.
 void refuse_several_curves(const MeasuredTable& table, std::vector<double> times) {
+  table.refuse_several_series();
   const bool is_of_results = table.list_of_names().find("\"stage\"") != std::string::npos;
   std::ranges::sort(times);
   if (!is_of_results || std::ranges::adjacent_find(times) == times.end()) return;

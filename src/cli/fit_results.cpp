@@ -233,7 +233,7 @@ class Writer {
     refuse_to_replace(directory, files, {&source, 1});
     return {.command = "fit",
             .source = options.empty() ? source.string() : fmt::format("{} ({})", source.string(), options),
-            .identity = content_hash(std::filesystem::weakly_canonical(source).string() + options),
+            .identity = content_hash(fmt::format("{}\n{}", content_hash(read_text(source)), options)),
             .files = files,
             .overwrite = overwrite};
   }

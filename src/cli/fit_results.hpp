@@ -46,12 +46,12 @@ struct FitDestination {
   std::filesystem::path directory;
   std::filesystem::path source;  ///< the file of the data
   std::string options;           ///< of the command line, by which fits of one file differ
-  bool overwrite;                ///< may the fit of another file be replaced?
+  bool overwrite;                ///< may the fit of other data or with other options be replaced?
 };
 
 /// Writes all files of a fit to a directory, which is made, and returns their names; pictures are left out where
 /// gnuplot cannot draw. Throws InputError where files would be replaced that are not of an earlier fit of the same
-/// data, and FileError.
+/// data with the same options, and FileError.
 std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
                                    CurveKind kind);
 

@@ -24,7 +24,8 @@ void add_pack(CLI::App& application) {
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     Progress progress(arguments->quiet || !parallel::is_first());
-    refuse_objections(sweep, arguments->results(), options);
+    const auto lock = hold_sweep_directory(sweep, arguments->results());
+    if (lock) refuse_objections(sweep, arguments->results(), options);
     for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
       const auto& task = sweep.tasks[i];
       if (!task.name.empty()) progress.print(heading_of(sweep, i));

@@ -287,7 +287,8 @@ void add_respond(CLI::App& application) {
   command
       ->add_option("--out", arguments->out, "directory for the curves (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
-  command->add_flag("--overwrite", arguments->overwrite, "replace the curves of another matrix in that directory");
+  command->add_flag("--overwrite", arguments->overwrite,
+                    "replace the curves of another matrix or of other times in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { run_respond(*arguments); });
 }

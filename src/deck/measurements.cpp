@@ -23,6 +23,7 @@ PronySeries read_measured_series(const std::filesystem::path& path) {
 Curve read_measured_curve(const std::filesystem::path& path) {
   const auto table = read_measured_table(path);
   table.require({Quantity::time, Quantity::modulus});
+  table.refuse_several_series();
   const auto& times = table.column(Quantity::time);
   const auto& moduli = table.column(Quantity::modulus, ModulusKind::shear);
   FileMistakes mistakes(path);

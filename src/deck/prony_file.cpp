@@ -15,6 +15,7 @@ namespace breccia {
 PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind) {
   const auto table = read_measured_table(path);
   table.require({Quantity::relaxation_time, Quantity::modulus});
+  table.refuse_several_series();
   const auto& times = table.column(Quantity::relaxation_time);
   const auto& moduli = table.column(Quantity::modulus, kind);
   PronyFile file;

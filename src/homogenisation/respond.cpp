@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
@@ -131,6 +132,12 @@ void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   }
 }
 
+/// Warns of times at which the spectrum of a stage's new matrix says nothing.
+void warn_of_unknown_times(StageResult& result, const Material& matrix, const TimeWindow& window) {
+  const auto warning = warning_of_unknown_times(matrix, window);
+  if (warning) result.warnings.push_back(fmt::format("{}: {}", result.name, *warning));
+}
+
 /// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
 std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
                                         const std::map<std::string, Material>& matrices, const TimeWindow& window) {
@@ -144,10 +151,7 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
       return matrix_of(stage, done, boundary, Method::quasistatic);
     };
     auto result = respond_within(next, matrix_under, window);
-    if (const auto* material = std::get_if<Material>(&stage.matrix)) {
-      const auto warning = warning_of_unknown_times(*material, window);
-      if (warning) result.warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
-    }
+    if (const auto* material = std::get_if<Material>(&stage.matrix)) warn_of_unknown_times(result, *material, window);
     if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
     done.push_back(std::move(result));
   }
@@ -158,8 +162,10 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
 
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
   return or_tell_covered_times(times.value_or(stored.times), [&](const TimeWindow& window) {
-    return respond_within(
+    auto result = respond_within(
         stored, [&](Boundary) -> const Material& { return matrix; }, window);
+    warn_of_unknown_times(result, matrix, window);
+    return result;
   });
 }
 

@@ -41,7 +41,13 @@ Conversion reciprocal_pressure(std::string_view unit) {
   throw InputError(fmt::format("expected a unit such as 1_per_Pa, got \"{}\"", unit));
 }
 
-/// A frequency is an angular one where its unit says so.
+/// Does a unit count cycles beyond doubt, as kHz and megahertz do?
+bool is_in_hertz(std::string_view unit) {
+  return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
+}
+
+/// An angular frequency, or one that counts cycles, as the unit says. An inverse time says neither: with the name of an
+/// angular frequency it is one, with any other name it is refused.
 Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
     if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));
@@ -49,12 +55,14 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view rate : {"rad s-1", "rad s^-1", "rad·s-1", "rad*s^-1", "rad s⁻¹"}) {
     if (unit == rate) return {};
   }
-  const bool is_plain_rate = unit == "1/s" || unit == "s-1" || unit == "s^-1";
-  if (counts_cycles && is_plain_rate) {
+  constexpr double turn = 2.0 * std::numbers::pi, minute = 60.0;
+  if (unit == "rpm") return {turn / minute};
+  if (counts_cycles) {
+    const double factor = parse_quantity(fmt::format("1 {}", unit), Dimension::frequency);
+    if (is_in_hertz(unit)) return {turn * factor};
     throw InputError(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit));
   }
-  if (counts_cycles) return {2.0 * std::numbers::pi * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
-  if (is_plain_rate) return {};
+  if (unit == "1/s" || unit == "s-1" || unit == "s^-1") return {};
   throw InputError(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit));
 }
 

@@ -6,32 +6,77 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include "breccia/error.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/io/text_file.hpp"
 
 namespace breccia {
+namespace {
 
-DirectoryLock::DirectoryLock(const std::filesystem::path& directory) : directory_(directory) {
-  make_directory(directory);
-  descriptor_ =
-      ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
-  if (descriptor_ < 0 || ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
-  const int reason = errno;
-  // Some file systems know no locks.
-  if (reason != EWOULDBLOCK) return;
-  ::close(descriptor_);
-  throw InputError(
-      fmt::format("{}: another process of Breccia writes its results here; wait for its end, or take another "
-                  "directory (--out)",
-                  directory.string()));
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& directory, int reason) {
+  if (reason == EWOULDBLOCK) {
+    throw DirectoryInUse(
+        fmt::format("{}: another process of Breccia writes its results here; wait for its end, or take another "
+                    "directory (--out)",
+                    directory.string()));
+  }
+  throw FileError(
+      fmt::format("{}: cannot lock this directory: {}", directory.string(), std::generic_category().message(reason)));
+}
+
+/// Does this reason say that the file system has no locks? NFS locks only what is open for writing (EBADF), which a
+/// directory cannot be.
+bool has_no_locks(int reason) {
+  return reason == ENOSYS || reason == ENOTSUP || reason == ENOLCK || reason == EBADF;
+}
+
+/// Is what a descriptor has open still what its path leads to? Another process may have removed it meanwhile.
+bool is_still_at(int descriptor, const fs::path& directory) {
+  struct stat opened = {}, found = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(directory.c_str(), &found) == 0 && opened.st_dev == found.st_dev &&
+         opened.st_ino == found.st_ino;
+}
+
+/// A descriptor of the directory that holds the lock, or -1 where the directory has been removed on the way.
+int locked(const fs::path& directory) {
+  constexpr int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+  const int descriptor = ::open(directory.c_str(), flags);  // NOLINT(cppcoreguidelines-pro-type-vararg)
+  if (descriptor < 0 && errno == ENOENT) return -1;
+  if (descriptor < 0) refuse(directory, errno);
+  const int reason = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+  if (reason != 0 && !has_no_locks(reason)) {
+    ::close(descriptor);
+    refuse(directory, reason);
+  }
+  if (is_still_at(descriptor, directory)) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+/// Makes the directory where it is missing. False where another process has removed it on the way.
+bool is_made(const fs::path& directory) {
+  std::error_code error, ignored;
+  fs::create_directories(directory, error);
+  if (error == std::errc::file_exists && !fs::exists(fs::symlink_status(directory, ignored))) return false;
+  if (error) make_directory(directory);  // throws, with the reason
+  return true;
+}
+
+}  // namespace
+
+DirectoryLock::DirectoryLock(const fs::path& directory) : directory_(directory), descriptor_(-1) {
+  while (descriptor_ < 0) {
+    if (is_made(directory_)) descriptor_ = locked(directory_);
+  }
 }
 
 DirectoryLock::~DirectoryLock() {
-  std::error_code is_not_empty;
-  std::filesystem::remove(directory_, is_not_empty);
-  if (descriptor_ >= 0) ::close(descriptor_);
+  remove_if_empty(directory_);
+  ::close(descriptor_);
 }
 
 }  // namespace breccia

@@ -124,4 +124,11 @@ const MeasuredColumn& MeasuredTable::column(Quantity quantity, ModulusKind wante
                                shown_value(any.name), held, conversion_hint(any.kind, wanted)));
 }
 
+void MeasuredTable::refuse_several_series() const {
+  if (!has_several_series_) return;
+  throw InputError(fmt::format(
+      "{}: results with several curves, of stages, loads, boundaries or tasks; keep the rows of one of them",
+      path_.string()));
+}
+
 }  // namespace breccia

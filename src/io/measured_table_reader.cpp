@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -35,6 +36,7 @@ class MeasuredTableReader {
     auto record = records.next();
     while (record && record->line <= layout_.header.line) record = records.next();
     read_meanings();
+    find_labels();
     if (record && is_row_of_units(record->fields)) {
       add_units(record->fields);
       record = records.next();
@@ -67,6 +69,25 @@ class MeasuredTableReader {
 
   void read_meanings() {
     for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name));
+  }
+
+  /// The columns that tell one series of results from another, where the table is one of results.
+  void find_labels() {
+    const auto& names = table_.names_;
+    const auto has = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+    if (!has("stage") || !has("boundary")) return;
+    constexpr std::array<std::string_view, 6> labels{"task", "stage", "load", "boundary", "method", "cells"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (std::ranges::find(labels, names[i]) != labels.end()) label_columns_.push_back(i);
+    }
+  }
+
+  /// Takes note of a row of another series than the first row's.
+  void compare_labels(const std::vector<std::string>& fields) {
+    std::vector<std::string> labels;
+    for (const auto column : label_columns_) labels.push_back(fields[column]);
+    if (table_.lines_.empty()) first_labels_ = labels;
+    table_.has_several_series_ = table_.has_several_series_ || labels != first_labels_;
   }
 
   /// Does a row tell the units of known columns that have none in their names?
@@ -126,6 +147,7 @@ class MeasuredTableReader {
                                 may_be_commas ? " (with decimal commas, separate the columns by semicolons)" : ""));
       return;
     }
+    compare_labels(fields);
     table_.lines_.push_back(record.line);
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const auto& [place_in_row, conversion] = sources_[i];
@@ -157,6 +179,8 @@ class MeasuredTableReader {
   detail::TableLayout layout_;
   std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< of the names
   std::vector<Source> sources_;                                 ///< of the columns of the table
+  std::vector<std::size_t> label_columns_;                      ///< places in a row
+  std::vector<std::string> first_labels_;                       ///< of the first row
 };
 
 MeasuredTable read_measured_table(const std::filesystem::path& path) {

@@ -12,6 +12,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/empty_directory.hpp"
+#include "breccia/io/partial_name.hpp"
 #include "breccia/io/text_file.hpp"
 
 namespace breccia {
@@ -40,19 +42,25 @@ std::vector<std::string> names_in(const fs::path& list) {
   return names;
 }
 
-void rename_file(const fs::path& from, const fs::path& to) {
+/// Moves a file, also to another disk: a directory of results may be a symbolic link.
+void move_file(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
+  if (error == std::errc::cross_device_link) {
+    copy_result(from, to);
+    return remove_files(from.parent_path(), std::vector{from.filename().string()});
+  }
   if (error) throw FileError(fmt::format("{}: cannot move it to {}: {}", from.string(), to.string(), error.message()));
 }
 
-/// All files below a directory, relative to it, but for the lists.
+/// All files and symbolic links below a directory, relative to it, but for the lists and half-written files. Links are
+/// not followed: what they lead to may be anywhere.
 std::vector<std::string> files_below(const fs::path& directory) {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    if (entry.is_directory()) continue;
-    auto name = fs::relative(entry.path(), directory).string();
-    if (name != removing_list && name != moving_list) names.push_back(std::move(name));
+    if (fs::is_directory(entry.symlink_status())) continue;
+    auto name = entry.path().lexically_relative(directory).string();
+    if (name != removing_list && name != moving_list && !is_partial_name(name)) names.push_back(std::move(name));
   }
   std::ranges::sort(names);
   return names;
@@ -62,7 +70,7 @@ std::vector<std::string> files_below(const fs::path& directory) {
 std::vector<fs::path> directories_below(const fs::path& directory) {
   std::set<fs::path, std::greater<>> found;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    if (entry.is_directory()) found.insert(entry.path());
+    if (fs::is_directory(entry.symlink_status())) found.insert(entry.path());
   }
   return {found.begin(), found.end()};
 }
@@ -84,7 +92,7 @@ void remove_old(const fs::path& directory) {
   const auto names = names_in(unfinished / removing_list);
   remove_files(directory, names);
   remove_if_empty(parents_of(directory, names));
-  rename_file(unfinished / removing_list, unfinished / moving_list);
+  move_file(unfinished / removing_list, unfinished / moving_list);
 }
 
 /// The second step: the new files come, the record after all others.
@@ -95,27 +103,29 @@ void move_new(const fs::path& directory) {
   auto names = files_below(unfinished);
   std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
   for (const auto& name : names) {
+    if (!stays_within(name)) throw FileError(fmt::format("{}: cannot move it", (unfinished / name).string()));
     make_directory((directory / name).parent_path());
-    rename_file(unfinished / name, directory / name);
+    move_file(unfinished / name, directory / name);
   }
   remove_if_empty(directories_below(unfinished));
   remove_files(unfinished, std::vector<std::string>{moving_list});
-  remove_if_empty(std::vector{unfinished});
+  remove_if_empty(unfinished);
 }
 
 }  // namespace
 
 void replace_results(const fs::path& directory, std::span<const std::string> old_files, const std::string& record) {
   const auto unfinished = directory / unfinished_directory;
-  remove_partial_files(unfinished);
+  if (!fs::is_regular_file(unfinished / record)) {
+    throw FileError(fmt::format("{}: has disappeared, so nothing is replaced", (unfinished / record).string()));
+  }
   std::vector<std::string> foreign;
   for (const auto& name : files_below(unfinished)) {
     const bool is_ours = std::ranges::find(old_files, name) != old_files.end() && !fs::is_directory(directory / name);
-    if (!is_ours && fs::exists(directory / name)) foreign.push_back((directory / name).string());
+    if (!is_ours && fs::exists(fs::symlink_status(directory / name))) foreign.push_back((directory / name).string());
   }
   if (!foreign.empty()) {
-    throw FileError(fmt::format("{}: not written by Breccia, so it is not replaced; the new results are in {}",
-                                fmt::join(foreign, ", "), unfinished.string()));
+    throw FileError(fmt::format("{}: not written by Breccia, so it is not replaced", fmt::join(foreign, ", ")));
   }
   auto list = record + "\n";
   for (const auto& name : old_files) {
@@ -132,22 +142,13 @@ bool is_being_replaced(const fs::path& directory) {
 
 std::vector<std::string> unfinished_files(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  if (!fs::is_directory(unfinished)) return {};
-  remove_partial_files(unfinished);
-  return files_below(unfinished);
+  return fs::is_directory(unfinished) ? files_below(unfinished) : std::vector<std::string>();
 }
 
 void finish_replacement(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   if (fs::is_regular_file(unfinished / removing_list)) remove_old(directory);
   if (fs::is_regular_file(unfinished / moving_list)) move_new(directory);
-}
-
-void remove_if_empty(std::span<const fs::path> directories) {
-  for (const auto& directory : directories) {
-    std::error_code is_not_empty;
-    fs::remove(directory, is_not_empty);
-  }
 }
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -36,36 +37,62 @@ TableLayout layout_with(std::string_view text, char separator) {
   return first;
 }
 
-/// Could the commas of a number part thousands, as in 2,000 or 1,234,567?
-bool may_have_thousands(std::string_view field) {
+/// The digits and commas of a number with commas, without its sign and its exponent; nothing where a value is none.
+std::optional<std::string_view> digits_with_commas(std::string_view value) {
+  constexpr std::string_view digits = "0123456789";
+  if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
+  if (const auto letter = value.find_first_of("eE"); letter != std::string_view::npos) {
+    auto exponent = value.substr(letter + 1);
+    if (exponent.starts_with('+') || exponent.starts_with('-')) exponent.remove_prefix(1);
+    if (exponent.empty() || exponent.find_first_not_of(digits) != std::string_view::npos) return std::nullopt;
+    value = value.substr(0, letter);
+  }
+  const bool is_number = value.find(',') != std::string_view::npos &&
+                         value.find_first_of(digits) != std::string_view::npos &&
+                         value.find_first_not_of("0123456789,") == std::string_view::npos;
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+/// Could the commas among digits part thousands, as in 2,000 or 1,234,567?
+bool may_have_thousands(std::string_view digits) {
   constexpr std::size_t group = 3;
-  auto digits = field.find(',');
-  if (digits == 0 || digits > group || field.front() == '0') return false;
-  while (digits != std::string_view::npos) {
-    field.remove_prefix(digits + 1);
-    digits = field.find(',');
-    const auto part = field.substr(0, digits);
-    if (part.size() != group || part.find_first_not_of("0123456789") != std::string_view::npos) return false;
+  auto comma = digits.find(',');
+  if (comma == 0 || comma > group || digits.front() == '0') return false;
+  while (comma != std::string_view::npos) {
+    digits.remove_prefix(comma + 1);
+    comma = digits.find(',');
+    if (digits.substr(0, comma).size() != group) return false;
   }
   return true;
 }
 
-/// Of the numbers in a table: whether commas stand in them and no points. Throws InputError where they may as well part
-/// thousands.
+/// Which columns are read, by their place: those whose names are known. Where none is, any may be meant.
+std::vector<bool> columns_read(const TableLayout& layout) {
+  std::vector<bool> are_read;
+  for (const auto& name : layout.header.fields) {
+    are_read.push_back(layout.known_columns == 0 || meaning_of(name).has_value());
+  }
+  return are_read;
+}
+
+/// Of the numbers in the columns that are read: whether commas stand in them and no points. Throws InputError where
+/// they may as well part thousands.
 bool has_decimal_commas(std::string_view text, const TableLayout& layout) {
+  const auto are_read = columns_read(layout);
   CsvRecords records(text, layout.separator);
   bool has_comma = false, has_thousands = true;
   std::string example;
   while (const auto record = records.next()) {
     if (record->line <= layout.header.line) continue;
-    for (const auto& field : record->fields) {
+    for (std::size_t i = 0; i < std::min(record->fields.size(), are_read.size()); ++i) {
+      if (!are_read[i]) continue;
+      const auto& field = record->fields[i];
       if (field.find('.') != std::string::npos && parse_number(field)) return false;
-      const bool is_parted =
-          field.find(',') != std::string::npos && field.find_first_not_of("+-0123456789,eE") == std::string::npos;
-      if (!is_parted) continue;
+      const auto digits = digits_with_commas(field);
+      if (!digits) continue;
       has_comma = true;
       if (example.empty()) example = field;
-      has_thousands = has_thousands && may_have_thousands(field);
+      has_thousands = has_thousands && may_have_thousands(*digits);
     }
   }
   if (has_comma && has_thousands) {

@@ -14,12 +14,11 @@
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/partial_name.hpp"
 
 namespace breccia {
 
 namespace {
-
-constexpr auto partial = ".partial";
 
 std::string last_system_error() {
   return std::generic_category().message(errno);
@@ -42,7 +41,7 @@ void wait_for_disk(const std::filesystem::path& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path)
-    : path_(std::move(path)), temporary_(fmt::format("{}.{}{}", path_.string(), ::getpid(), partial)) {}
+    : path_(std::move(path)), temporary_(partial_name(path_.string(), ::getpid())) {}
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
@@ -125,8 +124,8 @@ void remove_partial_files(const std::filesystem::path& directory) {
   std::error_code is_missing;
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(directory, is_missing)) {
-    if (entry.path().extension() == partial && entry.is_regular_file())
-      names.push_back(entry.path().filename().string());
+    auto name = entry.path().filename().string();
+    if (is_partial_name(name) && entry.is_regular_file()) names.push_back(std::move(name));
   }
   remove_files(directory, names);
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/io/empty_directory.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -25,12 +26,16 @@ bool is_of_breccia(const Json& record) {
 }  // namespace
 
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
-    : directory_(std::move(directory)), origin_(std::move(origin)), place_(directory_ / unfinished_directory) {
+    : lock_(directory),
+      directory_(std::move(directory)),
+      origin_(std::move(origin)),
+      place_(directory_ / unfinished_directory) {
   finish_replacement(directory_);
   refuse_others();
+  refuse_directories();
   refuse_foreign_unfinished();
-  made_directory_ = !fs::exists(directory_);
   make_directory(place_);
+  remove_partial_files(place_);
   // The record comes first: what a killed command leaves is known by it.
   write_record();
   remove_files(place_, origin_.files);
@@ -42,8 +47,7 @@ WholeResults::~WholeResults() {
   if (fs::exists(place_, ignored) && is_being_replaced(directory_)) return;
   for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
   fs::remove(place_ / record_name(), ignored);
-  fs::remove(place_, ignored);
-  if (made_directory_) fs::remove(directory_, ignored);
+  remove_if_empty(place_);
 }
 
 void WholeResults::refuse_others() const {
@@ -58,10 +62,12 @@ void WholeResults::refuse_others() const {
     const bool is_ours = is_of_breccia(json);
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
-      throw InputError(
-          fmt::format("{}: here is what `breccia {}` made of {}; replace it (--overwrite) or take another "
-                      "directory (--out)",
-                      directory_.string(), origin_.command, json.value("source", Json()).dump()));
+      const auto before = json.value("source", Json());
+      throw InputError(fmt::format(
+          "{}: here is what `breccia {}` made of {}{}; replace it (--overwrite) or take another directory (--out)",
+          directory_.string(), origin_.command, before.dump(),
+          before == origin_.source ? ", whose content was another then"
+                                   : fmt::format(", not of {}", Json(origin_.source).dump())));
     }
   }
   std::vector<std::string> foreign;
@@ -74,6 +80,15 @@ void WholeResults::refuse_others() const {
       fmt::format("{}: the results would replace {}, which `breccia {}` did not write; take another "
                   "directory (--out)",
                   directory_.string(), fmt::join(foreign, ", "), origin_.command));
+}
+
+void WholeResults::refuse_directories() const {
+  auto names = origin_.files;
+  names.push_back(record_name());
+  std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
+  if (names.empty()) return;
+  throw InputError(fmt::format("{}: directories are where the results are to be, {}; take another directory (--out)",
+                               directory_.string(), fmt::join(names, ", ")));
 }
 
 void WholeResults::refuse_foreign_unfinished() const {
@@ -104,7 +119,6 @@ void WholeResults::commit() {
   auto old = origin_.files;
   old.push_back(record_name());
   replace_results(directory_, old, record_name());
-  made_directory_ = false;
 }
 
 }  // namespace breccia

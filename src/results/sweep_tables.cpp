@@ -111,7 +111,8 @@ void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const 
   write_csv(file, table);
 }
 
-Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result) {
+Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result,
+             const std::vector<std::string>& may_replace) {
   Json values = Json::object();
   for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
     std::visit([&](const auto& value) { values[sweep.keys[i].path] = value; }, task.values[i]);
@@ -122,12 +123,23 @@ Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result
                {"state", name_of(result.state)},
                {"wall_time_s", result.state == TaskState::done ? Json(result.seconds) : Json()}};
   if (result.state == TaskState::failed) json["error"] = result.error;
+  if (result.state != TaskState::done && !may_replace.empty()) json["may_replace"] = may_replace;
   return json;
 }
 
-void write_states(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+}  // namespace
+
+void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
+  write_all_curves(directory / "sweep.csv", sweep, result);
+  write_spreads(directory / "spread.csv", sweep, result);
+}
+
+void write_sweep_record(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result,
+                        const std::vector<std::vector<std::string>>& replaceable) {
   Json tasks = Json::array();
-  for (std::size_t i = 0; i < result.size(); ++i) tasks.push_back(json_of(sweep, sweep.tasks[i], result[i]));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    tasks.push_back(json_of(sweep, sweep.tasks[i], result[i], replaceable[i]));
+  }
   Json keys = Json::array();
   for (const auto& key : sweep.keys) keys.push_back(key.path);
   Json quantities = Json::object();
@@ -146,15 +158,7 @@ void write_states(const std::filesystem::path& file, const Sweep& sweep, const S
                      {"keys", std::move(keys)},
                      {"quantities", std::move(quantities)},
                      {"tasks", std::move(tasks)}};
-  write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-}  // namespace
-
-void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
-  write_all_curves(directory / "sweep.csv", sweep, result);
-  write_spreads(directory / "spread.csv", sweep, result);
-  write_states(directory / "sweep.json", sweep, result);
+  write_text(directory / "sweep.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace breccia

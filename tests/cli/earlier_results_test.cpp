@@ -20,10 +20,12 @@ namespace {
 namespace fs = std::filesystem;
 using test::StudyDirectory;
 using testing::AllOf;
+using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+using Words = std::vector<std::string>;
 
 /// One box of few particles, quasi-static, with complete results in `out`.
 class EarlierResults : public testing::Test {
@@ -119,11 +121,33 @@ TEST_F(EarlierResults, AreNotReplacedByTwoProcessesAtOnce) {
   EXPECT_EQ(first.wait().exit_code, 0);
 }
 
+TEST_F(EarlierResults, ThatAreUnfinishedMayHaveLostTheirRecord) {
+  // A run that was killed while it removed what another had left in `unfinished`.
+  fs::create_directories(study_.result("unfinished"));
+  fs::copy(study_.result("A"), study_.result("unfinished/A"));
+  fs::copy(study_.result("A"), study_.result("unfinished/old"));
+  study_.write("out/unfinished/old/microstructure.csv.17.partial", "x_m");
+  fs::copy(study_.result("curves.csv"), study_.result("unfinished/curves.csv"));
+  const auto run = study_.breccia("run", other_instead_);
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(study_.results(), Not(Contains(AnyOf(StartsWith("unfinished"), StartsWith("old")))));
+}
+
+TEST_F(EarlierResults, OfASweepAreNotGoneOnFromByASingleStudy) {
+  const StudyDirectory sweep(read_text(study_.path() / "deck.toml"));
+  ASSERT_EQ(sweep.breccia("run", {"--sweep", "stages.A.packing.seed=[1, 2]"}).exit_code, 0);
+  const auto single = sweep.breccia("run", {"--resume"});
+  EXPECT_EQ(single.exit_code, 2);
+  EXPECT_THAT(single.errors, StartsWith("out: here are the results of a sweep; "));
+}
+
 TEST_F(EarlierResults, OfASingleStudyAreNotMixedWithThoseOfASweep) {
   const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
   const auto sweep = study_.breccia("run", seeds);
   EXPECT_EQ(sweep.exit_code, 2);
   EXPECT_EQ(sweep.errors, "out: here are the results of a single study; take another directory (--out out-sweep)\n");
+  const auto with_slash = test::run_breccia(study_.path(), {"run", "deck.toml", "--out", "out/", "--seeds", "2"});
+  EXPECT_THAT(with_slash.errors, HasSubstr("take another directory (--out out-sweep)\n"));
   expect_nothing_lost();
 }
 
@@ -187,6 +211,70 @@ TEST(SeveralCurves, AreNotFittedAsOne) {
   EXPECT_THAT(fit.errors, HasSubstr("out/curves.csv: results with several curves"));
 }
 
+TEST(SeveralSeries, AreNotTakenAsOne) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
+  const auto series = read_text(study.result("prony.csv"));
+  const auto fit = test::run_breccia(study.path(), {"fit", "out/prony.csv"});
+  EXPECT_EQ(fit.exit_code, 2);
+  EXPECT_THAT(fit.errors, HasSubstr("out/prony.csv: results with several curves"));
+  const auto run = study.breccia("check", {"--set", "materials.binder.shear={ prony = \"out/prony.csv\" }"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.errors, HasSubstr("out/prony.csv: results with several curves"));
+  // The rows of one of them: those of the first test, up to the second infinite relaxation time.
+  const auto second = series.find("inf", series.find("inf") + 1);
+  study.write("one.csv", series.substr(0, series.rfind('\n', second) + 1));
+  EXPECT_EQ(test::run_breccia(study.path(), {"fit", "one.csv"}).exit_code, 0);
+}
+
+TEST(EarlierFits, OfOtherOptionsOrDataAreNotReplacedUnasked) {
+  const StudyDirectory study(test::good_deck);
+  study.write("G.csv", "time_s,modulus_Pa\n1,3\n2,2\n3,1.5\n4,1.2\n");
+  const auto fit = [&](const Words& more) {
+    Words arguments = {"fit", "G.csv", "--out", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test::run_breccia(study.path(), arguments);
+  };
+  ASSERT_EQ(fit({}).exit_code, 0);
+  EXPECT_EQ(fit({"--to", "relaxation", "--times-per-decade", "10"}).exit_code, 0) << "the same as by default";
+  const auto creep = fit({"--to", "creep"});
+  EXPECT_EQ(creep.exit_code, 2);
+  EXPECT_THAT(creep.errors, HasSubstr("made of \"G.csv\", not of \"G.csv (--to creep)\"; replace it (--overwrite)"));
+  const auto fewer = fit({"--times-per-decade", "3"});
+  EXPECT_EQ(fewer.exit_code, 2);
+  EXPECT_THAT(fewer.errors, HasSubstr("not of \"G.csv (--times-per-decade 3)\""));
+  const auto before = read_text(study.result("prony.csv"));
+  study.write("G.csv", "time_s,modulus_Pa\n1,30\n2,20\n3,15\n4,12\n");
+  const auto edited = fit({});
+  EXPECT_EQ(edited.exit_code, 2);
+  EXPECT_THAT(edited.errors, HasSubstr("made of \"G.csv\", whose content was another then; replace it"));
+  EXPECT_EQ(read_text(study.result("prony.csv")), before);
+  EXPECT_EQ(fit({"--overwrite"}).exit_code, 0);
+}
+
+TEST_F(EarlierResults, OfAnotherResponseAreNotReplacedUnasked) {
+  const std::string aged = "density = \"1.48 g/cm^3\"\nbulk = \"3.6 GPa\"\nshear = \"0.5 MPa\"\n";
+  study_.write("aged.toml", aged);
+  const auto respond = [&](const Words& more) {
+    Words arguments = {"respond", "out", "--material", "aged.toml"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return test::run_breccia(study_.path(), arguments);
+  };
+  const auto first = respond({});
+  ASSERT_EQ(first.exit_code, 0) << first.errors;
+  EXPECT_EQ(respond({}).exit_code, 0) << "the same once more";
+  const auto shorter = respond({"--times", "1 ms", "10 ms"});
+  EXPECT_EQ(shorter.exit_code, 2);
+  EXPECT_THAT(shorter.errors, AllOf(HasSubstr("made of \"aged: A from 10 us to 100 ms, study "),
+                                    HasSubstr("not of \"aged: A from 1 ms to 10 ms, study ")));
+  const auto curves = read_text(study_.result("respond-aged/curves.csv"));
+  study_.write("aged.toml", test::replaced(aged, "0.5 MPa", "0.6 MPa"));
+  const auto edited = respond({});
+  EXPECT_EQ(edited.exit_code, 2);
+  EXPECT_THAT(edited.errors, HasSubstr("whose content was another then"));
+  EXPECT_EQ(read_text(study_.result("respond-aged/curves.csv")), curves);
+}
+
 TEST(ForeignFiles, AreNotReplacedByFits) {
   const StudyDirectory study(test::good_deck);
   study.write("G.csv", "time_s,modulus_Pa\n1,3\n2,2\n3,1.5\n4,1.2\n");
@@ -209,64 +297,12 @@ TEST(ForeignFiles, AreNotReplacedByFits) {
   EXPECT_EQ(fit("G.csv").exit_code, 0) << "of the same file";
   const auto other = fit("H.csv");
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.errors, HasSubstr(R"(out: here is what `breccia fit` made of "G.csv"; replace it (--overwrite))"));
+  EXPECT_THAT(
+      other.errors,
+      HasSubstr(R"(out: here is what `breccia fit` made of "G.csv", not of "H.csv"; replace it (--overwrite))"));
   EXPECT_EQ(read_text(study.result("prony.csv")), first);
   EXPECT_EQ(fit("H.csv", {"--overwrite"}).exit_code, 0);
   EXPECT_NE(read_text(study.result("prony.csv")), first);
-}
-
-TEST(EarlierSweeps, OfOtherTasksAreNotReplacedUnasked) {
-  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
-  const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
-  ASSERT_EQ(study.breccia("run", seeds).exit_code, 0);
-  const auto table = read_text(study.result("sweep.csv"));
-  const auto single = study.breccia("run");
-  EXPECT_EQ(single.exit_code, 2);
-  EXPECT_THAT(single.errors, StartsWith("out: here are the results of a sweep; "));
-  auto others = seeds;
-  others.insert(others.end(), {"--set", "stages.A.cells=10"});
-  const auto refused = study.breccia("run", others);
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("out: here are the results of another sweep"),
-                    HasSubstr("out/seed-1: here are complete results of another study"), HasSubstr("out/seed-2: ")));
-  EXPECT_EQ(read_text(study.result("sweep.csv")), table);
-  others.emplace_back("--overwrite");
-  const auto replaced = study.breccia("run", others);
-  EXPECT_EQ(replaced.exit_code, 0) << replaced.errors;
-  EXPECT_NE(read_text(study.result("sweep.csv")), table);
-  EXPECT_EQ(study.breccia("run", seeds).exit_code, 2);
-}
-
-TEST(EarlierSweeps, ThatAreBeingReplacedCanBeResumed) {
-  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
-  const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
-  ASSERT_EQ(study.breccia("run", seeds).exit_code, 0);
-  // The first task of the other sweep is done, the second not begun.
-  auto others = seeds;
-  others.insert(others.end(), {"--set", "stages.A.cells=10"});
-  const StudyDirectory whole(read_text(study.path() / "deck.toml"));
-  ASSERT_EQ(whole.breccia("run", others).exit_code, 0);
-  for (const auto* name : {"seed-1", "sweep.json"}) {
-    fs::remove_all(study.result(name));
-    fs::copy(whole.result(name), study.result(name), fs::copy_options::recursive);
-  }
-  others.emplace_back("--resume");
-  const auto resumed = study.breccia("run", others);
-  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors;
-  EXPECT_THAT(resumed.output, HasSubstr("seed-1, complete already"));
-  EXPECT_EQ(read_text(study.result("sweep.csv")), read_text(whole.result("sweep.csv")));
-}
-
-TEST(EarlierSweeps, KeepTheirTablesWhileTheyAreMadeOnceMore) {
-  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
-  const std::vector<std::string> seeds = {"--sweep", "stages.A.packing.seed=[1, 2]"};
-  ASSERT_EQ(study.breccia("run", seeds).exit_code, 0);
-  const auto table = read_text(study.result("sweep.csv"));
-  auto cut_off = seeds;
-  cut_off.insert(cut_off.end(), {"--time-limit", "1 us"});
-  EXPECT_EQ(study.breccia("run", cut_off).exit_code, 130);
-  EXPECT_EQ(read_text(study.result("sweep.csv")), table);
 }
 
 TEST(StageNames, OfFilesOfResultsAreRefused) {

@@ -187,6 +187,20 @@ shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
   EXPECT_EQ(respond(covered).exit_code, 0);
 }
 
+TEST_F(Respond, WarnsOfTimesBeyondTheSpectrumOfTheNewMatrix) {
+  study->write("short.toml", R"(density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" }, { time = "10 ms", modulus = "10 MPa" }] }
+)");
+  for (const std::vector<std::string>& stages : {std::vector<std::string>{}, {"--stage", "fine"}}) {
+    std::vector<std::string> asked = {"--material", "short.toml", "--times", "1 ms", "1 s", "--overwrite"};
+    asked.insert(asked.end(), stages.begin(), stages.end());
+    const auto outcome = respond(asked);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("warning: fine: times reach from 1 ms to 1 s, but the relaxation times"));
+  }
+}
+
 TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
   study->write("curves.csv", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const auto outcome = respond({"--material", "curves.csv", "--out", "."});
@@ -204,7 +218,10 @@ TEST_F(Respond, ReplacesCurvesOfAnotherOriginOnlyWhenAsked) {
   const auto curves = read_text(study->path() / "same/curves.csv");
   const auto refused = respond(at_31);
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_THAT(refused.errors, HasSubstr("same: here is what `breccia respond` made of \"binder at 30 degC\""));
+  EXPECT_THAT(
+      refused.errors,
+      HasSubstr(
+          "same: here is what `breccia respond` made of \"binder at 30 degC: fine, coarse from 1 ms to 1 s, study "));
   EXPECT_EQ(read_text(study->path() / "same/curves.csv"), curves);
   at_31.emplace_back("--overwrite");
   EXPECT_EQ(respond(at_31).exit_code, 0);

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,6 +58,9 @@ TEST_F(MeasuredTableTest, NamesSayWhatColumnsAre) {
       {"Frequency [rad/s]", angular_frequency, 3.0},
       {"angular_frequency_rad_per_ms", angular_frequency, 3e3},
       {"omega/(rad/s)", angular_frequency, 3.0},
+      {"f [megahertz]", angular_frequency, turn * 3e6},
+      {"frequency_rpm", angular_frequency, turn * 0.05},
+      {"omega [rpm]", angular_frequency, turn * 0.05},
       {"ω [1/s]", angular_frequency, 3.0},
       {"temperature_K", temperature, 3.0},
       {"Temp (°C)", temperature, 276.15},
@@ -158,12 +162,31 @@ TEST_F(MeasuredTableTest, CommasThatMayPartThousandsAreRefused) {
             "table.csv: the comma of \"2,000\" may be a decimal one or part thousands; write points, or no commas in "
             "thousands");
   EXPECT_THAT(read("time_s;modulus_Pa\n1;2,000\n2;0,125\n").column(modulus).values, ElementsAre(2.0, 0.125));
+  for (const auto* number : {"-2,000", "+2,000", "2,000e5", "-2,000E-03", "1,234,567", "12,345"}) {
+    EXPECT_THAT(mistakes(fmt::format("time_s;modulus_Pa\n1;{}\n", number)),
+                HasSubstr(fmt::format("the comma of \"{}\" may be", number)));
+  }
+  EXPECT_THAT(read("time_s;modulus_Pa\n1;-1,25e1\n2;1,5E-1\n").column(modulus).values, ElementsAre(-12.5, 0.15));
+}
+
+TEST_F(MeasuredTableTest, ColumnsThatNobodyReadsSayNothingOfCommas) {
+  // 0,5 and 3.25 stand in columns of which nothing is known.
+  EXPECT_THAT(mistakes("time_s;modulus_Pa;note\n1;2,000;0,5\n"), HasSubstr("the comma of \"2,000\" may be"));
+  const auto table = read("time_s;modulus_Pa;note;remark\n1,5;2;3.25;e,E\n2,5;3;1,000;-,-\n");
+  EXPECT_THAT(table.column(time).values, ElementsAre(1.5, 2.5));
+  EXPECT_THAT(read("time_s;modulus_Pa;note\n1;2000;1,000\n").column(modulus).values, ElementsAre(2000.0));
 }
 
 TEST_F(MeasuredTableTest, AFrequencyIsInHertzOrRadians) {
-  EXPECT_THAT(mistakes("frequency [1/s],modulus_Pa\n1,2\n",
-                       [](const MeasuredTable& table) { table.require({angular_frequency}); }),
-              testing::HasSubstr("may mean cycles or radians; write Hz or rad/s"));
+  const auto use = [](const MeasuredTable& table) { table.require({angular_frequency}); };
+  for (const auto* unit : {"1/s", "s-1", "1/ms", "1/min", "1/sec", "/s", "s**-1", "1/hour", "cycles/s", "krad/s"}) {
+    EXPECT_THAT(mistakes(fmt::format("frequency [{}],modulus_Pa\n1,2\n", unit), use),
+                HasSubstr(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit)));
+  }
+  for (const auto* unit : {"1/ms", "Hz", "1/min"}) {
+    EXPECT_THAT(mistakes(fmt::format("omega [{}],modulus_Pa\n1,2\n", unit), use),
+                HasSubstr(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit)));
+  }
 }
 
 TEST_F(MeasuredTableTest, Latin1) {

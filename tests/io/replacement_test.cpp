@@ -116,6 +116,51 @@ TEST_F(Replacement, DoesNothingWhereNoneHasBegun) {
   EXPECT_EQ(files(), before);
 }
 
+TEST_F(Replacement, TouchesNothingWhereTheNewRecordHasDisappeared) {
+  fs::remove(place_.path() / "unfinished/study.json");
+  const auto before = files();
+  EXPECT_THAT(test::message_of<FileError>([&] { replace_results(place_.path(), old_, "study.json"); }),
+              HasSubstr("unfinished/study.json: has disappeared"));
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(Replacement, MovesNothingFromBeyondTheDirectory) {
+  const test::TemporaryDirectory elsewhere;
+  elsewhere.write("data.csv", "mine");
+  fs::create_directory(elsewhere.path() / "folder");
+  elsewhere.write("folder/data.csv", "mine");
+  fs::create_symlink(elsewhere.path() / "data.csv", place_.path() / "unfinished/data.csv");
+  fs::create_directory_symlink(elsewhere.path() / "folder", place_.path() / "unfinished/folder");
+  EXPECT_THAT(unfinished_files(place_.path()), testing::IsSupersetOf({"data.csv", "folder"}));
+  put("unfinished/moving.list", "study.json\n");
+  finish_replacement(place_.path());
+  EXPECT_EQ(read_text(elsewhere.path() / "data.csv"), "mine");
+  EXPECT_EQ(read_text(elsewhere.path() / "folder/data.csv"), "mine");
+  EXPECT_TRUE(fs::is_symlink(place_.path() / "data.csv"));
+  EXPECT_FALSE(fs::exists(place_.path() / "unfinished"));
+}
+
+TEST_F(Replacement, KeepsADirectoryThatIsALink) {
+  const test::TemporaryDirectory disk;
+  fs::remove_all(place_.path() / "A");
+  fs::create_directory_symlink(disk.path(), place_.path() / "A");
+  put("A/modulus.svg", "old");
+  put("unfinished/A/modulus.svg", "new");
+  replace_results(place_.path(), old_, "study.json");
+  EXPECT_TRUE(fs::is_symlink(place_.path() / "A"));
+  EXPECT_EQ(read_text(disk.path() / "modulus.svg"), "new");
+}
+
+TEST_F(Replacement, ListsUnfinishedFilesAndTouchesNone) {
+  put("unfinished/notes.partial", "mine");
+  put("unfinished/curves.csv.17.partial", "of a process");
+  put("unfinished/B/modulus.svg.17.partial", "of a process");
+  const auto before = files();
+  EXPECT_THAT(unfinished_files(place_.path()),
+              ElementsAre("B/modulus.svg", "C/modulus.svg", "curves.csv", "notes.partial", "study.json"));
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Replacement, TouchesNothingWhereAFileIsNotAmongTheOldOnes) {
   put("C/modulus.svg", "mine");
   const auto before = files();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/partial_name.hpp"
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"
@@ -66,6 +67,26 @@ TEST(AtomicFile, DisappearsWithoutCommit) {
 TEST(ContentHash, IsXxHash64) {
   EXPECT_EQ(content_hash(""), "ef46db3751d8e999");
   EXPECT_EQ(content_hash("abc"), "44bc2cf5ad770999");
+}
+
+TEST(PartialFiles, AreKnownByTheNumberOfTheirProcess) {
+  EXPECT_EQ(partial_name("out/curves.csv", 17), "out/curves.csv.17.partial");
+  for (const auto* name : {"curves.csv.17.partial", "A/curves.csv.17.partial"}) {
+    EXPECT_TRUE(is_partial_name(name)) << name;
+  }
+  for (const auto* name : {"curves.csv", "notes.partial", "notes.v2.partial", "notes..partial", ".17.partial",
+                           "A/.17.partial", "17.partial", ".partial", "curves.csv.17.partial.txt", ""}) {
+    EXPECT_FALSE(is_partial_name(name)) << name;
+  }
+}
+
+TEST(PartialFiles, OfOthersAreNotRemoved) {
+  const test::TemporaryDirectory directory;
+  for (const auto* name : {"curves.csv.17.partial", "notes.partial", "curves.csv"}) directory.write(name, "text");
+  remove_partial_files(directory.path());
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "curves.csv.17.partial"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "notes.partial"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "curves.csv"));
 }
 
 }  // namespace

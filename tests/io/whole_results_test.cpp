@@ -66,8 +66,13 @@ TEST_F(WholeResultsTest, TouchNoFilesOfOthers) {
 
 TEST_F(WholeResultsTest, SurviveAFailureWhileTheyArePutInPlace) {
   make("a", "first");
-  fs::create_directories(directory() / "fit.csv/in-the-way");
-  EXPECT_THROW(make("a", "second"), FileError);
+  {
+    WholeResults results(directory(), origin("a"));
+    write_text(results.place() / "prony.csv", "second");
+    write_text(results.place() / "fit.csv", "second");
+    fs::create_directories(directory() / "fit.csv/in-the-way");
+    EXPECT_THROW(results.commit(), FileError);
+  }
   fs::remove_all(directory() / "fit.csv");
   const bool is_first = fs::exists(directory() / "prony.csv") && read_text(directory() / "prony.csv") == "first";
   const auto unfinished = directory() / "unfinished/prony.csv";
@@ -75,6 +80,22 @@ TEST_F(WholeResultsTest, SurviveAFailureWhileTheyArePutInPlace) {
   EXPECT_TRUE(is_first || is_second);
   make("a", "third");
   EXPECT_EQ(read_text(directory() / "prony.csv"), "third");
+}
+
+TEST_F(WholeResultsTest, BeginNothingWhereADirectoryIsInTheWay) {
+  make("a", "first");
+  fs::create_directories(directory() / "fit.csv");
+  EXPECT_THAT(test::message_of<InputError>([&] { const WholeResults results(directory(), origin("a")); }),
+              HasSubstr("out: directories are where the results are to be, fit.csv"));
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
+}
+
+TEST_F(WholeResultsTest, AreMadeByOneProcessAtATime) {
+  WholeResults results(directory(), origin("a"));
+  write_text(results.place() / "prony.csv", "first");
+  EXPECT_THROW(make("a", "second"), DirectoryInUse);
+  results.commit();
+  EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
 }
 
 }  // namespace

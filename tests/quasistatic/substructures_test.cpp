@@ -10,7 +10,8 @@ namespace {
 
 TEST(Substructures, OfAHomogeneousBoxDifferByTheSidesThatAreHeld) {
   // 5 x 5 blocks of 8 x 8 cells: four corners, four sides, and those inside.
-  const ElasticOperator<2> elastic_operator(Discretisation<2>({{40, 40}, 1.0}), Volumetric::averaged, Boundary::displacement);
+  const ElasticOperator<2> elastic_operator(Discretisation<2>({{40, 40}, 1.0}), Volumetric::averaged,
+                                            Boundary::displacement);
   const Substructures blocks(elastic_operator);
   EXPECT_EQ(blocks.grid().blocks(), 25);
   EXPECT_EQ(blocks.blocks_by_kind().size(), 9U);

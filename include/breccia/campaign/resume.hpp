@@ -12,7 +12,7 @@ namespace breccia {
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
 /// The same, and does for a run that was killed at its very end what was left: its page, and the checkpoints and
-/// half-written files. Nobody else may be at work in the directory.
+/// half-written files. Throws DirectoryInUse where another process writes to the directory.
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory);
 
 /// Whether an earlier run has left results of tests, complete or not, in a directory.

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/homogenisation/solve.hpp"
@@ -26,6 +27,8 @@ struct RunOptions {
   bool overwrite = false;               ///< replace results of other studies, once the new ones are whole
   CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early
   bool ignore_memory = false;           ///< begin even what will hardly fit
+  /// Earlier results that may be replaced without `overwrite`: hashes of their records, as a sweep has found them.
+  std::vector<std::string> replaceable = {};
 };
 
 /// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every

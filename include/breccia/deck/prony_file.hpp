@@ -17,8 +17,8 @@ struct PronyFile {
 };
 
 /// Reads a table (read_measured_table) of relaxation times and moduli of some kind; an infinite relaxation time marks
-/// the equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind, and
-/// FileError.
+/// the equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind or the
+/// file holds the series of several tests, and FileError.
 PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind = ModulusKind::unspecified);
 
 /// Writes such a file; the second column is called `modulus_Pa`, with the kind before it where that is known. Throws

@@ -53,6 +53,9 @@ class MeasuredTable {
   void require(std::initializer_list<Quantity> quantities) const;
   /// Throws InputError where a column that is left out, for its unit is not known, would be the only one of a quantity.
   void refuse_unknown_units(std::initializer_list<Quantity> quantities) const;
+  /// Throws InputError where the rows belong to several curves or series, one below the other, as in tables of results:
+  /// of several tasks, stages, loads, boundaries, methods or grids.
+  void refuse_several_series() const;
   /// The column of a quantity that has no kind. Throws InputError without one.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity) const;
   /// The column of a modulus or compliance of some kind, or else one whose kind is not said; any where no kind is
@@ -74,6 +77,7 @@ class MeasuredTable {
   std::vector<std::size_t> lines_;  ///< of the file, for each row
   std::vector<MeasuredColumn> columns_;
   std::vector<UnknownUnit> unknown_units_;
+  bool has_several_series_ = false;
 };
 
 /// Reads a table as instruments and spreadsheets write it: separated by commas, semicolons or tabs, with decimal points

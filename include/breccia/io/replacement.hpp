@@ -16,23 +16,21 @@ inline constexpr std::string_view unfinished_directory = "unfinished";
 /// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are named relative to the
 /// directory; those that are missing do not matter. `record` is the file by which the results are known: the old one is
 /// removed first, the new one is moved last. A process that is killed on the way leaves a list from which
-/// finish_replacement goes on. Throws FileError, with nothing touched, where a new file would replace one that is not
-/// among the old ones; and where a file cannot be removed or moved.
+/// finish_replacement goes on. Throws FileError, with nothing touched, where there is no new record, or a new file
+/// would replace one that is not among the old ones; and where a file cannot be removed or moved. Only the holder of a
+/// DirectoryLock may call it.
 void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
                      const std::string& record);
 
-/// Brings a replacement to its end that was cut off; does nothing where there is none. Nobody else may be at work in
-/// the directory. Throws FileError.
+/// Brings a replacement to its end that was cut off; does nothing where there is none. Only the holder of a
+/// DirectoryLock may call it. Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
 /// Has a replacement begun that has not come to its end?
 bool is_being_replaced(const std::filesystem::path& directory);
 
-/// The files in `unfinished`, relative to it, but for the lists of a replacement and half-written files of its top,
-/// which are removed. Throws FileError.
+/// The files in `unfinished`, relative to it, but for the lists of a replacement and half-written files
+/// (is_partial_name). Touches nothing.
 std::vector<std::string> unfinished_files(const std::filesystem::path& directory);
-
-/// Removes directories if they are empty.
-void remove_if_empty(std::span<const std::filesystem::path> directories);
 
 }  // namespace breccia

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "breccia/io/directory_lock.hpp"
+
 namespace breccia {
 
 /// Results that a command makes in one go, with a record of what they come from.
@@ -16,11 +18,13 @@ struct ResultsOrigin {
 };
 
 /// Results of a command on their way to a directory. They are written to `place` and put into the directory by commit,
-/// in the place of what the command has written there before; without commit nothing of them is left.
+/// in the place of what the command has written there before; without commit nothing of them is left. The directory is
+/// locked meanwhile.
 class WholeResults {
  public:
   /// Throws InputError where the directory holds the results of a study or a sweep, files of these names that Breccia
-  /// did not write, or results from another source that are not to be overwritten. Throws FileError.
+  /// did not write, or results from another source that are not to be overwritten, and DirectoryInUse where another
+  /// process writes to it. Throws FileError.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;
   WholeResults& operator=(const WholeResults&) = delete;
@@ -37,13 +41,14 @@ class WholeResults {
  private:
   [[nodiscard]] std::string record_name() const { return origin_.command + ".json"; }
   void refuse_others() const;
+  void refuse_directories() const;
   void refuse_foreign_unfinished() const;
   void write_record() const;
 
+  DirectoryLock lock_;
   std::filesystem::path directory_;
   ResultsOrigin origin_;
   std::filesystem::path place_;
-  bool made_directory_ = false;
 };
 
 }  // namespace breccia

@@ -14,7 +14,7 @@ struct ResponseDestination {
   std::string matrix;                         ///< the new matrix, in words
   std::string study;                          ///< hash of the study whose responses answer
   std::vector<std::filesystem::path> inputs;  ///< the files from which the curves come
-  bool overwrite = false;                     ///< may curves from other files or another matrix be replaced?
+  bool overwrite = false;  ///< may curves of another matrix, study, stage or time window be replaced?
 };
 
 /// Writes `curves.csv`, `prony.csv`, `quality.csv` and, of creep tests, `compliance.csv` to a directory, which is made,

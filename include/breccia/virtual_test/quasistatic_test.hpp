@@ -76,7 +76,7 @@ struct QuasistaticResponse {
 
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields<2>> fields;             ///< of the first load; on the first process, zero on the others
+  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, zero on the others
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time
 };
