@@ -1,7 +1,7 @@
-"use strict";
+/// Small dense systems: a matrix is a list of its rows, or of its columns where that is said.
 
-/// Solves a symmetric positive definite system by Cholesky factors. The matrix is a list of rows.
-function solveSymmetric(matrix, right) {
+/// Solves a system with a symmetric positive definite matrix, given by rows, by Cholesky factorisation.
+export function solveSymmetric(matrix, right) {
   const n = right.length;
   const factor = matrix.map((row) => row.slice());
   for (let j = 0; j < n; ++j) {
@@ -23,20 +23,20 @@ function solveSymmetric(matrix, right) {
   return x;
 }
 
-function dot(a, b) {
+export function dot(a, b) {
   let sum = 0;
   for (let i = 0; i < a.length; ++i) sum += a[i] * b[i];
   return sum;
 }
 
-/// Subtracts from the second vector its reflection at the plane normal to the first, a unit vector, from an entry on.
+/// Reflects a vector at the plane whose normal is a given unit vector; both count from the entry `begin` on.
 function reflect(normal, vector, begin) {
   let product = 0;
   for (let i = begin; i < vector.length; ++i) product += normal[i] * vector[i];
   for (let i = begin; i < vector.length; ++i) vector[i] -= 2 * product * normal[i];
 }
 
-/// Least squares by Householder reflections: columns (a list of vectors) times the result is about the right side.
+/// The least-squares solution x of A x = right, by Householder reflections; `columns` are those of A.
 function leastSquares(columns, right) {
   const a = columns.map((column) => Float64Array.from(column));
   const b = Float64Array.from(right);
@@ -58,8 +58,8 @@ function leastSquares(columns, right) {
   return x;
 }
 
-/// Least squares with no negative unknown (C. L. Lawson, R. J. Hanson, Solving least squares problems, chapter 23).
-function nonNegativeLeastSquares(columns, right) {
+/// The same with x >= 0 (C. L. Lawson, R. J. Hanson, Solving least squares problems, chapter 23).
+export function nonNegativeLeastSquares(columns, right) {
   const count = columns.length;
   const tolerance = 1e-13;
   const x = new Array(count).fill(0);
@@ -68,7 +68,7 @@ function nonNegativeLeastSquares(columns, right) {
   for (let round = 0; round < 3 * count; ++round) {
     const residual = residualOf(columns, right, x);
     const slopes = columns.map((column, j) => (isFree[j] ? 0 : dot(column, residual) / lengths[j]));
-    // Those that rounding keeps from rising are passed over.
+    // An unknown that rounding keeps from becoming positive is passed over.
     const candidates = slopes.flatMap((slope, j) => (slope > tolerance ? [j] : []))
       .sort((a, b) => slopes[b] - slopes[a]);
     if (!candidates.some((j) => moveToOptimum(columns, right, x, isFree, j))) break;
@@ -76,6 +76,7 @@ function nonNegativeLeastSquares(columns, right) {
   return x;
 }
 
+/// right - A x
 function residualOf(columns, right, x) {
   const residual = Float64Array.from(right);
   columns.forEach((column, j) => {
@@ -84,12 +85,12 @@ function residualOf(columns, right, x) {
   return residual;
 }
 
-/// Frees one more unknown and moves to the optimum, fixing at zero those that would become negative. False, and nothing
-/// moved, where rounding keeps the new one from rising.
+/// Frees the unknown `freed` and moves to the optimum of all free unknowns; those that would become negative are fixed
+/// at zero. Returns false, with nothing moved, if rounding keeps the new unknown from becoming positive.
 function moveToOptimum(columns, right, x, isFree, freed) {
   isFree[freed] = true;
   for (;;) {
-    const free = isFree.flatMap((is, j) => (is ? [j] : []));
+    const free = isFree.flatMap((isOne, j) => (isOne ? [j] : []));
     const optimum = leastSquares(free.map((j) => columns[j]), right);
     if (x[freed] === 0 && !(optimum[free.indexOf(freed)] > 0)) {
       isFree[freed] = false;
