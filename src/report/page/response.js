@@ -8,7 +8,8 @@ import {limitOfCells} from "./extrapolation.js";
 import {dot, solveSymmetric} from "./linear_algebra.js";
 import {distinct, own} from "./records.js";
 import {logarithmic} from "./sampling.js";
-import {bulkModulus, carsonModulus, relaxationModulus, seriesOfCarsonModuli} from "./viscoelasticity.js";
+import {bulkModulus, carsonModulus, relaxationModulus, seriesOfCarsonModuli, seriesOfRelaxationModuli} from
+  "./viscoelasticity.js";
 
 /// The modulus of the composite [Pa] with an elastic matrix of the shear modulus G and the bulk modulus K [Pa].
 export function compositeModulus(response, shear, bulk) {
@@ -38,22 +39,6 @@ function moduliOnGrids(responses, load, variables, matrix) {
   return responses.filter((response) => response.load === load).map((response) => ({
     cells: response.cells,
     moduli: variables.map((_, j) => compositeModulus(response, matrix.shear[j], matrix.bulk[j]))}));
-}
-
-/// The moduli in the limit of vanishing cells.
-function limitsOfCells(grids) {
-  return grids[0].moduli.map((_, j) => limitOfCells(grids.map(({cells, moduli}) => ({cells, value: moduli[j]}))));
-}
-
-/// The index of the Laplace variable from which on the moduli are those of a solid: positive, and growing no faster
-/// than s. At long times the limit of coarse grids may be neither.
-function firstOfSolid(variables, moduli) {
-  const rounding = 1e-6;
-  const isOfSolid = (j) => moduli[j] > 0 &&
-    moduli[j + 1] / moduli[j] < (variables[j + 1] / variables[j]) * (1 + rounding);
-  let first = moduli.length - 1;
-  while (first > 0 && isOfSolid(first - 1)) --first;
-  return first;
 }
 
 /// The part of a time window in which a matrix stays within the sampled moduli of all responses, and the first modulus
@@ -109,37 +94,49 @@ export function respond(study, responses, materials) {
   return results;
 }
 
-/// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
-/// one, which takes both loads; `result` has G(t).
+/// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another one,
+/// which takes both loads; `result` has G(t).
 function respondOfStage(responses, matrix) {
   const {variables} = matrix;
   const {window, refusal} = timesInRange(responses, variables, matrix.moduli, matrix.window);
   const shear = moduliOnGrids(responses, "shear", variables, matrix.moduli);
   const planeStrainBulk = moduliOnGrids(responses, "bulk", variables, matrix.moduli);
   if (shear.length === 0) return {};
-  const composite = planeStrainBulk.length === 0 ? undefined
-    : stageAsMatrix(variables, limitsOfCells(shear), limitsOfCells(planeStrainBulk), window);
-  return {composite, result: {window, refusal, modulus: modulusInTime(variables, shear)}};
+  const modulus = modulusInTime(variables, shear);
+  const composite = planeStrainBulk.length === 0 ? undefined : stageAsMatrix(variables, window,
+    matrixModulus(variables, shear, modulus, window),
+    matrixModulus(variables, planeStrainBulk, modulusInTime(variables, planeStrainBulk), window));
+  return {composite, result: {window, refusal, modulus}};
 }
 
-/// G(t) in the limit of vanishing cells. Each grid is taken back to time by itself, because the Carson moduli of the
-/// limit may belong to no series without negative terms.
+/// The modulus as a function of time, in the limit of vanishing cells. Each grid is taken back to time by itself, because
+/// the Carson moduli of the limit may belong to no series without negative terms.
 function modulusInTime(variables, grids) {
   const series = grids.map(({cells, moduli}) => ({cells, series: seriesOfCarsonModuli(variables, moduli)}));
   return (time) => limitOfCells(series.map((one) => ({cells: one.cells, value: relaxationModulus(one.series, time)})));
 }
 
-/// A stage as the matrix of another one, {variables, window, moduli}, where its moduli are those of a solid. It can be
-/// used up to a tenth of the longest time 1/s at which they are known, because the answer at a time takes a little of
-/// the moduli beyond it.
-function stageAsMatrix(variables, shear, planeStrainBulk, [begin, end]) {
-  const beyond = 10;
-  const first = Math.max(firstOfSolid(variables, shear), firstOfSolid(variables, planeStrainBulk));
-  const last = first === 0 ? end : Math.min(end, 1 / (beyond * variables[first]));
+/// A modulus of a stage that serves as a matrix: its Carson moduli, and the last time at which it can be used,
+/// {carson, last}. After the window the limit of coarse grids need not be the modulus of a solid, and the Carson moduli
+/// would have a part of that; so the limit is fitted within the window, as `breccia respond` does.
+function matrixModulus(variables, grids, modulus, [begin, end]) {
+  if (grids.length === 1) return {carson: grids[0].moduli, last: end};
+  const before = 1e-3;
+  const times = logarithmic(before * begin, end, 10);
+  const moduli = times.map(modulus);
+  const rounding = 1e-6;
+  const firstUnsound = times.findIndex((_, i) => !(moduli[i] > 0) || moduli[i] > moduli[i - 1] * (1 + rounding));
+  const count = firstUnsound === -1 ? times.length : firstUnsound;
+  if (count < 2) return {carson: grids[0].moduli, last: 0};
+  const series = seriesOfRelaxationModuli(times.slice(0, count), moduli.slice(0, count));
+  return {carson: variables.map((s) => carsonModulus(series, s)), last: times[count - 1]};
+}
+
+/// A stage as the matrix of another one: {variables, window, moduli}.
+function stageAsMatrix(variables, [begin, end], shear, planeStrainBulk) {
   return {
-    variables: variables.slice(first), window: [begin, last],
-    moduli: {shear: shear.slice(first),
-      bulk: planeStrainBulk.slice(first).map((value, j) => bulkModulus(value, shear[first + j]))},
+    variables, window: [begin, Math.min(end, shear.last, planeStrainBulk.last)],
+    moduli: {shear: shear.carson, bulk: planeStrainBulk.carson.map((value, j) => bulkModulus(value, shear.carson[j]))},
   };
 }
 

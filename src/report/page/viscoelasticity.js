@@ -61,12 +61,25 @@ export function bulkModulus(planeStrainBulk, shear) {
 /// The series with the given Carson moduli [Pa] at rising Laplace variables [1/s]: a least-squares fit of the relative
 /// deviations without negative terms.
 export function seriesOfCarsonModuli(variables, moduli) {
+  const beyond = 30;
+  return fittedSeries([1 / (beyond * variables.at(-1)), beyond / variables[0]], variables, moduli,
+    (s, tau) => (s * tau) / (1 + s * tau));
+}
+
+/// The series with the given relaxation moduli [Pa] at rising times [s], by the same fit.
+export function seriesOfRelaxationModuli(times, moduli) {
+  const before = 10, beyond = 30;
+  return fittedSeries([times[0] / before, beyond * times.at(-1)], times, moduli, (t, tau) => Math.exp(-t / tau));
+}
+
+/// Fits a series with relaxation times in a range [s] to moduli at the given abscissas; `shape` is the value of a term of
+/// modulus 1 at an abscissa.
+function fittedSeries([shortest, longest], abscissas, moduli, shape) {
   // Thirty relaxation times a decade: the two nearest stand for one between them with an error of M(t) of some 1e-4.
-  const beyond = 30, perDecade = 30;
-  const times = logarithmic(1 / (beyond * variables.at(-1)), beyond / variables[0], perDecade);
-  const columns = [variables.map((_, j) => 1 / moduli[j]),
-    ...times.map((tau) => variables.map((s, j) => (s * tau) / (1 + s * tau) / moduli[j]))];
-  const [equilibrium, ...strengths] = nonNegativeLeastSquares(columns, variables.map(() => 1));
+  const times = logarithmic(shortest, longest, 30);
+  const columns = [abscissas.map((_, j) => 1 / moduli[j]),
+    ...times.map((tau) => abscissas.map((x, j) => shape(x, tau) / moduli[j]))];
+  const [equilibrium, ...strengths] = nonNegativeLeastSquares(columns, abscissas.map(() => 1));
   const terms = times.map((relaxation_time_s, i) => ({relaxation_time_s, modulus_Pa: strengths[i]}));
   return {equilibrium_Pa: equilibrium, terms: terms.filter((term) => term.modulus_Pa > 0)};
 }
