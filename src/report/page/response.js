@@ -122,14 +122,25 @@ function modulusInTime(variables, grids) {
 function matrixModulus(variables, grids, modulus, [begin, end]) {
   if (grids.length === 1) return {carson: grids[0].moduli, last: end};
   const before = 1e-3;
-  const times = logarithmic(before * begin, end, 10);
+  const {series, last} = seriesOfSolid(logarithmic(before * begin, end, 10), modulus);
+  return {carson: variables.map((s) => carsonModulus(series, s)), last};
+}
+
+/// The series of a modulus at rising times, up to the last time at which one without negative terms can follow it:
+/// {series, last}; `last` is 0 if there is no such time.
+function seriesOfSolid(times, modulus) {
+  const tolerance = 0.01;
   const moduli = times.map(modulus);
-  const rounding = 1e-6;
-  const firstUnsound = times.findIndex((_, i) => !(moduli[i] > 0) || moduli[i] > moduli[i - 1] * (1 + rounding));
-  const count = firstUnsound === -1 ? times.length : firstUnsound;
-  if (count < 2) return {carson: grids[0].moduli, last: 0};
-  const series = seriesOfRelaxationModuli(times.slice(0, count), moduli.slice(0, count));
-  return {carson: variables.map((s) => carsonModulus(series, s)), last: times[count - 1]};
+  let count = moduli.findIndex((value) => !(value > 0));
+  if (count === -1) count = times.length;
+  while (count > 1) {
+    const series = seriesOfRelaxationModuli(times.slice(0, count), moduli.slice(0, count));
+    const errors = moduli.slice(0, count).map((value, i) => Math.abs(relaxationModulus(series, times[i]) / value - 1));
+    const worst = Math.max(...errors);
+    if (worst <= tolerance) return {series, last: times[count - 1]};
+    count = errors.indexOf(worst);
+  }
+  return {series: {equilibrium_Pa: 0, terms: []}, last: 0};
 }
 
 /// A stage as the matrix of another one: {variables, window, moduli}.

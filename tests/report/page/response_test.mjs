@@ -42,3 +42,24 @@ test("G(t) with viscoelastic matrices", () => {
     }
   }
 });
+
+test("a limit of grids that is no solid at long times", () => {
+  // The coarse grid locks: it adds 0.1 MPa to the modulus of the matrix, 1 MPa exp(-t / 1 ms). The limit of vanishing
+  // cells takes 0.1 MPa away, and is negative from t = ln(10) ms on.
+  const response = (load, cells, locking, stiffness) => ({load, boundary: "displacement", cells, filler_Pa: [[locking]],
+    matrix_shear: [[1]], matrix_bulk: [[stiffness]], load_forces: [1],
+    snapshots: [{shear_Pa: 1e-3, bulk_Pa: 1e9}, {shear_Pa: 1e9, bulk_Pa: 1e9}]});
+  const responses = {
+    A: [response("shear", 24, 0, 0), response("shear", 12, 1e5, 0), response("bulk", 24, 0, 1), response("bulk", 12, 0, 1)],
+    B: [response("shear", 24, 0, 0)],
+  };
+  const study = {times_s: [1e-4, 1e-1], stages: [{name: "A", matrix: "binder"}, {name: "B", matrix: "A"}]};
+  const shear = {equilibrium_Pa: 0, terms: [{relaxation_time_s: 1e-3, modulus_Pa: 1e6}]};
+  const [, ofB] = respond(study, responses, {binder: {shear, bulk: {equilibrium_Pa: 1e9, terms: []}}});
+  assert.equal(ofB.window[0], 1e-4);
+  assert.ok(ofB.window[1] > 2e-4 && ofB.window[1] < Math.log(10) * 1e-3, `B up to ${ofB.window[1]} s`);
+  // Stage B is its matrix, stage A, to the per cent within which a series must follow the limit.
+  for (const time of [1e-4, 2e-4, ofB.window[1]]) {
+    assertClose(ofB.modulus(time), 1e6 * Math.exp(-time / 1e-3) - 1e5, 0.011, `G(${time} s) of B`);
+  }
+});
