@@ -94,8 +94,8 @@ export function respond(study, responses, materials) {
   return results;
 }
 
-/// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another one,
-/// which takes both loads; `result` has G(t).
+/// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
+/// one, which takes both loads; `result` has G(t).
 function respondOfStage(responses, matrix) {
   const {variables} = matrix;
   const {window, refusal} = timesInRange(responses, variables, matrix.moduli, matrix.window);
@@ -109,8 +109,8 @@ function respondOfStage(responses, matrix) {
   return {composite, result: {window, refusal, modulus}};
 }
 
-/// The modulus as a function of time, in the limit of vanishing cells. Each grid is taken back to time by itself, because
-/// the Carson moduli of the limit may belong to no series without negative terms.
+/// The modulus as a function of time, in the limit of vanishing cells. Each grid is taken back to time by itself,
+/// because the Carson moduli of the limit may belong to no series without negative terms.
 function modulusInTime(variables, grids) {
   const series = grids.map(({cells, moduli}) => ({cells, series: seriesOfCarsonModuli(variables, moduli)}));
   return (time) => limitOfCells(series.map((one) => ({cells: one.cells, value: relaxationModulus(one.series, time)})));

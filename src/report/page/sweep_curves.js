@@ -3,7 +3,7 @@
 
 import {data, sweep} from "./data.js";
 import {boundNames, methodNames} from "./names.js";
-import {distinct, groupsOf} from "./records.js";
+import {distinct, groupsOf, own} from "./records.js";
 
 /// The swept keys: {path, label, values, isSeed, numbers, unit}; `numbers` are the values in one unit if all have one.
 export const sweptKeys = sweep.keys.map((path) => {
@@ -17,18 +17,13 @@ export function labelOfKey(path) {
   return sweep.keys.filter((other) => last(other) === last(path)).length === 1 ? last(path) : path;
 }
 
-/// The values of a key as numbers, {numbers, unit}, or {} if they are none. sweep.json has those of quantities, in the
-/// unit of the first one.
+/// The values of a key as numbers, {numbers, unit}, or {} if they are none. The numbers of quantities stand in
+/// sweep.json, in the unit of the first one.
 function numbersOf(path, values) {
-  const quantity = sweep.quantities?.[path];
-  if (quantity !== undefined) {
-    const taskWith = (value) => sweep.tasks.findIndex((task) => task.values[path] === value);
-    return {numbers: values.map((value) => quantity.numbers[taskWith(value)]), unit: quantity.unit};
-  }
-  const read = values.map((value) => /^([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*)$/.exec(String(value)));
-  const units = new Set(read.map((match) => match?.[2]));
-  if (read.includes(null) || units.size > 1) return {};
-  return {numbers: read.map((match) => Number(match[1])), unit: read[0][2]};
+  const quantity = own(sweep.quantities ?? {}, path);
+  if (quantity === undefined) return values.every(Number.isFinite) ? {numbers: values, unit: ""} : {};
+  const taskWith = (value) => sweep.tasks.findIndex((task) => task.values[path] === value);
+  return {numbers: values.map((value) => quantity.numbers[taskWith(value)]), unit: quantity.unit};
 }
 
 function isBetterGrid(cells, other) {

@@ -72,8 +72,8 @@ export function seriesOfRelaxationModuli(times, moduli) {
   return fittedSeries([times[0] / before, beyond * times.at(-1)], times, moduli, (t, tau) => Math.exp(-t / tau));
 }
 
-/// Fits a series with relaxation times in a range [s] to moduli at the given abscissas; `shape` is the value of a term of
-/// modulus 1 at an abscissa.
+/// Fits a series with relaxation times in a range [s] to moduli at the given abscissas; `shape` is the value of a term
+/// of modulus 1 at an abscissa.
 function fittedSeries([shortest, longest], abscissas, moduli, shape) {
   // Thirty relaxation times a decade: the two nearest stand for one between them with an error of M(t) of some 1e-4.
   const times = logarithmic(shortest, longest, 30);

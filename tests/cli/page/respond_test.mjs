@@ -24,8 +24,8 @@ function limitsIn(directory) {
 }
 
 /// The command has exact spectra, the page fits them: 2.3e-4 of the modulus of a term, which is here up to three times
-/// G(t) when it relaxes (tests/report/page/viscoelasticity_test.mjs). Before stage A serves as the matrix of stage B, the
-/// page fits its limit once more, and the command fits it within a thirtieth of fit_tolerance = 0.003.
+/// G(t) when it relaxes (tests/report/page/viscoelasticity_test.mjs). Before stage A serves as the matrix of stage B,
+/// the page fits its limit once more, and the command fits it within a thirtieth of fit_tolerance = 0.003.
 const tolerances = {A: 7e-4, B: 2 * 7e-4 + 1e-4};
 
 function comparePrediction(directory, shear, bulk) {

@@ -22,8 +22,8 @@ test("least squares without negative unknowns", () => {
 });
 
 test("least squares without negative unknowns, with many nearly dependent columns", () => {
-  // The conditions of optimality (Karush, Kuhn, Tucker): no unknown is negative, and the slope of the squared residual is
-  // zero for each positive one and not below zero for the others.
+  // The conditions of optimality (Karush, Kuhn, Tucker): no unknown is negative, and the slope of the squared residual
+  // is zero for each positive one and not below zero for the others.
   const at = Array.from({length: 40}, (_, i) => 10 ** (i / 10 - 2));
   const columns = Array.from({length: 60}, (_, j) => at.map((s) => s / (s + 10 ** (j / 12 - 2.5))));
   const right = at.map((s, i) => s / (s + 0.3) + 2 * s / (s + 7) + 0.01 * Math.sin(5 * i));

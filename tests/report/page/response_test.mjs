@@ -8,8 +8,8 @@ import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 
 test("modulus with an elastic matrix", () => {
-  // The page factorises by Cholesky, the library by L D L'. Both are backward stable: the error is rounding, 1e-16, times
-  // the condition number, some 1e7 here.
+  // The page factorises by Cholesky, the library by L D L'. Both are backward stable: the error is rounding, 1e-16,
+  // times the condition number, some 1e7 here.
   for (const {response, elastic} of cases.responses) {
     for (const {shear, bulk, modulus} of elastic) {
       assertClose(compositeModulus(response, shear, bulk), modulus, 1e-9, `G = ${shear} Pa, K = ${bulk} Pa`);
@@ -50,7 +50,8 @@ test("a limit of grids that is no solid at long times", () => {
     matrix_shear: [[1]], matrix_bulk: [[stiffness]], load_forces: [1],
     snapshots: [{shear_Pa: 1e-3, bulk_Pa: 1e9}, {shear_Pa: 1e9, bulk_Pa: 1e9}]});
   const responses = {
-    A: [response("shear", 24, 0, 0), response("shear", 12, 1e5, 0), response("bulk", 24, 0, 1), response("bulk", 12, 0, 1)],
+    A: [response("shear", 24, 0, 0), response("shear", 12, 1e5, 0), response("bulk", 24, 0, 1),
+      response("bulk", 12, 0, 1)],
     B: [response("shear", 24, 0, 0)],
   };
   const study = {times_s: [1e-4, 1e-1], stages: [{name: "A", matrix: "binder"}, {name: "B", matrix: "A"}]};
