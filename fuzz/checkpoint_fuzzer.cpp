@@ -6,16 +6,16 @@
 #include <stdexcept>
 
 #include "breccia/checkpoint/state.hpp"
+#include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
-#include "breccia/study/microstructures.hpp"
 
-#include "experiment/dynamic_state.hpp"
-#include "experiment/quasistatic_state.hpp"
+#include "homogenisation/packing_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
-#include "study/packing_state.hpp"
+#include "virtual_test/dynamic_state.hpp"
+#include "virtual_test/quasistatic_state.hpp"
 
 namespace {
 

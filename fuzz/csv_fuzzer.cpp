@@ -1,7 +1,7 @@
 // A CSV file, and everything that is read from one: Prony series, sizes, discs, measurements, data to fit.
 
+#include "breccia/deck/read_study.hpp"
 #include "breccia/io/csv.hpp"
-#include "breccia/study/deck.hpp"
 
 #include "cli/fit_data.hpp"
 #include "input_folder.hpp"

@@ -1,12 +1,12 @@
 // What a run has left and a later command reads: study.json, sweep.json and curves.csv. Files in HDF5 are left out: the
 // library itself, 1.10 of Debian 12, is known to crash on hostile files, so that what it reads must be checked before.
 
-#include "breccia/study/resume.hpp"
+#include "breccia/campaign/resume.hpp"
+#include "breccia/results/sweep_result.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"
-#include "study/report_data.hpp"
-#include "study/sweep_results.hpp"
+#include "results/report_data.hpp"
 
 namespace {
 
@@ -16,7 +16,7 @@ void read_json(const fuzz::InputFolder& folder, std::string_view text) {
   folder.write("study.json", text);
   folder.write("sweep.json", text);
   Study study;
-  study.hash = "0123456789abcdef";
+  study.provenance.hash = "0123456789abcdef";
   fuzz::allow_refusal([&] { static_cast<void>(take_over_complete_run(study, folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(study_page_data(folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(sweep_page_data(folder.path())); });
@@ -26,7 +26,7 @@ void read_table(const fuzz::InputFolder& folder, std::string_view text) {
   folder.write("curves.csv", text);
   fuzz::allow_refusal([&] {
     const auto shown = last_stage_of({{.state = TaskState::done, .curves = read_curves(folder.path())}});
-    for (const auto& curve : shown.front().curves) static_cast<void>(bound_of(curve));
+    for (const auto& curve : shown.front().curves) static_cast<void>(bound_of(curve.test.boundary));
   });
 }
 

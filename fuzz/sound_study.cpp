@@ -77,7 +77,7 @@ void require_sound(const Study& study) {
   require(!study.stages.empty(), "stages");
   for (const auto& stage : study.stages) require_sound(stage);
   const auto& tests = study.tests;
-  require(!tests.loads.empty() && !tests.bounds.empty() && !tests.methods.empty(), "tests");
+  require(!tests.loads.empty() && !tests.boundaries.empty() && !tests.methods.empty(), "tests");
   require(is_positive(tests.first_time) && is_positive(tests.last_time) && tests.first_time < tests.last_time, "times");
   require(tests.points_per_decade > 0, "points of the curves");
   for (const double time : tests.field_times) {

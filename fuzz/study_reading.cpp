@@ -1,12 +1,12 @@
 #include "study_reading.hpp"
 
+#include "breccia/deck/read_study.hpp"
+#include "breccia/deck/sweep.hpp"
 #include "breccia/io/deck.hpp"
-#include "breccia/study/deck.hpp"
-#include "breccia/study/sweep.hpp"
 
 #include "cli/summary.hpp"
+#include "deck/sweep_keys.hpp"
 #include "sound_study.hpp"
-#include "study/sweep_keys.hpp"
 
 /// The parser of UDUNITS-2 forgets the letters of a unit that it does not understand. What breccia forgets is found.
 extern "C" const char* __lsan_default_suppressions() {  // NOLINT(bugprone-reserved-identifier,*-naming)

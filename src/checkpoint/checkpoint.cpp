@@ -100,4 +100,10 @@ void Checkpoint::finish(const WriteState& write) {
   put(write, true);
 }
 
+bool is_checkpoint_file(std::string_view name) {
+  constexpr std::string_view damaged = ".damaged";
+  if (name.ends_with(damaged)) name.remove_suffix(damaged.size());
+  return name.ends_with(".checkpoint.h5") || name.ends_with(".checkpoint.older.h5");
+}
+
 }  // namespace breccia

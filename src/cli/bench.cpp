@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/benchmark/kernel_benchmark.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/performance/kernel_benchmark.hpp"
 
 #include "bench_results.hpp"
 #include "command.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "breccia/performance/kernel_benchmark.hpp"
+#include "breccia/benchmark/kernel_benchmark.hpp"
 
 namespace breccia::cli {
 

@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/report/display.hpp"
-#include "breccia/study/memory.hpp"
-#include "breccia/study/run.hpp"
-#include "breccia/study/stage_warnings.hpp"
+#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/study/chain.hpp"
 
 #include "command.hpp"
 #include "filler_summary.hpp"
@@ -86,8 +87,7 @@ Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary,
 
 Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, Method method, int cells) {
   Plan plan;
-  for (const auto bound : study.tests.bounds) {
-    const auto boundary = boundary_of(bound);
+  for (const auto boundary : study.tests.boundaries) {
     if (method == Method::quasistatic) {
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
@@ -100,7 +100,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
 
 Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   Plan plan;
-  for (const int cells : grids_of(stage)) {
+  for (const int cells : stage.grids()) {
     for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells));
   }
   return plan;

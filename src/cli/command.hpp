@@ -6,8 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "breccia/study/run.hpp"
-#include "breccia/study/sweep.hpp"
+#include "breccia/campaign/run.hpp"
+#include "breccia/campaign/sweep.hpp"
 
 namespace breccia::cli {
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/study/run.hpp"
-#include "breccia/study/whole_filler.hpp"
+#include "breccia/campaign/run.hpp"
+#include "breccia/homogenisation/whole_filler.hpp"
 
 namespace breccia::cli {
 

@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table.hpp"
-#include "breccia/study/prony_file.hpp"
 
 namespace breccia::cli {
 namespace {

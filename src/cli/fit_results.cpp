@@ -6,13 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/experiment/curve.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/whole_results.hpp"
 #include "breccia/report/modulus_plot.hpp"
-#include "breccia/study/prony_file.hpp"
+#include "breccia/virtual_test/curve.hpp"
 
 namespace breccia::cli {
 namespace {

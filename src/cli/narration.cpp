@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/report/display.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/study/gap.hpp"
 
 namespace breccia::cli {
@@ -39,14 +39,14 @@ std::string describe(const Stage& stage, const TestResult& test) {
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.load),
-                     bound_of(test.boundary), test.cells, how, seconds, describe_error(response));
+  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.id.load),
+                     bound_of(test.id.boundary), name_of(test.id.grid), how, seconds, describe_error(response));
 }
 
 }  // namespace
 
-StudyObserver narrate(Progress& progress) {
-  StudyObserver observer;
+RunObserver narrate(Progress& progress) {
+  RunObserver observer;
   observer.packing = [&progress](const Stage& stage, const PackingProgress& packing) {
     progress.update(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
                     fmt::format("{} events", packing.events));

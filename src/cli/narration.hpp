@@ -1,12 +1,12 @@
 #pragma once
 
-#include "breccia/study/run.hpp"
+#include "breccia/campaign/run.hpp"
 
 #include "progress.hpp"
 
 namespace breccia::cli {
 
 /// Tells on a terminal what a study does, and ends it when the user asks for that.
-StudyObserver narrate(Progress& progress);
+RunObserver narrate(Progress& progress);
 
 }  // namespace breccia::cli

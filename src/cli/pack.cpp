@@ -1,10 +1,11 @@
+#include "breccia/campaign/pack.hpp"
+
 #include <memory>
 
 #include <fmt/format.h>
 
+#include "breccia/campaign/resume.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/study/resume.hpp"
-#include "breccia/study/run.hpp"
 
 #include "command.hpp"
 #include "interruption.hpp"

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "breccia/report/display.hpp"
+#include "breccia/io/display.hpp"
 
 namespace breccia::cli {
 namespace {

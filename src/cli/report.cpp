@@ -1,4 +1,4 @@
-#include "breccia/study/report.hpp"
+#include "breccia/results/report.hpp"
 
 #include <memory>
 

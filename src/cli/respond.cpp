@@ -1,4 +1,4 @@
-#include "breccia/study/respond.hpp"
+#include "breccia/homogenisation/respond.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/study/stored_materials.hpp"
+#include "breccia/results/response_curves.hpp"
+#include "breccia/results/response_file.hpp"
+#include "breccia/results/stored_materials.hpp"
 
 #include "command.hpp"
 #include "tables.hpp"

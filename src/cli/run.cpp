@@ -1,4 +1,4 @@
-#include "breccia/study/run.hpp"
+#include "breccia/campaign/run.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "breccia/campaign/resume.hpp"
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/study/resume.hpp"
 
 #include "command.hpp"
 #include "interruption.hpp"

@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/deck/size_table.hpp"
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/staging.hpp"
 #include "breccia/io/percentage.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/study/size_table.hpp"
-#include "breccia/study/staging.hpp"
 
 #include "command.hpp"
 

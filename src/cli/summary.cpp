@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/campaign/run.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/report/display.hpp"
 #include "breccia/study/gap.hpp"
-#include "breccia/study/run.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 
 namespace breccia::cli {
@@ -138,7 +138,7 @@ std::string describe(const QuasistaticOptions& options) {
 std::string describe(const Tests& tests) {
   std::vector<std::string> loads, bounds;
   for (const auto load : tests.loads) loads.push_back(name_of(load));
-  for (const auto bound : tests.bounds) bounds.push_back(bound_of(boundary_of(bound)));
+  for (const auto boundary : tests.boundaries) bounds.push_back(bound_of(boundary));
   auto text =
       fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
                   fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
@@ -156,7 +156,8 @@ std::string describe(const Tests& tests) {
 }  // namespace
 
 std::string summary(const Study& study) {
-  auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.deck.string(), study.hash);
+  auto text = fmt::format("{}\n{} (hash {})\n\nmaterials\n", study.title, study.provenance.deck.string(),
+                          study.provenance.hash);
   for (const auto& material : study.materials) text += describe(material, study.tests);
   text += "\nstages\n";
   for (const auto& stage : study.stages) text += describe(stage);

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/report/display.hpp"
+#include "breccia/io/display.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -31,7 +31,7 @@ std::string modulus_at(const Curve& curve, double time) {
 
 Column column_of(std::size_t task, const TaskCurve& curve) {
   const auto& modulus = curve.modulus;
-  return {task, bound_of(curve), {modulus.front().time, modulus.back().time}, [&modulus](double time) {
+  return {task, bound_of(curve.test.boundary), {modulus.front().time, modulus.back().time}, [&modulus](double time) {
             return modulus_at(modulus, time);
           }};
 }
@@ -43,7 +43,7 @@ Column column_of(const SpreadCurve& spread) {
     deviations.push_back({at.time, at.standard_deviation});
   }
   const TimeWindow times{means.front().time, means.back().time};
-  return {spread.first_task, bound_of(spread.test), times, [means, deviations](double time) {
+  return {spread.first_task, bound_of(spread.test.test.boundary), times, [means, deviations](double time) {
             const double percent = 100.0 * smoothed_at(deviations, time) / smoothed_at(means, time);
             return fmt::format("{} +- {:.{}f} %", modulus_at(means, time), percent, percent < 10.0 ? 1 : 0);
           }};

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "breccia/study/sweep.hpp"
+#include "breccia/campaign/sweep.hpp"
 
 namespace breccia::cli {
 

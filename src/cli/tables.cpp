@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/report/display.hpp"
-#include "breccia/study/quality.hpp"
+#include "breccia/homogenisation/quality.hpp"
+#include "breccia/io/display.hpp"
 
 #include "filler_summary.hpp"
 
@@ -22,18 +22,19 @@ std::string time(double value) {
 
 /// Those that a table shows: of several grids their limit alone.
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
-  const bool has_limits = std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.cells == 0; });
+  const bool has_limits =
+      std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
   std::vector<const TestResult*> shown;
   for (const auto& test : stage.tests) {
-    if (!has_limits || test.cells == 0) shown.push_back(&test);
+    if (!has_limits || test.id.grid.is_extrapolated()) shown.push_back(&test);
   }
   return shown;
 }
 
 /// In the order of the table: what, under which boundary, by which method.
 std::array<std::string, 3> heading(const TestResult& test) {
-  return {test.load == Load::bulk ? "K + G/3" : (test.load == Load::shear ? "G" : "G, xx-yy"), bound_of(test.boundary),
-          name_of(test.method)};
+  return {test.id.load == Load::bulk ? "K + G/3" : (test.id.load == Load::shear ? "G" : "G, xx-yy"),
+          bound_of(test.id.boundary), name_of(test.id.method)};
 }
 
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
@@ -64,9 +65,9 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
     times.end = std::max(times.end, comparison.samples.back().time);
   }
   auto text = fmt::format("\n{} over what was measured, {}\n{:>12}", stage.name, measurement, "");
-  for (const auto* comparison : compared) text += fmt::format("  {:>12}", bound_of(comparison->boundary));
+  for (const auto* comparison : compared) text += fmt::format("  {:>12}", bound_of(comparison->test.boundary));
   text += fmt::format("\n{:>12}", "time");
-  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->method));
+  for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));
   text += fmt::format("  {:>12}", "measured");
   for (const double t : logarithmic_times(times, 1)) {
     text += fmt::format("\n{:>12}", time(t));
@@ -82,8 +83,9 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   }
   for (const auto* comparison : compared) {
     const auto &best = comparison->best(), &worst = comparison->worst();
-    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->boundary),
-                        name_of(comparison->method), best.ratio(), time(best.time), worst.ratio(), time(worst.time));
+    text +=
+        fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->test.boundary),
+                    name_of(comparison->test.method), best.ratio(), time(best.time), worst.ratio(), time(worst.time));
   }
   return text + "\n";
 }
@@ -127,7 +129,7 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
       double worst = 0.0;
       for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);
       remarks += fmt::format("{} {}, {}: {} time domains, worst mismatch where they overlap {:.2f} %\n", stage.name,
-                             name_of(test.load), bound_of(test.boundary), dynamic->domains.size(), 100.0 * worst);
+                             name_of(test.id.load), bound_of(test.id.boundary), dynamic->domains.size(), 100.0 * worst);
     }
   }
   if (!remarks.empty()) text += "\n" + remarks;

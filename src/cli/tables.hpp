@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/study/run.hpp"
+#include "breccia/campaign/run.hpp"
 
 namespace breccia::cli {
 

@@ -8,14 +8,10 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/cell.hpp"
 #include "breccia/error.hpp"
-#include "breccia/mpm/cell.hpp"
 
 namespace breccia {
-
-std::string_view name_of(Formulation formulation) {
-  return formulation == Formulation::classical ? "classical" : "total-lagrangian";
-}
 
 StrainRamp::StrainRamp(double duration) : duration_(duration) {
   if (!(duration >= 0.0)) throw InputError(fmt::format("strain ramp: a duration of {} s is negative", duration));

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 
 namespace breccia::dynamics {
 

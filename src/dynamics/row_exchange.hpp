@@ -7,7 +7,7 @@
 
 #include <mpi.h>
 
-#include "breccia/mpm/discretisation.hpp"
+#include "breccia/discretisation/discretisation.hpp"
 
 #include "cell_row_kernel.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <omp.h>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 
 #include "boundary_nodes.hpp"
 #include "kernels.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "breccia/discretisation/cell.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
-#include "breccia/mpm/cell.hpp"
 
 #include "aligned_vector.hpp"
 #include "block_layout.hpp"

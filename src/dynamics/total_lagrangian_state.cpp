@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 
 #include "boundary_nodes.hpp"
 #include "total_lagrangian.hpp"

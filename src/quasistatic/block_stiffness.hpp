@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 
 #include "block_grid.hpp"
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "breccia/mpm/cell.hpp"
-#include "breccia/mpm/discretisation.hpp"
-#include "breccia/mpm/load.hpp"
+#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
 
 #include "field.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/mpm/point_fields.hpp"
+#include "breccia/discretisation/point_fields.hpp"
 
 #include "elastic_box.hpp"
 

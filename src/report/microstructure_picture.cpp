@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/report/display.hpp"
+#include "breccia/io/display.hpp"
 
 namespace breccia {
 

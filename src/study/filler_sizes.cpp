@@ -1,4 +1,4 @@
-#include "filler_sizes.hpp"
+#include "breccia/study/filler_sizes.hpp"
 
 #include <algorithm>
 #include <utility>

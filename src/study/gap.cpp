@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/report/display.hpp"
-
-#include "filler_sizes.hpp"
+#include "breccia/study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {

@@ -55,7 +55,8 @@ const std::vector<BadDeck> bad_decks{
     {"bulk    = \"3.6 GPa\"", "bulk    = “3.6 GPa”", "deck.toml:5:11: not TOML: the character “ is no quote of TOML"},
     {"[tests]", "[test]", R"(unknown key "test", did you mean "tests"?)"},
     {R"("10 us", "100 ms")", "\"10 us\"", "tests.times: expected two rising times"},
-    {"[tests]", "[tests]\nbounds = [\"lover\"]", R"(got "lover", did you mean "lower"?)"},
+    {"[tests]", "[tests]\nboundaries = [\"tracton\"]", R"(got "tracton", did you mean "traction"?)"},
+    {"[tests]", "[tests]\nbounds = [\"upper\"]", "it is called boundaries now"},
     {"[tests]", "[tests]\nsolver = \"steps\"", R"(tests.solver: expected one of "reduced", "stepping", got "steps")"},
     {"cells   = 60", "cells   = [60, 30]", "stages.A.cells: expected an integer, or two or three rising ones"},
 };

@@ -142,8 +142,9 @@ TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
 TEST(DeckWarnings, BoundsThatCutPeriodicParticlesAreTheWishOfTheDeck) {
   const StudyDirectory study(replaced(std::string(good_deck), "seed = 1", "walls = false"));
   EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
-  EXPECT_THAT(study.breccia("check", {"--set", R"(tests.bounds=["upper", "periodic"])"}).output,
-              HasSubstr("warning: A: tests.bounds asks for the upper or the lower bound of a periodic box"));
+  EXPECT_THAT(study.breccia("check", {"--set", R"(tests.boundaries=["displacement", "periodic"])"}).output,
+              HasSubstr("warning: A: tests.boundaries asks for the displacement or the traction boundary of a "
+                        "periodic box"));
 }
 
 TEST(DeckWarnings, BytesThatAreNotPrintableStayOffTheTerminal) {

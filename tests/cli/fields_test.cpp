@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
 const std::vector<std::string> all_bounds{"--set", "stages.A.cells=16",
-                                          "--set", R"(tests.bounds=["upper", "lower", "periodic"])",
+                                          "--set", R"(tests.boundaries=["displacement", "traction", "periodic"])",
                                           "--set", R"(tests.times=["1 ms", "10 ms"])"};
 
 std::vector<std::string> with(const std::vector<std::string>& more) {

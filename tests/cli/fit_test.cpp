@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/deck/prony_file.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/study/prony_file.hpp"
 
 #include "command.hpp"
 #include "good_deck.hpp"

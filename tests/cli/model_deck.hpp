@@ -27,7 +27,7 @@ packing = { method = "regular", columns = 2, rows = 2 }
 
 [tests]
 times      = ["1 ms", "50 ms"]
-bounds     = ["upper"]
+boundaries     = ["displacement"]
 method     = "dynamic"
 volumetric = "standard"
 )";
@@ -48,7 +48,7 @@ cells   = 24
 
 [tests]
 times  = ["1 ms", "50 ms"]
-bounds = ["upper"]
+boundaries = ["displacement"]
 method = "dynamic"
 )";
 

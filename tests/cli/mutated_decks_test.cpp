@@ -53,7 +53,7 @@ packing = { method = "lubachevsky-stillinger", walls = true, seed = 1 }
 
 [tests]
 loads  = ["shear", "bulk"]
-bounds = ["upper", "lower"]
+boundaries = ["displacement", "traction"]
 times  = ["1 ms", "10 ms"]
 points_per_decade = 3
 fields = "none"
@@ -92,7 +92,7 @@ packing = { method = "explicit", discs = "discs.csv" }
 [tests]
 times  = ["1 ms", "30 ms"]
 solver = "stepping"
-bounds = ["periodic"]
+boundaries = ["periodic"]
 volumetric = "standard"
 points_per_decade = 4
 quasistatic = { steps_per_decade = 4, linear = "direct" }
@@ -118,7 +118,7 @@ packing = { method = "lubachevsky-stillinger", walls = false }
 [tests]
 times  = ["1 ms", "10 ms"]
 method = "dynamic"
-bounds = ["upper"]
+boundaries = ["displacement"]
 points_per_decade = 3
 dynamic = { courant = 0.9, ramp_transits = 2, density_factors = "auto", overlap = 1.5, reduction_tolerance = 0.01 }
 

@@ -25,7 +25,7 @@ using ::testing::IsSupersetOf;
 using Json = nlohmann::json;
 
 const std::vector<std::string> quasistatic{"--set", "tests.method=quasistatic",
-                                           "--set", R"(tests.bounds=["upper", "lower", "periodic"])",
+                                           "--set", R"(tests.boundaries=["displacement", "traction", "periodic"])",
                                            "--set", R"(tests.loads=["shear", "bulk"])"};
 
 std::vector<std::string> with(const std::vector<std::string>& more) {

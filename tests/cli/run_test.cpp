@@ -131,7 +131,7 @@ TEST(Examples, Pbx9501StiffensFromStageToStage) {
   const test::TemporaryDirectory directory;
   const std::string deck = BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-quick.toml";
   std::vector<std::string> arguments = {
-      "run", deck, "--out", ".", "--set", "tests.method=quasistatic", "--set", R"(tests.bounds=["lower"])"};
+      "run", deck, "--out", ".", "--set", "tests.method=quasistatic", "--set", R"(tests.boundaries=["traction"])"};
   for (const auto* stage : {"HB-1", "HB-2", "PBX-9501"}) {
     arguments.insert(arguments.end(), {"--set", std::string("stages.") + stage + ".cells=40"});
   }

@@ -91,8 +91,8 @@ TEST(Stages, OfASweepThatCannotBeAreTriedOnce) {
 
 TEST(Stages, AStagePassesOnWhatItBecameUnderEachBoundary) {
   StudyDirectory study(passing_on);
-  const auto run = study.breccia(
-      "run", {"--set", "tests.method=quasistatic", "--set", R"(tests.bounds=["upper", "lower", "periodic"])"});
+  const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set",
+                                         R"(tests.boundaries=["displacement", "traction", "periodic"])"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto provenance = Json::parse(read_text(study.result("study.json")));
   const auto& passed_on = provenance["stages"][0]["materials"];
@@ -142,7 +142,8 @@ TEST(Stages, ABadFitStopsTheStudyAndKeepsWhatIsDone) {
 
 TEST(Stages, ARespondingStudyPassesOnItsResults) {
   StudyDirectory study(passing_on);
-  const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set", R"(tests.bounds=["lower"])"});
+  const auto run =
+      study.breccia("run", {"--set", "tests.method=quasistatic", "--set", R"(tests.boundaries=["traction"])"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   study.write("same.toml", R"(density = "1 g/cm^3"
 bulk    = "1 MPa"

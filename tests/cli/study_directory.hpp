@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/experiment/curve.hpp"
+#include "breccia/virtual_test/curve.hpp"
 
 #include "command.hpp"
 #include "temporary_directory.hpp"

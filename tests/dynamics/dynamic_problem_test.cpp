@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include "breccia/discretisation/cell.hpp"
 #include "breccia/error.hpp"
-#include "breccia/mpm/cell.hpp"
 
 #include "materials.hpp"
 #include "nodal_masses.hpp"

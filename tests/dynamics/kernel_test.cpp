@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 
 #include "block_layout.hpp"
 #include "kernels.hpp"

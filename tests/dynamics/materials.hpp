@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/mpm/discretisation.hpp"
+#include "breccia/discretisation/discretisation.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::testing_materials {

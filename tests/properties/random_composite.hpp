@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "breccia/experiment/dynamic_test.hpp"
-#include "breccia/experiment/quasistatic_test.hpp"
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/virtual_test/dynamic_test.hpp"
+#include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::test {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
@@ -51,5 +52,8 @@ class Checkpoint {
   bool ends_ = false;
   std::optional<StateReader> earlier_;
 };
+
+/// Is this the name of the file of a checkpoint, of the one before it, or of a damaged one that was set aside?
+bool is_checkpoint_file(std::string_view name);
 
 }  // namespace breccia

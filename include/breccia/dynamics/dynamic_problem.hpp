@@ -1,13 +1,14 @@
 #pragma once
 
-#include <string_view>
+#include <array>
 #include <vector>
 
-#include "breccia/mpm/discretisation.hpp"
-#include "breccia/mpm/load.hpp"
-#include "breccia/mpm/plane_tensor.hpp"
-#include "breccia/mpm/volumetric.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/plane_tensor.hpp"
+#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -17,8 +18,9 @@ enum class Formulation {
   classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
 };
 
-/// As a deck writes it: total-lagrangian, classical.
-std::string_view name_of(Formulation formulation);
+template <>
+inline constexpr auto words<Formulation> = std::to_array<Word<Formulation>>(
+    {{"total-lagrangian", Formulation::total_lagrangian}, {"classical", Formulation::classical}});
 
 /// What moves while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary that
 /// could move first. Under a traction boundary nothing is made to move.
@@ -26,6 +28,10 @@ enum class Start {
   boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
   affine     ///< the whole field
 };
+
+template <>
+inline constexpr auto words<Start> = std::to_array<Word<Start>>({{"boundary", Start::boundary},
+                                                                 {"affine", Start::affine}});
 
 /// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the
 /// midpoint, so that the answer of a hereditary material to the ramp differs from its answer to a step only in second

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
+#include "breccia/discretisation/point_fields.hpp"
 #include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/dynamics/instruction_set.hpp"
-#include "breccia/mpm/point_fields.hpp"
 
 namespace breccia {
 

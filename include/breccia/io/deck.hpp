@@ -15,6 +15,7 @@
 
 #include "breccia/io/deck_setting.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -81,15 +82,24 @@ class Section {
   /// What one word of a choice stands for.
   template <class T>
   [[nodiscard]] std::optional<T> choice(const std::string& key, const std::vector<Choice<T>>& choices) const {
-    const auto index = choice_index(key, words(choices));
+    const auto index = choice_index(key, words_of(choices));
     return index ? std::optional<T>(choices[*index].second) : std::nullopt;
+  }
+  /// The same with all words of an enumeration.
+  template <HasWords Enum>
+  [[nodiscard]] std::optional<Enum> choice(const std::string& key) const {
+    return choice<Enum>(key, {words<Enum>.begin(), words<Enum>.end()});
   }
   /// What the words of an array stand for.
   template <class T>
   [[nodiscard]] std::vector<T> list_of_choices(const std::string& key, const std::vector<Choice<T>>& choices) const {
     std::vector<T> chosen;
-    for (const auto index : choice_indices(key, words(choices))) chosen.push_back(choices[index].second);
+    for (const auto index : choice_indices(key, words_of(choices))) chosen.push_back(choices[index].second);
     return chosen;
+  }
+  template <HasWords Enum>
+  [[nodiscard]] std::vector<Enum> list_of_choices(const std::string& key) const {
+    return list_of_choices<Enum>(key, {words<Enum>.begin(), words<Enum>.end()});
   }
 
   /// The elements of an array of numbers, text, true and false.
@@ -117,7 +127,7 @@ class Section {
   Section(detail::DeckState& state, const detail::DeckTable* table, std::string path);
 
   template <class T>
-  static std::vector<std::string> words(const std::vector<Choice<T>>& choices) {
+  static std::vector<std::string> words_of(const std::vector<Choice<T>>& choices) {
     std::vector<std::string> all;
     all.reserve(choices.size());
     for (const auto& [word, meaning] : choices) all.emplace_back(word);

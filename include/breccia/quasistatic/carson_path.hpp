@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/mpm/cell.hpp"
+#include "breccia/discretisation/cell.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/mpm/point_fields.hpp"
+#include "breccia/discretisation/point_fields.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
 namespace breccia {

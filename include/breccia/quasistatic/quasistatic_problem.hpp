@@ -1,14 +1,16 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
-#include "breccia/mpm/discretisation.hpp"
-#include "breccia/mpm/load.hpp"
-#include "breccia/mpm/volumetric.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -18,6 +20,11 @@ enum class LinearMethod {
   direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
   iterative   ///< conjugate gradients on substructures, or with algebraic multigrid (GAMG) on several processes
 };
+
+template <>
+inline constexpr auto words<LinearMethod> = std::to_array<Word<LinearMethod>>({{"automatic", LinearMethod::automatic},
+                                                                               {"direct", LinearMethod::direct},
+                                                                               {"iterative", LinearMethod::iterative}});
 
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;

@@ -6,8 +6,8 @@
 #include <Eigen/Dense>
 
 #include "breccia/checkpoint/state.hpp"
-#include "breccia/mpm/cell.hpp"
-#include "breccia/mpm/load.hpp"
+#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/load.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 

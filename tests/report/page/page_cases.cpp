@@ -13,12 +13,12 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/dynamics/dynamic_problem.hpp"
-#include "breccia/experiment/curve.hpp"
-#include "breccia/experiment/extrapolation.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
-#include "breccia/report/display.hpp"
+#include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/extrapolation.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/homogenisation/solve.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Functions that are called while a study is run in a directory.
+struct RunObserver : StudyObserver {
+  /// Results that replace earlier ones are written to this directory until they are whole.
+  std::function<void(const std::filesystem::path&)> writes_beside = {};
+  /// Another task of a sweep has computed this stage already; its files are in this directory.
+  std::function<void(const StageResult&, const std::filesystem::path&)> taken_over = {};
+  std::function<void(const std::string&)> noted = {};  ///< what a user should know of files that were found
+};
+
+/// How a study is run.
+struct RunOptions {
+  int threads = 0;                      ///< 0: all
+  bool resume = false;                  ///< go on from the checkpoints of an earlier run
+  bool overwrite = false;               ///< replace results of other studies, once the new ones are whole
+  CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early
+  bool ignore_memory = false;           ///< begin even what will hardly fit
+};
+
+/// Runs all stages and tests of a study and writes the results (docs/results.md) to a directory, which is made. Every
+/// file appears whole or not at all. Where earlier results are in the directory, they stay until the new ones are
+/// whole, which are written to its subdirectory `unfinished` meanwhile. What is done when the run ends early stays, and
+/// with it checkpoints, from which another run goes on to the same bits. Throws InputError, also where it would replace
+/// or go on from results of another study or version and is not to overwrite them, NumericalError, FileError or
+/// Interrupted.
+StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
+                      const RunObserver& observer = {});
+
+}  // namespace breccia

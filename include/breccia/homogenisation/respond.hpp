@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/study/stage.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// The reduced responses of a stage, as kept in `response.h5`: its microstructure under all boundaries and loads that
+/// were tested, ready for another matrix.
+struct StoredResponses {
+  struct Entry {
+    int cells = 0;  ///< per side
+    ReducedResponse response;
+  };
+
+  std::string stage;
+  StageMatrix matrix;            ///< the earlier stage that made it, or a material of which the name alone is known
+  double filler_density = 0.0;   ///< [kg/m^3]; unused (0) without filler
+  double filler_fraction = 0.0;  ///< [-]
+  double side = 0.0;             ///< of the box [m]
+  std::string deck_hash;         ///< of the study that left it
+  double fit_tolerance = 0.0;    ///< of that study
+  TimeWindow times;              ///< of the study [s]
+  int points_per_decade = 20;    ///< of its curves
+  SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
+  std::vector<Entry> entries;
+};
+
+/// The stage with another matrix, at the times given or else those of the study: milliseconds.
+/// Throws InputError where the matrix leaves the sampled range, telling both and the times that are covered.
+StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
+
+/// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others
+/// take what it makes of the stage before them. In the order in which they build on each other. Throws InputError as
+/// above, and where a stage that another builds on is missing, the responses are of several studies, or their matrices
+/// of several materials.
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
+                                 std::optional<TimeWindow> times = {});
+
+/// The same with a new material for each of those that the stages had as their matrix, by its name in the study.
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
+                                 const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times = {});
+
+}  // namespace breccia

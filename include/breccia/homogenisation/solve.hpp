@@ -1,0 +1,32 @@
+#pragma once
+
+#include "breccia/homogenisation/study_observer.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/homogenisation/study_sink.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// How a study is solved.
+struct SolveOptions {
+  int threads = 0;             ///< 0: all
+  bool ignore_memory = false;  ///< begin even what will hardly fit into the memory
+};
+
+/// Solves a study: packs its stages and runs their tests, one stage after the other, each as the matrix of the stages
+/// that build on it. Everything stays in the memory but for what a sink takes; no file is written. Throws InputError
+/// where the study cannot be (a packing, a stage without its matrix) or will not fit into the memory, NumericalError
+/// where a calculation fails, and what observer and sink throw.
+StudyResult solve(const Study& study, const SolveOptions& options = {}, const StudyObserver& observer = {});
+StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink);
+
+/// Packs one stage of a study and adds it to the result, without tests.
+void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
+                StudyResult& result);
+
+/// Runs all tests of the stage that was added to the result last, and what follows from them: extrapolation, the
+/// material that later stages build on, the comparison with measurements.
+void test_stage(const Study& study, const Stage& stage, const SolveOptions& options, const StudyObserver& observer,
+                StudySink& sink, StudyResult& result);
+
+}  // namespace breccia

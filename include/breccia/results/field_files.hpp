@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Writes the fields of a test of the first load to the directory of its stage, as VTKHDF and as pictures of stress and
+/// strain. Those of the first boundary and method at the last time are `fields.vtkhdf`; the names of others tell their
+/// boundary and method, and the place of an earlier time. Throws FileError.
+std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                                      const TestId& test, const Discretisation& discretisation,
+                                      const std::vector<TimedFields>& fields);
+
+/// Copies the files of the fields of tests from one directory to another. Throws FileError.
+void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to,
+                 const std::vector<TestResult>& tests);
+
+/// Is this the name of one of these files?
+bool is_of_fields(std::string_view name);
+
+}  // namespace breccia

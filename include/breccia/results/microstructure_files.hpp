@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// Writes `microstructure.csv` and `microstructure.svg` of a stage to its directory. Throws FileError.
+void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
+                          const StageMicrostructure& microstructure);
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <filesystem>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// Writes `study.json` to a directory: what was asked for, and how every number was made. Throws FileError.
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result);
+
+}  // namespace breccia

@@ -1,0 +1,161 @@
+#include "breccia/benchmark/kernel_benchmark.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <utility>
+
+#include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
+#include "breccia/parallel/session.hpp"
+
+#include "model_problem.hpp"
+#include "stop_watch.hpp"
+
+namespace breccia {
+namespace {
+
+double median_of(std::vector<double> values) {
+  std::ranges::sort(values);
+  const auto middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+/// A run that goes on from round to round.
+class KernelRun {
+ public:
+  KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock) {
+    auto problem = benchmark::model_problem(kernel.cells, kernel.terms);
+    timing_.kernel = kernel;
+    timing_.points = static_cast<double>(problem.discretisation.points());
+    solver_ = make_dynamic_solver(kernel.formulation, std::move(problem), kernel.threads, kernel.instructions);
+    const auto footprint = solver_->footprint();
+    timing_.bytes_per_point = parallel::sum(static_cast<double>(footprint.held)) / timing_.points;
+    timing_.bytes_per_point_and_step = parallel::sum(static_cast<double>(footprint.moved_per_step)) / timing_.points;
+  }
+
+  /// Finds how many steps take about so long [s]; the same number on all processes, since they take them together.
+  void calibrate(double seconds) {
+    advance();  // the first one fetches pages
+    constexpr double enough = 0.1;
+    double taken = advance();
+    while (taken < enough * seconds) {
+      steps_ *= 2;
+      taken = advance();
+    }
+    steps_ = std::max(1, static_cast<int>(std::lround(steps_ * seconds / taken)));
+  }
+
+  void take_round() {
+    const double points_x_steps = timing_.points * steps_;
+    timing_.speeds.push_back(points_x_steps / advance());
+  }
+
+  [[nodiscard]] const KernelTiming& timing() const noexcept { return timing_; }
+
+ private:
+  /// Time of the slowest process [s].
+  double advance() {
+    averages_.clear();
+    const benchmark::StopWatch watch(clock_, timing_.kernel.threads);
+    solver_->advance(steps_, averages_);
+    return parallel::largest(watch.seconds());
+  }
+
+  Clock clock_;
+  KernelTiming timing_;
+  std::unique_ptr<DynamicSolver> solver_;
+  std::vector<Averages> averages_;
+  int steps_ = 1;
+};
+
+/// The same for the bandwidth of the memory.
+class BandwidthRun {
+ public:
+  explicit BandwidthRun(int threads) : streams_(threads) { timing_.threads = threads; }
+
+  void take_round(double seconds, Clock clock) { timing_.rounds.push_back(streams_.measure(seconds, clock)); }
+  [[nodiscard]] const BandwidthTiming& timing() const noexcept { return timing_; }
+
+ private:
+  BandwidthTiming timing_;
+  MemoryStreams streams_;
+};
+
+void require_complete(const BenchmarkPlan& plan) {
+  if (plan.cases.empty()) throw InputError("benchmark: there are no cases");
+  if (plan.rounds < 1 || !(plan.seconds > 0.0))
+    throw InputError("benchmark: expected at least one round and some time");
+}
+
+}  // namespace
+
+double KernelTiming::speed() const {
+  return median_of(speeds);
+}
+
+double KernelTiming::bandwidth() const {
+  return speed() * bytes_per_point_and_step;
+}
+
+MemoryBandwidth BandwidthTiming::median() const {
+  std::vector<double> triads, updates;
+  for (const auto& [triad, update] : rounds) {
+    triads.push_back(triad);
+    updates.push_back(update);
+  }
+  return {median_of(std::move(triads)), median_of(std::move(updates))};
+}
+
+double BandwidthTiming::highest() const {
+  const auto [triad, update] = median();
+  return std::max(triad, update);
+}
+
+double BenchmarkResult::bandwidth_share(const KernelTiming& kernel) const {
+  const auto of_memory = std::ranges::find(bandwidths, kernel.kernel.threads, &BandwidthTiming::threads);
+  return kernel.bandwidth() / of_memory->highest();
+}
+
+BenchmarkResult run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& watch) {
+  require_complete(plan);
+  std::set<int> threads;
+  for (const auto& kernel : plan.cases) threads.insert(kernel.threads);
+  std::vector<KernelRun> kernels;
+  kernels.reserve(plan.cases.size());
+  for (const auto& kernel : plan.cases) kernels.emplace_back(kernel, plan.clock);
+  std::vector<BandwidthRun> bandwidths(threads.begin(), threads.end());
+
+  const double turns = static_cast<double>(kernels.size() + bandwidths.size()) * (plan.rounds + 1);
+  const double seconds = plan.seconds / turns;
+  double done = 0.0;
+  const auto report = [&] {
+    if (watch) watch(++done / turns);
+  };
+  for (auto& kernel : kernels) {
+    kernel.calibrate(seconds);
+    report();
+  }
+  done = turns / (plan.rounds + 1);
+  for (int round = 0; round < plan.rounds; ++round) {
+    for (auto& memory : bandwidths) {
+      memory.take_round(seconds, plan.clock);
+      report();
+    }
+    for (auto& kernel : kernels) {
+      kernel.take_round();
+      report();
+    }
+  }
+
+  BenchmarkResult result;
+  result.processes = parallel::ranks();
+  result.clock = plan.clock;
+  result.machine = this_machine();
+  for (const auto& kernel : kernels) result.kernels.push_back(kernel.timing());
+  for (const auto& memory : bandwidths) result.bandwidths.push_back(memory.timing());
+  return result;
+}
+
+}  // namespace breccia

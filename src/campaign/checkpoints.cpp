@@ -1,0 +1,58 @@
+#include "checkpoints.hpp"
+
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+
+Checkpoints::Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
+                         const RunObserver& observer)
+    : study_(&study), directory_(&directory), options_(&options), observer_(&observer) {}
+
+Checkpoint Checkpoints::of_packing(const Stage& stage) const {
+  return open(stage, "packing");
+}
+
+Checkpoint Checkpoints::of_quasistatic(const Stage& stage, Boundary boundary, TestGrid grid) const {
+  return open(stage, fmt::format("{}-{}-{}", name_of(boundary), name_of(Method::quasistatic), name_of(grid)));
+}
+
+Checkpoint Checkpoints::of_dynamic(const Stage& stage, const TestId& test) const {
+  return open(stage, fmt::format("{}-{}-{}-{}", name_of(test.load), name_of(test.boundary), name_of(test.method),
+                                 name_of(test.grid)));
+}
+
+Checkpoint Checkpoints::open(const Stage& stage, const std::string& name) const {
+  Checkpoint checkpoint(*directory_ / stage.name / (name + ".checkpoint.h5"),
+                        {study_->provenance.hash, BRECCIA_VERSION}, options_->checkpoints);
+  if (!options_->resume) return checkpoint;
+  for (const auto& problem : checkpoint.look_for_earlier()) {
+    if (observer_->noted) observer_->noted(problem);
+  }
+  return checkpoint;
+}
+
+bool remove_checkpoints(const Study& study, const std::filesystem::path& directory) {
+  bool were_any = false;
+  for (const auto& stage : study.stages) {
+    std::error_code is_missing;
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(directory / stage.name, is_missing)) {
+      auto name = entry.path().filename().string();
+      if (is_checkpoint_file(name)) names.push_back(std::move(name));
+    }
+    remove_files(directory / stage.name, names);
+    were_any = were_any || !names.empty();
+  }
+  return were_any;
+}
+
+void remove_partial_files(const Study& study, const std::filesystem::path& directory) {
+  remove_partial_files(directory);
+  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+}
+
+}  // namespace breccia

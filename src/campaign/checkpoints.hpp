@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "breccia/campaign/run.hpp"
+#include "breccia/checkpoint/checkpoint.hpp"
+
+namespace breccia {
+
+/// The checkpoints of a study: of every packing and test one, in the directory of its stage.
+class Checkpoints {
+ public:
+  /// `observer` is told of files that had to be left aside. All must live as long as this.
+  Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
+              const RunObserver& observer);
+
+  [[nodiscard]] Checkpoint of_packing(const Stage& stage) const;
+  [[nodiscard]] Checkpoint of_quasistatic(const Stage& stage, Boundary boundary, TestGrid grid) const;
+  [[nodiscard]] Checkpoint of_dynamic(const Stage& stage, const TestId& test) const;
+
+ private:
+  [[nodiscard]] Checkpoint open(const Stage& stage, const std::string& name) const;
+
+  const Study* study_;
+  const std::filesystem::path* directory_;
+  const RunOptions* options_;
+  const RunObserver* observer_;
+};
+
+/// Removes all checkpoints of a study, once it is done. Returns whether there were any.
+bool remove_checkpoints(const Study& study, const std::filesystem::path& directory);
+
+/// Removes what a killed run was writing.
+void remove_partial_files(const Study& study, const std::filesystem::path& directory);
+
+}  // namespace breccia

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "breccia/homogenisation/study_sink.hpp"
+
+#include "checkpoints.hpp"
+
+namespace breccia {
+
+/// Writes the results of a study to a directory as they are found, by the first of several processes.
+class DirectorySink final : public StudySink {
+ public:
+  /// All must live as long as this.
+  DirectorySink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints)
+      : study_(study), directory_(directory), checkpoints_(checkpoints) {}
+
+  std::optional<Checkpoint> packing_checkpoint(const Stage& stage) override;
+  std::optional<Checkpoint> quasistatic_checkpoint(const Stage& stage, Boundary boundary, TestGrid grid) override;
+  std::optional<Checkpoint> dynamic_checkpoint(const Stage& stage, const TestId& test) override;
+  void packed(const Stage& stage, const StudyResult& result) override;
+  void domain_finished(const Stage& stage, const TestId& test, std::size_t number, const TimeDomain& domain) override;
+  std::optional<std::vector<FieldRecord>> fields(const Stage& stage, const TestId& test,
+                                                 const Discretisation& discretisation,
+                                                 const std::vector<TimedFields>& fields) override;
+  void tested(const Stage& stage, const StudyResult& result) override;
+  void all_loads_tested(const Stage& stage, const StudyResult& result) override;
+  void stage_finished(const Stage& stage, const StudyResult& result) override;
+
+  /// Writes the last stage of a result, which another task of a sweep has computed and whose files are in another
+  /// directory.
+  void take_over(const Stage& stage, const std::filesystem::path& files, const StudyResult& result);
+
+ private:
+  const Study& study_;
+  const std::filesystem::path& directory_;
+  const Checkpoints& checkpoints_;
+};
+
+}  // namespace breccia

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "breccia/io/directory_lock.hpp"
+#include "breccia/study/study.hpp"
+
+#include "remove_if_empty.hpp"
+
+namespace breccia {
+
+/// The directory of a study's results, in which this group of processes alone is at work, and the place in it where
+/// they are written until they are whole. Both are removed in the end if no result is in them.
+class ResultPlace {
+ public:
+  /// `choose` returns the place, or throws InputError; the first process of a group calls it for all of them.
+  ResultPlace(const Study& study, std::filesystem::path directory,
+              const std::function<std::filesystem::path()>& choose);
+
+  [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
+  [[nodiscard]] const std::filesystem::path& place() const noexcept { return place_; }
+  /// Puts the results into the place of earlier ones, if they are beside them. Throws FileError.
+  void commit() const;
+
+ private:
+  const Study& study_;
+  std::filesystem::path directory_;
+  std::optional<DirectoryLock> lock_;
+  std::filesystem::path place_;
+  RemoveIfEmpty directory_if_empty_, place_if_empty_;
+};
+
+}  // namespace breccia

@@ -1,0 +1,201 @@
+#include "breccia/campaign/sweep.hpp"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/campaign/resume.hpp"
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/memory.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/parallel/session.hpp"
+#include "breccia/results/sweep_files.hpp"
+
+#include "result_directory.hpp"
+#include "shared_stages.hpp"
+#include "sweep_directory.hpp"
+#include "sweep_temperatures.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// The tasks of a sweep, with its tables written after each of them.
+class SweepRun {
+ public:
+  SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
+           const SweepObserver& observer)
+      : sweep_(sweep),
+        directory_(directory),
+        options_(options),
+        observer_(observer),
+        shared_(sweep),
+        result_(sweep.tasks.size()) {}
+
+  SweepResult run() {
+    for (const auto& task : sweep_.tasks) {
+      if (parallel::is_first()) finish_interrupted_replacement(task.study, task.directory_in(directory_));
+    }
+    static_cast<void>(parallel::gather({}));
+    refuse_objections(sweep_, directory_, options_);
+    options_of_ = options_of_tasks(sweep_, directory_, options_);
+    find_complete_tasks();
+    if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
+    make_way();
+    if (options_.resume) write();
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (!is_ours(task)) continue;
+      if (options_.resume && result_[task].state == TaskState::done) {
+        if (observer_.skipped) observer_.skipped(task);
+        continue;
+      }
+      if (observer_.begun) observer_.begun(task);
+      run(task);
+      write();
+    }
+    if (parallel::groups() > 1) {
+      exchange();
+      write();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] std::filesystem::path directory_of(std::size_t task) const {
+    return sweep_.tasks[task].directory_in(directory_);
+  }
+
+  void make_way() const {
+    if (!parallel::is_first()) return;
+    make_directory(directory_);
+    remove_partial_files(directory_);
+  }
+
+  /// Before any task runs, so that several processes find the same. Without `resume` they run once more; until then the
+  /// tables hold their earlier results.
+  void find_complete_tasks() {
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
+    }
+    // Nobody begins before all have looked.
+    static_cast<void>(parallel::gather({}));
+  }
+
+  /// Tasks that will hardly fit into the memory: of those that lack the same the first, and how many more.
+  void refuse_too_large() const {
+    const double available = available_memory();
+    std::map<std::string, std::vector<std::string>> tasks_of;
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (options_.resume && result_[task].state == TaskState::done) continue;
+      for (const auto& line : lacking_memory(sweep_.tasks[task].study, available)) {
+        tasks_of[line].push_back(sweep_.tasks[task].name);
+      }
+    }
+    std::vector<std::string> mistakes;
+    for (const auto& [line, tasks] : tasks_of) {
+      const auto more = tasks.size() > 1 ? fmt::format(" and {} more", tasks.size() - 1) : "";
+      mistakes.push_back(fmt::format("{}{}: {}", tasks.front(), more, line));
+    }
+    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  }
+
+  void keep_if_done(std::size_t task, std::optional<double> seconds) {
+    if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
+  }
+
+  /// The groups of processes take the tasks in turn.
+  [[nodiscard]] static bool is_ours(std::size_t task) {
+    return task % static_cast<std::size_t>(parallel::groups()) == static_cast<std::size_t>(parallel::group());
+  }
+
+  /// Learns from the other groups what became of their tasks.
+  void exchange() {
+    nlohmann::json ours = nlohmann::json::array();
+    for (std::size_t task = 0; task < result_.size(); ++task) {
+      if (is_ours(task)) ours.push_back({result_[task].state, result_[task].seconds, result_[task].error});
+    }
+    const auto told = parallel::gather(ours.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    for (std::size_t task = 0; task < result_.size(); ++task) {
+      if (is_ours(task)) continue;
+      const auto theirs = nlohmann::json::parse(told[task % told.size()])[task / told.size()];
+      result_[task].state = theirs[0].get<TaskState>();
+      result_[task].seconds = theirs[1].get<double>();
+      result_[task].error = theirs[2].get<std::string>();
+      const bool is_done = result_[task].state == TaskState::done;
+      if (is_done && parallel::is_first()) result_[task].curves = read_curves(directory_of(task));
+    }
+  }
+
+  /// Takes note of what the other groups have completed by now.
+  void look_at_others() {
+    for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
+      if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
+      keep_if_done(task, time_of_complete_run(sweep_.tasks[task].study, directory_of(task)));
+    }
+  }
+
+  /// The stages of a task that differs from an earlier one in temperatures alone, as its reduced responses give them.
+  /// Nothing where there is no such task, where the responses cannot be read or do not cover the materials: then the
+  /// task runs by itself. Several processes run all tasks, since files that one has moved others may not see yet.
+  [[nodiscard]] std::vector<StageResult> answered(std::size_t task) const {
+    const auto earlier = task_that_answers(sweep_, task);
+    if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return {};
+    try {
+      return answered_stages(sweep_.tasks[task].study, directory_of(*earlier));
+    } catch (const InputError&) {
+      return {};
+    } catch (const FileError&) {
+      return {};
+    }
+  }
+
+  void run(std::size_t task) {
+    try {
+      const auto& study = sweep_.tasks[task].study;
+      const auto answers = answered(task);
+      SharedStages own(study, answers);
+      const auto done =
+          run_study(study, directory_of(task), options_of_[task], observer_.study, answers.empty() ? shared_ : own);
+      result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
+    } catch (const NumericalError& error) {
+      fail(task, error);
+    } catch (const InputError& error) {
+      fail(task, error);
+    }
+  }
+
+  void fail(std::size_t task, const Error& error) {
+    result_[task] = {.state = TaskState::failed, .error = error.what()};
+    if (observer_.failed) observer_.failed(task, error.what());
+  }
+
+  void write() {
+    if (!parallel::is_first()) return;
+    if (parallel::groups() > 1) look_at_others();
+    write_sweep_tables(directory_, sweep_, result_);
+    write_sweep_plot(directory_, sweep_, result_);
+    write_sweep_report(directory_, result_);
+  }
+
+  const Sweep& sweep_;
+  const std::filesystem::path& directory_;
+  const RunOptions& options_;
+  const SweepObserver& observer_;
+  SharedStages shared_;
+  std::vector<RunOptions> options_of_;  ///< by task
+  SweepResult result_;
+};
+
+}  // namespace
+
+SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
+                      const SweepObserver& observer) {
+  return SweepRun(sweep, directory, options, observer).run();
+}
+
+}  // namespace breccia

@@ -1,0 +1,100 @@
+#include "sweep_directory.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/campaign/sweep.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/results/result_files.hpp"
+#include "breccia/results/study_record.hpp"
+#include "breccia/study/result_names.hpp"
+
+#include "result_directory.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// `sweep.json` of a directory; nothing where there is none, or none that Breccia wrote.
+Json sweep_record(const fs::path& directory) {
+  const auto file = directory / "sweep.json";
+  return is_record_of_breccia(file) ? Json::parse(read_text(file), nullptr, false) : Json();
+}
+
+bool has_task(const Sweep& sweep, const Json& earlier) {
+  return std::ranges::any_of(sweep.tasks, [&](const SweepTask& task) {
+    return earlier.value("name", Json()) == task.name && earlier.value("hash", Json()) == task.study.provenance.hash;
+  });
+}
+
+/// Do the tables of a directory hold finished tasks that the sweep does not have?
+bool holds_other_tasks(const Sweep& sweep, const Json& record) {
+  const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
+  return tasks.is_array() && std::ranges::any_of(tasks, [&](const Json& task) {
+           return task.is_object() && task.value("state", Json()) == "done" && !has_task(sweep, task);
+         });
+}
+
+/// Do the tables of a directory name this task, of this study?
+bool names(const Json& record, const SweepTask& task) {
+  const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
+  return tasks.is_array() && std::ranges::any_of(tasks, [&](const Json& one) {
+           return one.is_object() && one.value("name", Json()) == task.name &&
+                  one.value("hash", Json()) == task.study.provenance.hash;
+         });
+}
+
+/// What forbids to write the tables of a sweep to a directory; empty if nothing does.
+std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+  if (read_study_record(directory).has_tests) {
+    return fmt::format("{0}: here are the results of a single study; take another directory (--out {0}-sweep)",
+                       directory.string());
+  }
+  const auto record = sweep_record(directory);
+  if (record.is_null()) {
+    for (const auto& name : files_of_a_sweep()) {
+      if (!fs::exists(directory / name) || read_study_record(directory).is_ours) continue;
+      return fmt::format(
+          "{}: the results would replace this file, which Breccia did not write; take another directory "
+          "(--out)",
+          (directory / name).string());
+    }
+  }
+  if (options.resume || options.overwrite || !holds_other_tasks(sweep, record)) return {};
+  return fmt::format(
+      "{}: here are the results of another sweep; replace them (--overwrite), add to them (--resume) or "
+      "take another directory (--out)",
+      directory.string());
+}
+
+}  // namespace
+
+std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+  std::vector<RunOptions> all(sweep.tasks.size(), options);
+  if (!options.resume || sweep.keys.empty()) return all;
+  const auto record = sweep_record(directory);
+  for (std::size_t task = 0; task < all.size(); ++task) all[task].overwrite = names(record, sweep.tasks[task]);
+  return all;
+}
+
+void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+  std::vector<std::string> objections;
+  if (!sweep.keys.empty()) objections.push_back(objection_to_tables(sweep, directory, options));
+  const auto options_of = options_of_tasks(sweep, directory, options);
+  for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
+    const auto& task = sweep.tasks[i];
+    objections.push_back(objection_to(task.study, task.directory_in(directory), options_of[i]));
+  }
+  std::erase(objections, "");
+  if (!objections.empty()) throw InputError(fmt::format("{}", fmt::join(objections, "\n")));
+}
+
+}  // namespace breccia

@@ -1,0 +1,60 @@
+#include "sweep_temperatures.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "breccia/homogenisation/packed_stage.hpp"
+#include "breccia/homogenisation/respond.hpp"
+#include "breccia/results/response_file.hpp"
+#include "breccia/results/sweep_spread.hpp"
+
+namespace breccia {
+namespace {
+
+bool is_temperature(const SweptKey& key) {
+  const auto steps = split_path(key.path);
+  constexpr std::size_t depth = 4;
+  return steps && steps->size() == depth && steps->at(0) == "materials" && steps->at(2) == "temperature_shift" &&
+         steps->at(3) == "temperature";
+}
+
+/// Do tests leave all that they are asked for where reduced responses answer? Maps at times of the deck's own take a
+/// run.
+bool can_be_answered(const Tests& tests) {
+  const bool wants_maps =
+      tests.field_times.size() > 1 || (tests.field_times.size() == 1 && tests.field_times.front() != tests.last_time);
+  return !wants_maps && tests.methods == std::vector{Method::quasistatic} &&
+         tests.quasistatic.solver == Solver::reduced && tests.quasistatic.range == SampledRange::matrix;
+}
+
+}  // namespace
+
+std::optional<std::size_t> task_that_answers(const Sweep& sweep, std::size_t task) {
+  const auto& asked = sweep.tasks[task];
+  if (std::ranges::none_of(sweep.keys, is_temperature) || !can_be_answered(asked.study.tests)) return std::nullopt;
+  for (std::size_t earlier = 0; earlier < task; ++earlier) {
+    if (differ_only_in(sweep, sweep.tasks[earlier], asked, is_temperature)) return earlier;
+  }
+  return std::nullopt;
+}
+
+std::vector<StageResult> answered_stages(const Study& study, const std::filesystem::path& directory) {
+  std::vector<StoredResponses> stored;
+  for (const auto& stage : study.stages) stored.push_back(read_responses(directory / stage.name / "response.h5"));
+  std::map<std::string, Material> matrices;
+  for (const auto& material : study.materials) matrices.emplace(material.name, material);
+  auto answers = respond(stored, matrices, TimeWindow{study.tests.first_time, study.tests.last_time});
+  std::vector<StageResult> results;
+  for (const auto& stage : study.stages) {
+    auto& answer = *std::ranges::find(answers, stage.name, &StageResult::name);
+    auto& result = results.emplace_back(packed_stage(study, stage, make_microstructure(stage)));
+    result.tests = std::move(answer.tests);
+    result.materials = std::move(answer.materials);
+    result.answered_from = directory.filename().string();
+  }
+  return results;
+}
+
+}  // namespace breccia

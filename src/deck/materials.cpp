@@ -1,0 +1,138 @@
+#include "materials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/deck/prony_file.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/nearest_name.hpp"
+#include "breccia/io/printable.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+namespace breccia {
+
+namespace {
+
+std::vector<MaxwellTerm> read_terms(const Section& modulus) {
+  std::vector<MaxwellTerm> terms;
+  for (const auto& term : modulus.sections("terms")) {
+    terms.push_back({term.quantity("time", Dimension::time, Range::positive()),
+                     term.quantity("modulus", Dimension::pressure, Range::not_negative())});
+  }
+  return terms;
+}
+
+/// Would a shift to another temperature make it zero or infinite?
+bool is_out_of_scale(const MaxwellTerm& term) {
+  constexpr double largest = 1e100;
+  return term.relaxation_time < 1.0 / largest || term.relaxation_time > largest;
+}
+
+/// `{ prony = "file.csv" }` or `{ equilibrium = "1 MPa", terms = [...] }`.
+PronySeries read_series(const Section& modulus, ModulusKind kind) {
+  PronyFile spectrum;
+  bool is_known = false;
+  const auto source = modulus.exactly_one({"prony", "terms"});
+  if (source == "prony") {
+    const auto path = modulus.file("prony");
+    if (!path.empty())
+      modulus.report_errors_of("prony", [&] {
+        spectrum = read_prony_file(path, kind);
+        is_known = true;
+      });
+  } else if (source == "terms") {
+    spectrum.terms = read_terms(modulus);
+    is_known = true;
+  }
+  const auto equilibrium = modulus.optional_quantity("equilibrium", Dimension::pressure, Range::not_negative());
+  if (equilibrium && spectrum.equilibrium) {
+    modulus.report("equilibrium", "the file has an equilibrium modulus already (relaxation time inf)");
+  }
+  PronySeries series;
+  const bool complete = std::ranges::none_of(spectrum.terms, [](const MaxwellTerm& term) {
+    return std::isnan(term.relaxation_time) || std::isnan(term.modulus);
+  });
+  if (!complete) return series;
+  series = PronySeries(equilibrium.value_or(spectrum.equilibrium.value_or(0.0)), spectrum.terms);
+  const bool is_positive = series.unrelaxed() > 0.0 && std::isfinite(series.unrelaxed());
+  if (is_known && !is_positive) modulus.report(source, "expected a modulus above zero, and finite");
+  if (std::ranges::any_of(series.terms(), is_out_of_scale)) {
+    modulus.report(source, "expected relaxation times between 1e-100 s and 1e100 s");
+  }
+  return series;
+}
+
+PronySeries read_modulus(const Section& material, const std::string& key, ModulusKind kind) {
+  if (material.kind(key) != Kind::table) {
+    const double modulus = material.quantity(key, Dimension::pressure, Range::positive());
+    return std::isnan(modulus) ? PronySeries() : PronySeries(modulus);
+  }
+  return read_series(material.section(key), kind);
+}
+
+/// `temperature_shift`; nothing without it, and after a report.
+std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
+  const auto section = material.optional_section("temperature_shift");
+  if (!section) return std::nullopt;
+  static_cast<void>(section->choice<bool>("law", {{"wlf", true}}));
+  const WilliamsLandelFerry law{
+      section->number("c1", Range::positive()),
+      section->quantity("c2", Dimension::temperature_difference, Range::positive()),
+      section->quantity("reference", Dimension::temperature, Range::not_negative()),
+  };
+  const double temperature = section->quantity("temperature", Dimension::temperature, Range::not_negative());
+  if (std::isnan(law.c1 + law.c2 + law.reference_temperature + temperature)) return std::nullopt;
+  std::optional<TemperatureShift> shift;
+  section->report_errors_of("temperature", [&] {
+    static_cast<void>(law.shift_factor(temperature));
+    shift = {law, temperature};
+  });
+  return shift;
+}
+
+/// A material at the temperature that its table asks for, and the shift to there, which may be none.
+std::pair<Material, std::optional<TemperatureShift>> read_shifted(const Section& section, const std::string& name) {
+  const Material reference = {name, section.quantity("density", Dimension::density, Range::positive()),
+                              read_modulus(section, "bulk", ModulusKind::bulk),
+                              read_modulus(section, "shear", ModulusKind::shear)};
+  const auto shift = read_temperature_shift(section);
+  return {shift ? shifted(reference, shift->law.shift_factor(shift->temperature)) : reference, shift};
+}
+
+}  // namespace
+
+Material read_material(const Section& section, const std::string& name) {
+  return read_shifted(section, name).first;
+}
+
+DeckMaterials read_materials(const Section& deck) {
+  const auto section = deck.section("materials");
+  DeckMaterials read;
+  for (const auto& name : section.keys()) {
+    if (!is_printable(name)) section.report(name, "expected a name without line breaks and other control characters");
+    const auto material = section.section(name);
+    auto [shifted_material, shift] = read_shifted(material, name);
+    read.materials.push_back(std::move(shifted_material));
+    if (shift) read.temperature_shifts.emplace(name, *shift);
+  }
+  return read;
+}
+
+Material read_material_reference(const Section& section, const std::string& key,
+                                 const std::vector<Material>& materials) {
+  const auto name = section.text(key);
+  if (name.empty()) return {};
+  const auto material = std::ranges::find(materials, name, &Material::name);
+  if (material != materials.end()) return *material;
+  std::vector<std::string> names;
+  names.reserve(materials.size());
+  for (const auto& known : materials) names.push_back(known.name);
+  section.report(key, fmt::format("unknown material \"{}\"{}", name, suggestion(name, names)));
+  return {};
+}
+
+}  // namespace breccia

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+namespace breccia {
+
+/// The materials of a deck, and by name the temperature shifts that are in them.
+struct DeckMaterials {
+  std::vector<Material> materials;
+  std::map<std::string, TemperatureShift> temperature_shifts;
+};
+
+/// Reads [materials]: each table is a material, named by its key.
+DeckMaterials read_materials(const Section& deck);
+
+/// Reads one material, at the temperature that its table asks for.
+Material read_material(const Section& section, const std::string& name);
+
+/// The material that a key names; a nameless one after a report.
+Material read_material_reference(const Section& section, const std::string& key,
+                                 const std::vector<Material>& materials);
+
+}  // namespace breccia

@@ -1,0 +1,93 @@
+#include "measurements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "breccia/deck/prony_file.hpp"
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table.hpp"
+#include "breccia/io/nearest_name.hpp"
+
+#include "time_window.hpp"
+
+namespace breccia {
+namespace {
+
+PronySeries read_measured_series(const std::filesystem::path& path) {
+  auto [equilibrium, terms] = read_prony_file(path, ModulusKind::shear);
+  return {equilibrium.value_or(0.0), std::move(terms)};
+}
+
+Curve read_measured_curve(const std::filesystem::path& path) {
+  const auto table = read_measured_table(path);
+  table.require({Quantity::time, Quantity::modulus});
+  const auto& times = table.column(Quantity::time);
+  const auto& moduli = table.column(Quantity::modulus, ModulusKind::shear);
+  FileMistakes mistakes(path);
+  Curve curve;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double time = times.values[row], modulus = moduli.values[row];
+    const double earlier = curve.empty() ? 0.0 : curve.back().time;
+    if (!(time > earlier) || !std::isfinite(time)) {
+      mistakes.add(table.place(row), "expected rising positive times", fmt::format("{}", times.written[row]));
+    } else if (!(modulus > 0.0) || !std::isfinite(modulus)) {
+      mistakes.add(table.place(row), "expected a positive modulus", fmt::format("{}", moduli.written[row]));
+    } else {
+      curve.push_back({time, modulus});
+    }
+  }
+  constexpr std::size_t fewest = 2;
+  if (mistakes.empty() && curve.size() < fewest) mistakes.add("", fmt::format("expected at least {} rows", fewest));
+  mistakes.refuse();
+  return curve;
+}
+
+void read_shear(const Section& shear, Measurement& measurement) {
+  const auto source = shear.exactly_one({"prony", "curve"});
+  if (source.empty()) return;
+  const auto path = shear.file(source);
+  if (path.empty()) return;
+  shear.report_errors_of(source, [&] {
+    if (source == "prony") {
+      measurement.shear = read_measured_series(path);
+    } else {
+      measurement.shear = read_measured_curve(path);
+    }
+  });
+}
+
+std::string read_stage(const Section& section, const std::vector<Stage>& stages) {
+  if (!section.has("stage")) return stages.empty() ? "" : stages.back().name;
+  auto name = section.text("stage");
+  std::vector<std::string> names;
+  std::ranges::transform(stages, std::back_inserter(names), &Stage::name);
+  if (!name.empty() && std::ranges::find(names, name) == names.end()) {
+    section.report("stage", fmt::format("unknown stage \"{}\"{}", name, suggestion(name, names)));
+  }
+  return name;
+}
+
+}  // namespace
+
+std::vector<Measurement> read_measurements(const Section& deck, const std::vector<Stage>& stages, const Tests& tests) {
+  std::vector<Measurement> measurements;
+  if (!deck.has("measurements")) return measurements;
+  for (const auto& section : deck.sections("measurements")) {
+    Measurement measurement;
+    measurement.label = section.text("name");
+    if (std::ranges::find(measurements, measurement.label, &Measurement::label) != measurements.end()) {
+      section.report("name", fmt::format("another measurement is called \"{}\"", measurement.label));
+    }
+    measurement.stage = read_stage(section, stages);
+    read_shear(section.section("shear"), measurement);
+    if (section.has("times")) measurement.times = read_time_window(section, "times");
+    const bool tests_shear = std::ranges::find(tests.loads, Load::shear) != tests.loads.end();
+    if (!tests_shear) section.report("shear", "tests.loads has no \"shear\" that could be compared");
+    measurements.push_back(std::move(measurement));
+  }
+  return measurements;
+}
+
+}  // namespace breccia

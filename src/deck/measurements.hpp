@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/measurement.hpp"
+#include "breccia/study/stage.hpp"
+#include "breccia/study/tests.hpp"
+
+namespace breccia {
+
+/// Reads [[measurements]] of the stages given.
+std::vector<Measurement> read_measurements(const Section& deck, const std::vector<Stage>& stages, const Tests& tests);
+
+}  // namespace breccia

@@ -1,0 +1,136 @@
+#include "packing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/measured_table.hpp"
+#include "breccia/microstructure/validity.hpp"
+
+namespace breccia {
+
+namespace {
+
+constexpr std::string_view random_method = "lubachevsky-stillinger";
+
+enum class MethodName { lubachevsky_stillinger, regular, listed };
+
+constexpr double most_rows = 1e4;
+
+std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
+  const auto table = read_measured_table(path);
+  table.require({Quantity::x, Quantity::y, Quantity::diameter});
+  const auto& x = table.column(Quantity::x).values;
+  const auto& y = table.column(Quantity::y).values;
+  const auto& diameters = table.column(Quantity::diameter).values;
+  std::vector<Disc> discs;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!(diameters[row] > 0.0) || !std::isfinite(diameters[row])) {
+      throw InputError(fmt::format("{}: expected a positive diameter, got {}", table.place(row), diameters[row]));
+    }
+    const bool outside = x[row] < 0.0 || x[row] > side || y[row] < 0.0 || y[row] > side;
+    if (outside) {
+      throw InputError(fmt::format("{}: expected a centre in the box, 0 to {} m, got ({}, {})", table.place(row), side,
+                                   x[row], y[row]));
+    }
+    discs.push_back({{x[row], y[row]}, diameters[row]});
+  }
+  if (discs.empty()) throw InputError(fmt::format("{}: expected at least one disc", path.string()));
+  return discs;
+}
+
+/// Throws InputError where discs overlap or cross a wall.
+void require_room(const ExplicitPacking& listed, double side) {
+  try {
+    require_valid({side, listed.walls, listed.discs});
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
+  }
+}
+
+Walls read_walls(const Section& packing) {
+  return packing.optional_boolean("walls").value_or(true) ? Walls::hard : Walls::periodic;
+}
+
+LubachevskyStillingerPacking read_random(const Section& packing) {
+  const auto walls = read_walls(packing);
+  const auto seed = packing.optional_integer("seed", Range::not_negative()).value_or(1);
+  return {walls, static_cast<std::uint64_t>(seed)};
+}
+
+RegularPacking read_regular(const Section& packing) {
+  const Range range{.lower = 1.0, .upper = most_rows};
+  return {static_cast<int>(packing.integer("columns", range)), static_cast<int>(packing.integer("rows", range))};
+}
+
+bool is_picture(const std::filesystem::path& file) {
+  auto extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  constexpr std::array<std::string_view, 8> pictures = {".png",  ".jpg", ".jpeg", ".tif",
+                                                        ".tiff", ".bmp", ".gif",  ".svg"};
+  return std::ranges::find(pictures, extension) != pictures.end();
+}
+
+ExplicitPacking read_explicit(const Section& packing, double side) {
+  ExplicitPacking listed{packing.file("discs"), {}, read_walls(packing)};
+  if (listed.file.empty()) return listed;
+  if (is_picture(listed.file)) {
+    packing.report("discs", fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
+                                        listed.file.string(), discs_alone));
+    return listed;
+  }
+  packing.report_errors_of("discs", [&] {
+    listed.discs = read_discs(listed.file, side);
+    const bool box_is_known = side > 0.0;
+    if (box_is_known) require_room(listed, side);
+  });
+  return listed;
+}
+
+/// A method that is not there, but that a user may well expect.
+bool asks_for_other_shapes(const Section& packing) {
+  if (packing.kind("method") != Kind::text) return false;
+  constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",
+                                                       "polygons", "ellipses", "tessellation"};
+  return std::ranges::find(methods, packing.text("method")) != methods.end();
+}
+
+}  // namespace
+
+bool takes_seed(const Section& packing) {
+  return packing.kind("method") == Kind::text && packing.text("method") == random_method;
+}
+
+std::optional<PackingMethod> read_packing(const Section& stage, double side) {
+  const auto packing = stage.section("packing");
+  if (asks_for_other_shapes(packing)) {
+    packing.report("method", discs_alone);
+    packing.accept_all_keys();
+    return std::nullopt;
+  }
+  packing.refuse({"image"}, discs_alone);
+  const auto method = packing.choice<MethodName>("method", {
+                                                               {random_method, MethodName::lubachevsky_stillinger},
+                                                               {"regular", MethodName::regular},
+                                                               {"explicit", MethodName::listed},
+                                                           });
+  if (!method) {
+    packing.accept_all_keys();
+    return std::nullopt;
+  }
+  switch (*method) {
+    case MethodName::regular:
+      return read_regular(packing);
+    case MethodName::listed:
+      return read_explicit(packing, side);
+    default:
+      return read_random(packing);
+  }
+}
+
+}  // namespace breccia

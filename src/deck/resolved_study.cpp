@@ -1,0 +1,70 @@
+#include "resolved_study.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/study/chain.hpp"
+
+#include "contradictions.hpp"
+#include "materials.hpp"
+#include "measurements.hpp"
+#include "stages.hpp"
+#include "tests.hpp"
+
+namespace breccia {
+
+Study resolve(const Deck& document) {
+  const auto root = document.root();
+  Study study;
+  study.title = root.optional_text("title").value_or(document.path().stem().string());
+  study.provenance.deck = document.path();
+  study.provenance.deck_text = document.text();
+  auto [materials, temperature_shifts] = read_materials(root);
+  study.materials = std::move(materials);
+  study.temperature_shifts = std::move(temperature_shifts);
+  study.stages = read_stages(root, study.materials);
+  study.tests = read_tests(root, study.stages);
+  study.measurements = read_measurements(root, study.stages, study.tests);
+  refuse_contradictions(root, study);
+  study.provenance.inputs = document.files();
+  study.provenance.inputs.push_back(document.path());
+  // A study is one task of a sweep: read_sweep makes the others.
+  static_cast<void>(root.has("sweep"));
+  return study;
+}
+
+namespace {
+
+/// A hash for each data file: what moves from the end of one file to the beginning of the next changes them.
+std::string file_hashes_of(const Deck& document) {
+  std::string hashes;
+  for (const auto& file : document.files()) hashes += content_hash(read_text(file));
+  return hashes;
+}
+
+std::vector<std::string> stage_hashes_of(const Deck& document, const Study& study) {
+  constexpr std::array<std::string_view, 3> left_out = {"title", "measurements", "sweep"};
+  const auto files = file_hashes_of(document);
+  std::vector<std::string> hashes;
+  for (const auto& stage : study.stages) {
+    auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
+    // A later stage that builds on this one adds loads to it.
+    for (const auto load : loads_of(study, stage)) content += name_of(load);
+    content += serves_as_matrix(study, stage) ? "matrix" : "last";
+    hashes.push_back(content_hash(content));
+  }
+  return hashes;
+}
+
+}  // namespace
+
+void add_hashes(const Deck& document, const std::vector<std::string>& overrides, Study& study) {
+  study.provenance.overrides = overrides;
+  study.provenance.hash = content_hash(document.content_without("sweep") + file_hashes_of(document));
+  study.provenance.stage_hashes = stage_hashes_of(document, study);
+}
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/filler.hpp"
+
+namespace breccia {
+
+/// Reads `sizes` of a filler.
+std::optional<Sizes> read_sizes(const Section& filler);
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// Reads [[stages]], whose materials are among those given.
+std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);
+
+}  // namespace breccia

@@ -1,0 +1,157 @@
+#include "breccia/deck/sweep.hpp"
+
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/io/deck.hpp"
+
+#include "packing.hpp"
+#include "resolved_study.hpp"
+#include "sweep_keys.hpp"
+#include "sweep_names.hpp"
+
+namespace breccia {
+
+namespace {
+
+std::vector<SweptKey> swept_keys(const std::vector<KeyValues>& keys, std::vector<Mistake>& mistakes) {
+  std::vector<std::string> paths;
+  paths.reserve(keys.size());
+  for (const auto& key : keys) paths.push_back(key.path);
+  const auto labels = labels_of_keys(paths);
+  std::vector<SweptKey> swept;
+  for (const auto& [path, place, values] : keys) {
+    const auto steps = split_path(path);
+    if (steps && steps->front() == "sweep") mistakes.push_back({place, "a sweep cannot sweep itself"});
+    swept.push_back({path, labels[swept.size()], steps && steps->back() == "seed"});
+  }
+  return swept;
+}
+
+/// Which value each key has in each task, the last key running fastest.
+std::vector<std::vector<std::size_t>> combinations(const std::vector<KeyValues>& keys) {
+  std::vector<std::vector<std::size_t>> all(1);
+  for (const auto& key : keys) {
+    std::vector<std::vector<std::size_t>> longer;
+    for (const auto& choice : all) {
+      for (std::size_t i = 0; i < key.values.size(); ++i) {
+        longer.push_back(choice);
+        longer.back().push_back(i);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// Is the key the seed of all packings, whatever stages there are?
+bool is_every_seed(const std::string& path) {
+  return split_path(path) == std::vector<std::string>{"stages", "*", "packing", "seed"};
+}
+
+/// The paths that a key stands for in a deck. The seed of every packing is that of those that have one: a regular or an
+/// explicit packing has none.
+std::vector<std::string> paths_of(const KeyValues& key, const Deck& deck, std::vector<Mistake>& mistakes) {
+  if (!is_every_seed(key.path)) return {key.path};
+  const auto unread = deck.unread_copy();
+  std::vector<std::string> paths;
+  std::size_t stages = 0;
+  for (const auto& stage : unread.root().sections("stages")) {
+    const bool has_seed = stage.kind("packing") == Kind::table && takes_seed(stage.section("packing"));
+    if (has_seed) paths.push_back(fmt::format("stages.{}.packing.seed", stages));
+    ++stages;
+  }
+  if (paths.empty()) mistakes.push_back({key.place, "no stage has a random packing, which alone takes a seed"});
+  return paths.size() == stages ? std::vector{key.path} : paths;
+}
+
+/// Gives a deck the values of a task, and refuses to replace one of them by another. Returns them as overrides,
+/// `key.path=value`.
+std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& keys,
+                                    const std::vector<std::size_t>& choice, std::vector<Mistake>& mistakes) {
+  std::set<std::string> taken;
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto& [path, place, values] = keys[i];
+    for (const auto& meant : paths_of(keys[i], deck, mistakes)) {
+      for (const auto& replaced : deck.set({meant, place, values[choice[i]]})) {
+        if (!taken.insert(replaced).second) mistakes.push_back({place, fmt::format("{} is swept twice", replaced)});
+      }
+      overrides.push_back(fmt::format("{}={}", meant, toml_text(values[choice[i]].value)));
+    }
+  }
+  return overrides;
+}
+
+/// What tasks have of a stage whose gap follows the grid.
+struct FollowingGap {
+  std::set<double> cell_sizes, gaps;  // [m]
+};
+
+/// Warns of the stages whose gap follows the grid where tasks differ in that grid.
+void warn_of_gaps_on_grids(Sweep& sweep) {
+  const auto follows = [](const Stage& stage) { return stage.filler && stage.filler->gap_source == GapSource::points; };
+  std::map<std::string, FollowingGap> found;
+  for (const auto& task : sweep.tasks) {
+    for (const auto& stage : task.study.stages) {
+      if (!follows(stage)) continue;
+      found[stage.name].cell_sizes.insert(stage.cell_size());
+      found[stage.name].gaps.insert(stage.filler->gap);
+    }
+  }
+  for (auto& task : sweep.tasks) {
+    for (auto& stage : task.study.stages) {
+      if (!follows(stage) || found[stage.name].cell_sizes.size() < 2) continue;
+      const auto& gaps = found[stage.name].gaps;
+      stage.warnings.push_back(fmt::format(
+          "the gap between particles is given in points and follows the grids of this sweep, from {} to {}: its tasks "
+          "differ in their material, too; give it as a length",
+          readable(*gaps.begin(), Dimension::length), readable(*gaps.rbegin(), Dimension::length)));
+    }
+  }
+}
+
+}  // namespace
+
+Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                 const std::vector<std::string>& further_keys) {
+  Deck document(deck, overrides);
+  for (const auto& key : further_keys) document.add("sweep", "--sweep", key);
+  const auto keys = read_keys(document.root());
+  document.root().accept_all_keys();  // the tasks tell which are unknown
+  auto mistakes = document.mistakes();
+
+  Sweep sweep;
+  sweep.keys = swept_keys(keys, mistakes);
+  std::vector<std::vector<std::string>> labels;
+  for (const auto& key : keys) {
+    std::vector<Scalar> values;
+    for (const auto& value : key.values) values.push_back(value.value);
+    labels.push_back(labels_of_values(values));
+  }
+  for (const auto& choice : combinations(keys)) {
+    auto task_deck = document.unread_copy();
+    const auto values = set_values(task_deck, keys, choice, mistakes);
+    SweepTask task;
+    task.study = resolve(task_deck);
+    auto all_overrides = overrides;
+    all_overrides.insert(all_overrides.end(), values.begin(), values.end());
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+      task.values.push_back(keys[i].values[choice[i]].value);
+      task.labels.push_back(fmt::format("{}-{}", sweep.keys[i].label, labels[i][choice[i]]));
+    }
+    task.name = fmt::format("{}", fmt::join(task.labels, "_"));
+    const auto mistakes_of_task = task_deck.mistakes();
+    mistakes.insert(mistakes.end(), mistakes_of_task.begin(), mistakes_of_task.end());
+    if (mistakes.empty()) add_hashes(task_deck, all_overrides, task.study);
+    sweep.tasks.push_back(std::move(task));
+  }
+  refuse_mistakes(deck, mistakes);
+  warn_of_gaps_on_grids(sweep);
+  return sweep;
+}
+
+}  // namespace breccia

@@ -1,0 +1,155 @@
+#include "tests.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "time_window.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// Reports an element that an array has twice.
+template <class T>
+void refuse_repeats(const Section& section, const std::string& key, const std::vector<T>& values) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    if (std::find(values.begin(), value, *value) != value) section.report(key, "the same twice");
+  }
+}
+
+std::vector<double> read_density_factors(const Section& section) {
+  if (!section.has("density_factors")) return {};
+  if (section.kind("density_factors") == Kind::text) {
+    static_cast<void>(section.choice<bool>("density_factors", {{"auto", true}}));
+    return {};
+  }
+  auto factors = section.numbers("density_factors", Range::positive());
+  if (!std::ranges::is_sorted(factors, std::ranges::less_equal()))
+    section.report("density_factors", "expected rising numbers");
+  return factors;
+}
+
+/// Times within those of the tests, as far as these are known: the last one, none, or an array.
+std::vector<double> read_field_times(const Section& section, const std::optional<TimeWindow>& window) {
+  const auto times = window.value_or(TimeWindow{0.0, std::numeric_limits<double>::infinity()});
+  if (!section.has("fields")) return {times.end};
+  if (section.kind("fields") == Kind::text) {
+    const auto has_last = section.choice<bool>("fields", {{"last", true}, {"none", false}});
+    return has_last.value_or(false) ? std::vector{times.end} : std::vector<double>();
+  }
+  auto fields = section.quantities("fields", Dimension::time, Range::positive());
+  // A time that is none has been reported already, and is no number.
+  if (std::ranges::any_of(fields, [](double time) { return std::isnan(time); })) return {};
+  if (!std::ranges::is_sorted(fields, std::ranges::less_equal())) section.report("fields", "expected rising times");
+  const auto is_outside = [&](double time) { return time < times.begin || time > times.end; };
+  if (std::ranges::any_of(fields, is_outside)) section.report("fields", "expected times within those of the tests");
+  return fields;
+}
+
+/// One method, or an array of methods.
+std::vector<Method> read_methods(const Section& section) {
+  if (section.kind("method") == Kind::text) {
+    return {section.choice<Method>("method").value_or(Method::quasistatic)};
+  }
+  auto methods = section.list_of_choices<Method>("method");
+  refuse_repeats(section, "method", methods);
+  return methods;
+}
+
+QuasistaticOptions read_quasistatic(const Section& section) {
+  QuasistaticOptions options;
+  const Range accuracy = Range::between(0.0, 0.1);
+  options.sampling.tolerance = section.optional_number("tolerance", accuracy).value_or(options.sampling.tolerance);
+  if (section.has("range")) {
+    options.range = section.choice<SampledRange>("range").value_or(options.range);
+  }
+  const Range steps{.lower = 2.0, .upper = 1000.0};
+  options.steps_per_decade =
+      static_cast<int>(section.optional_integer("steps_per_decade", steps).value_or(options.steps_per_decade));
+  if (section.has("linear")) {
+    options.linear.method = section.choice<LinearMethod>("linear").value_or(options.linear.method);
+  }
+  options.linear.tolerance = section.optional_number("linear_tolerance", accuracy).value_or(options.linear.tolerance);
+  return options;
+}
+
+DynamicOptions read_dynamic(const Section& section) {
+  DynamicOptions options;
+  if (section.has("formulation")) {
+    options.formulation = section.choice<Formulation>("formulation").value_or(options.formulation);
+  }
+  if (section.has("start")) {
+    options.start = section.choice<Start>("start").value_or(options.start);
+  }
+  options.courant = section.optional_number("courant", Range::above_and_up_to(0.0, 1.0)).value_or(options.courant);
+  if (section.has("ramp")) section.refuse({"ramp_transits"}, "the ramp is given as a time already");
+  options.ramp_time = section.optional_quantity("ramp", Dimension::time, Range::not_negative());
+  options.ramp_transits =
+      section.optional_number("ramp_transits", Range::not_negative()).value_or(options.ramp_transits);
+  options.creep_ramp_transits =
+      section.optional_number("creep_ramp_transits", Range::not_negative()).value_or(options.creep_ramp_transits);
+  options.density_factors = read_density_factors(section);
+  options.overlap = section.optional_number("overlap", Range::above_and_up_to(1.0, 1e6)).value_or(options.overlap);
+  options.reduction_tolerance =
+      section.optional_number("reduction_tolerance", Range::between(0.0, 1.0)).value_or(options.reduction_tolerance);
+  return options;
+}
+
+bool has_periodic_particles(const Stage& stage) {
+  if (!stage.filler) return false;
+  const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.filler->packing);
+  const auto* listed = std::get_if<ExplicitPacking>(&stage.filler->packing);
+  return (random != nullptr && random->walls == Walls::periodic) ||
+         (listed != nullptr && listed->walls == Walls::periodic);
+}
+
+/// Displacement and traction boundaries would cut the particles of a periodic box.
+std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
+  if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
+  return {Boundary::displacement, Boundary::traction};
+}
+
+}  // namespace
+
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
+  const auto section = deck.section("tests");
+  Tests tests;
+  tests.boundaries = default_boundaries(stages);
+  if (section.has("loads")) {
+    tests.loads = section.list_of_choices<Load>("loads");
+    refuse_repeats(section, "loads", tests.loads);
+  }
+  section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");
+  if (section.has("boundaries")) {
+    tests.boundaries = section.list_of_choices<Boundary>("boundaries");
+    refuse_repeats(section, "boundaries", tests.boundaries);
+  }
+  if (section.has("method")) tests.methods = read_methods(section);
+  const auto times = read_time_window(section, "times");
+  if (times) {
+    tests.first_time = times->begin;
+    tests.last_time = times->end;
+  }
+  tests.field_times = read_field_times(section, times);
+  const Range points{.lower = 1.0, .upper = 1000.0};
+  tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
+  tests.fit_tolerance =
+      section.optional_number("fit_tolerance", Range::above_and_up_to(0.0, 1.0)).value_or(tests.fit_tolerance);
+  if (const auto quasistatic = section.optional_section("quasistatic")) {
+    tests.quasistatic = read_quasistatic(*quasistatic);
+  }
+  if (const auto dynamic = section.optional_section("dynamic")) tests.dynamic = read_dynamic(*dynamic);
+  if (section.has("solver")) {
+    tests.quasistatic.solver = section.choice<Solver>("solver").value_or(tests.quasistatic.solver);
+  }
+  if (section.has("volumetric")) {
+    const auto volumetric = section.choice<Volumetric>("volumetric");
+    tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
+  }
+  return tests;
+}
+
+}  // namespace breccia

@@ -1,0 +1,83 @@
+#include "material_warnings.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "breccia/io/display.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/study/chain.hpp"
+#include "breccia/viscoelasticity/poisson_ratio.hpp"
+
+namespace breccia {
+namespace {
+
+std::string pressure(double value) {
+  return display(value, "Pa", 4);
+}
+
+std::string poisson_warning(const Material& material, double bulk, double shear, const std::string& when) {
+  return fmt::format("{}: Poisson's ratio is {:.6g} {} (bulk {}, shear {}); are the units right?", material.name,
+                     poisson_ratio(bulk, shear), when, pressure(bulk), pressure(shear));
+}
+
+std::optional<std::string> warning_of_poisson_ratio(const Material& material, const Tests& tests) {
+  for (const double time : {tests.first_time, tests.last_time}) {
+    const double bulk = material.bulk.at(time), shear = material.shear.at(time);
+    const auto when = fmt::format("at {}, below zero", readable(time, Dimension::time));
+    if (poisson_ratio(bulk, shear) < 0.0) return poisson_warning(material, bulk, shear, when);
+  }
+  // A soft binder comes as near to a half as one likes while it relaxes.
+  constexpr double most = 0.49999;
+  const double bulk = material.bulk.unrelaxed(), shear = material.shear.unrelaxed();
+  if (poisson_ratio(bulk, shear) > most) return poisson_warning(material, bulk, shear, "before it relaxes");
+  return std::nullopt;
+}
+
+/// The materials that a stage names.
+std::vector<Material> materials_of(const Stage& stage) {
+  std::vector<Material> materials;
+  if (const auto* matrix = std::get_if<Material>(&stage.matrix)) materials.push_back(*matrix);
+  if (stage.filler) materials.push_back(stage.filler->material);
+  return materials;
+}
+
+bool has_material(const Stage& stage, const std::string& name) {
+  const auto materials = materials_of(stage);
+  return std::ranges::find(materials, name, &Material::name) != materials.end();
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage) {
+  const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
+  std::vector<std::string> warnings;
+  for (const auto& material : materials_of(stage)) {
+    const bool is_known =
+        std::any_of(study.stages.begin(), end, [&](const Stage& one) { return has_material(one, material.name); });
+    const bool is_looked_at = end != study.stages.end() && is_known;
+    if (is_looked_at) continue;
+    if (auto warning = warning_of_poisson_ratio(material, study.tests)) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
+}
+
+std::optional<std::string> warning_of_soft_filler(const Study& study, const Stage& stage) {
+  if (!stage.filler) return std::nullopt;
+  const auto& filler = stage.filler->material;
+  const auto& binder = binder_of(study, stage);
+  const double time = study.tests.first_time;
+  const auto softer = [&](const char* name, const PronySeries& of_filler,
+                          const PronySeries& of_binder) -> std::optional<std::string> {
+    const double its_modulus = of_filler.at(time), modulus = of_binder.at(time);
+    if (its_modulus >= modulus) return std::nullopt;
+    return fmt::format(
+        "the filler, {}, is softer than the binder, {}: {} modulus {} against {} at {}; are the units "
+        "right?",
+        filler.name, binder.name, name, pressure(its_modulus), pressure(modulus), readable(time, Dimension::time));
+  };
+  if (auto warning = softer("shear", filler.shear, binder.shear)) return warning;
+  return softer("bulk", filler.bulk, binder.bulk);
+}
+
+}  // namespace breccia

@@ -1,0 +1,82 @@
+#include "breccia/homogenisation/memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/study/chain.hpp"
+
+namespace breccia {
+namespace {
+
+/// Largest of the tests of a stage by the dynamic method, on a grid of so many cells; nothing where the estimate finds
+/// no way through the times, about which the run itself knows better.
+double dynamic_memory(const Study& study, const Stage& stage, int cells) {
+  // Where the particles are does not matter.
+  const auto discretisation = discretise({stage.side, Walls::hard, {}}, cells);
+  double most = 0.0;
+  try {
+    for (const auto boundary : study.tests.boundaries) {
+      for (const auto load : loads_of(study, stage)) {
+        const auto test =
+            make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
+        most = std::max(most, static_cast<double>(plan_dynamic_test(test).bytes));
+      }
+    }
+  } catch (const NumericalError&) {
+    // What was found until then is all there is to compare.
+  }
+  return most;
+}
+
+}  // namespace
+
+double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
+  const double unknowns = 2.0 * cells * cells;
+  double steps = 0.0;
+  if (study.tests.quasistatic.solver == Solver::stepping) {
+    // A nodal vector for each term, of the fine run and the coarse one.
+    const auto matrix = expected_matrix(study, stage);
+    const auto terms = matrix.bulk.terms().size() + matrix.shear.terms().size();
+    steps = 2.0 * sizeof(double) * static_cast<double>(terms * loads_of(study, stage).size());
+  }
+  if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
+    // Sparse Cholesky factors of a square grid, ordered by nested dissection.
+    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + steps);
+  }
+  // Substructures and a dozen of nodal vectors; fields take as much again.
+  const double fields = study.tests.field_times.empty() ? 0.0 : 340.0;
+  return unknowns * (340.0 + fields + steps);
+}
+
+std::vector<std::string> lacking_memory(const Study& study, double available) {
+  std::vector<std::string> lines;
+  for (const auto& stage : study.stages) {
+    const int cells = stage.cells;
+    for (const auto method : study.tests.methods) {
+      const double bytes =
+          method == Method::quasistatic ? quasistatic_memory(study, stage, cells) : dynamic_memory(study, stage, cells);
+      if (bytes <= available) continue;
+      const double left = std::max(0.0, available);
+      const int fitting = static_cast<int>(cells * std::sqrt(left / bytes));
+      lines.push_back(
+          fmt::format("{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{} "
+                      "(--no-memory-check runs them nevertheless)",
+                      stage.name, cells, cells, bytes / 1e9, method == Method::quasistatic ? "quasi-static" : "dynamic",
+                      left / 1e9, fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : ""));
+    }
+  }
+  return lines;
+}
+
+void require_memory(const Study& study, double available) {
+  const auto lines = lacking_memory(study, available);
+  if (!lines.empty()) throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
+}
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+
+namespace breccia {
+
+/// Where states have the wall time of a packing.
+inline constexpr auto packing_seconds_name = "/seconds";
+
+/// Measures the fraction, the interface and the gaps of a microstructure.
+void measure(StageMicrostructure& result);
+
+}  // namespace breccia

@@ -1,0 +1,128 @@
+#include "packing_advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "breccia/io/display.hpp"
+#include "breccia/study/gap.hpp"
+
+namespace breccia {
+namespace {
+
+std::string length(double value) {
+  return display(value, "m", 3);
+}
+
+/// The request of the stage with another gap: between hard walls the box of the packing is narrower by the gap.
+PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) {
+  request.side = request.walls == Walls::hard ? stage.side - gap : stage.side;
+  request.minimum_gap = gap;
+  return request;
+}
+
+/// Root of the mean square of the diameters with the gap, over the side of the box.
+double relative_size(const PackingRequest& request) {
+  const auto count = static_cast<double>(request.diameters.size());
+  return std::sqrt(4.0 / std::numbers::pi * inflated_fraction<2>(request) / count);
+}
+
+/// The fraction of particles with half the gap around each that will pack. A jam has shown it, but for chance; else
+/// what discs at random reach, with less of it beside the walls of a small box (from jams of 4 to 128 discs).
+double safe_fraction(const PackingRequest& request, const PackingError& error) {
+  if (request.diameters.size() == 1) return 1.0;  // which packs wherever it fits
+  if (error.obstacle() == PackingObstacle::jam) return 0.96 * error.attainable_fraction();
+  return std::max(0.0, 0.82 - 0.4 * relative_size(request));
+}
+
+double floor_to_two_digits(double value) {
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  return std::floor(value / unit) * unit;
+}
+
+/// The widest gap with which the particles fill no more than a fraction, and the largest fits into the box.
+std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
+  constexpr double roundoff = 1e-6;
+  const double largest = std::ranges::max(request.diameters);
+  const auto fits = [&](double gap) {
+    const auto other = with_gap(stage, request, gap);
+    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction<2>(other) <= fraction;
+  };
+  double low = 0.0, high = std::min(request.minimum_gap, stage.side);
+  if (!fits(low)) return std::nullopt;
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  return low > 0.0 ? std::optional(floor_to_two_digits(low)) : std::nullopt;
+}
+
+/// So many cells a side that the gap, which follows the grid, is no wider than another.
+std::optional<int> cells_for(const Stage& stage, double gap) {
+  constexpr double most = 1 << 20;
+  const double cells = std::ceil(stage.cells * stage.filler->gap / gap);
+  return cells <= most ? std::optional(static_cast<int>(cells)) : std::nullopt;
+}
+
+/// The fraction of the box at which the particles with the asked gap fill no more than a safe fraction. Sizes are drawn
+/// within half a particle of it.
+std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
+  const double largest = std::ranges::max(request.diameters) / stage.side;
+  const double half_a_particle = std::numbers::pi / 8.0 * largest * largest;
+  const double fraction = *stage.filler->fraction * safe / inflated_fraction<2>(request) - half_a_particle;
+  return fraction > 0.0 ? std::optional(floor_to_two_digits(fraction)) : std::nullopt;
+}
+
+/// "31 particles of 120 um", "102 particles of 2.02 um to 13.4 um"; with their fraction where the deck names one.
+std::string particles_of(const Stage& stage, const PackingRequest& request) {
+  const auto [smallest, largest] = std::ranges::minmax(request.diameters);
+  const auto sizes = smallest == largest ? length(largest) : fmt::format("{} to {}", length(smallest), length(largest));
+  const auto count = request.diameters.size();
+  const auto fraction = stage.filler->fraction ? fmt::format(" at a fraction of {:.6g}", *stage.filler->fraction) : "";
+  return fmt::format("{} {} of {}{}", count, count == 1 ? "particle" : "particles", sizes, fraction);
+}
+
+std::string in_words(const PackingAdvice& advice) {
+  const auto cells = advice.cells ? fmt::format(" (cells = {} or more)", *advice.cells) : "";
+  const auto gap =
+      advice.gap ? fmt::format("a gap of {} or less{} should pack", display(*advice.gap, "m", 2), cells) : "";
+  const auto fraction = advice.fraction ? fmt::format("a fraction of {:.3g} or less", *advice.fraction) : "";
+  if (advice.gap && advice.fraction) return fmt::format("{}, and so should {} with this gap", gap, fraction);
+  if (advice.gap) return gap;
+  if (advice.fraction) return fmt::format("{} with this gap should pack", fraction);
+  return "expected fewer or smaller particles";
+}
+
+}  // namespace
+
+PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error) {
+  PackingAdvice advice;
+  const double safe = safe_fraction(request, error);
+  advice.gap = widest_gap(stage, request, safe);
+  if (advice.gap && stage.filler->gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
+  const bool has_fraction = stage.filler->fraction && error.obstacle() != PackingObstacle::size;
+  if (has_fraction) advice.fraction = largest_fraction(stage, request, safe);
+  return advice;
+}
+
+std::string message_on(const Stage& stage, const PackingRequest& request, const PackingError& error) {
+  const auto advice = in_words(packing_advice(stage, request, error));
+  if (error.obstacle() == PackingObstacle::size) {
+    return fmt::format("a particle of {} that keeps a gap of {} does not fit into a box of {}; {}",
+                       length(std::ranges::max(request.diameters)), gap_in_words(stage), length(stage.side), advice);
+  }
+  const bool has_gap = request.minimum_gap > 0.0;
+  const auto gap = has_gap ? fmt::format("a gap of {}", gap_in_words(stage)) : "no gap between them";
+  const auto how = fmt::format("{}they would fill {:.1f} % of {}", has_gap ? "with half of the gap around each " : "",
+                               100.0 * inflated_fraction<2>(request),
+                               request.walls == Walls::hard ? "the room between the walls" : "the box");
+  const double attainable = 100.0 * error.attainable_fraction();
+  const bool jams = error.obstacle() == PackingObstacle::jam;
+  return fmt::format("{} with {} {}: {}, and {} {:.1f} %; {}", particles_of(stage, request), gap,
+                     jams ? "jam" : "cannot be packed", how, jams ? "are stuck at" : "such discs fill at most",
+                     attainable, advice);
+}
+
+}  // namespace breccia

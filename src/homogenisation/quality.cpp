@@ -1,0 +1,175 @@
+#include "breccia/homogenisation/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/io/display.hpp"
+
+namespace breccia {
+namespace {
+
+/// The test of some load, boundary and method that stands for those on other grids: extrapolated before the finest
+/// grid. Null where there is none.
+const TestResult* best_test(const StageResult& result, Load load, Boundary boundary, Method method) {
+  const TestResult* best = nullptr;
+  for (const auto& test : result.tests) {
+    const auto& id = test.id;
+    const bool is_meant = id.load == load && id.boundary == boundary && id.method == method;
+    if (!is_meant || test.modulus.empty()) continue;
+    if (best == nullptr || is_preferred(id, best->id)) best = &test;
+  }
+  return best;
+}
+
+/// Half the width of the band of an extrapolated test [Pa] at the time nearest to the one wanted.
+std::optional<double> half_band(const TestResult& test, double time) {
+  const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
+  if (record == nullptr) return std::nullopt;
+  const auto distance = [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); };
+  const auto nearest = std::ranges::min_element(test.modulus, {}, distance);
+  return record->half_bands.at(static_cast<std::size_t>(nearest - test.modulus.begin()));
+}
+
+/// The times that two tests have in common; of one test alone all of its own.
+TimeWindow common_times(const TestResult* upper, const TestResult* lower) {
+  const auto times_of = [](const TestResult& test) {
+    return TimeWindow{test.modulus.front().time, test.modulus.back().time};
+  };
+  if (upper == nullptr || lower == nullptr) return times_of(upper != nullptr ? *upper : *lower);
+  const auto one = times_of(*upper), other = times_of(*lower);
+  return {std::max(one.begin, other.begin), std::min(one.end, other.end)};
+}
+
+std::vector<BoundsAtTime> bounds_at_times(const TestResult* upper, const TestResult* lower) {
+  std::vector<BoundsAtTime> bounds;
+  const auto window = common_times(upper, lower);
+  if (!(window.begin < window.end)) return bounds;
+  for (const double time : logarithmic_times(window, 1)) {
+    auto& at = bounds.emplace_back(BoundsAtTime{time, {}, {}, {}});
+    if (upper != nullptr) at.upper = smoothed_at(upper->modulus, time);
+    if (lower != nullptr) at.lower = smoothed_at(lower->modulus, time);
+    for (const auto* test : {upper, lower}) {
+      const auto band = test == nullptr ? std::nullopt : half_band(*test, time);
+      if (band) at.grid_half_band = std::max(at.grid_half_band.value_or(0.0), *band);
+    }
+  }
+  return bounds;
+}
+
+/// A relative difference, with two digits; a factor where it is one.
+std::string words_of(double relative) {
+  constexpr double least = 1e-3, factor = 1.0;
+  if (relative < least) return "less than 0.1 %";
+  if (relative < factor) return fmt::format("{:.2g} %", 100.0 * relative);
+  const double ratio = 1.0 + relative;
+  return ratio < 100.0 ? fmt::format("a factor of {:.2g}", ratio) : fmt::format("a factor of {:.0f}", ratio);
+}
+
+/// The distance of the bounds at the first and the last time.
+std::string words_on_bounds(const StageQuality& quality) {
+  if (quality.loads.empty() || quality.loads.front().times.empty()) return "bounds: not tested";
+  const auto& times = quality.loads.front().times;
+  const auto first = times.front().distance(), last = times.back().distance();
+  if (!first || !last) {
+    return fmt::format(
+        "bounds: only the {} one, distance unknown (tests.boundaries = [\"displacement\", \"traction\"])",
+        times.front().upper ? "upper" : "lower");
+  }
+  const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
+  return fmt::format("bounds {}{} at {}, {} at {}", text, text.starts_with('a') ? "" : " apart",
+                     display_time(times.front().time), later, display_time(times.back().time));
+}
+
+std::string words_on_grid(const StageQuality& quality) {
+  double worst = -1.0;
+  for (const auto& load : quality.loads) {
+    for (const auto& at : load.times) worst = std::max(worst, at.grid_share().value_or(-1.0));
+  }
+  if (worst >= 0.0) return fmt::format("grid: error up to {}", words_of(worst));
+  const int cells = quality.grids.back();
+  return fmt::format("grid: one grid, error unknown (give cells = [{}, {}])", cells, 2 * cells);
+}
+
+}  // namespace
+
+std::optional<double> BoundsAtTime::distance() const {
+  if (!upper || !lower) return std::nullopt;
+  return *upper / *lower - 1.0;
+}
+
+std::optional<double> BoundsAtTime::grid_share() const {
+  if (!grid_half_band) return std::nullopt;
+  return *grid_half_band / std::min(upper.value_or(lower.value_or(0.0)), lower.value_or(upper.value_or(0.0)));
+}
+
+std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
+  std::vector<LoadQuality> all;
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    for (const auto method : {Method::quasistatic, Method::dynamic}) {
+      const auto* upper = best_test(result, load, Boundary::displacement, method);
+      const auto* lower = best_test(result, load, Boundary::traction, method);
+      if (upper != nullptr || lower != nullptr) all.push_back({load, method, bounds_at_times(upper, lower)});
+    }
+  }
+  return all;
+}
+
+StageQuality quality_of(const Stage& stage, const StageResult& result) {
+  const auto& packed = result.microstructure;
+  StageQuality quality{.matrix_stage = {},
+                       .particles = packed.microstructure.discs.size(),
+                       .fraction = packed.fraction,
+                       .fraction_asked = {},
+                       .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
+                       .grids = stage.grids(),
+                       .is_random = false,
+                       .loads = bounds_of_tests(result)};
+  if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
+  if (stage.filler) {
+    quality.fraction_asked = stage.filler->fraction;
+    quality.is_random = std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing);
+  }
+  return quality;
+}
+
+std::string summary_of(const StageQuality& quality) {
+  if (quality.particles == 0) return {};
+  std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
+  if (std::isfinite(quality.gap_cells)) {
+    parts.push_back(fmt::format("narrowest gap: {:.2g} cells", quality.gap_cells));
+  }
+  if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown (--seeds 3)");
+  if (!quality.matrix_stage.empty()) {
+    parts.push_back(fmt::format("matrix: the errors of stage {} come on top", quality.matrix_stage));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicrostructure& packed) {
+  std::vector<std::string> warnings;
+  if (!stage.filler) return warnings;
+  constexpr std::size_t enough_particles = 30;
+  const auto particles = packed.microstructure.discs.size();
+  const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing);
+  if (is_random && particles < enough_particles) {
+    warnings.push_back(fmt::format(
+        "only {} particle{} in the box; with fewer than {} another packing may change the modulus by 10 % and more "
+        "(--seeds 3 shows by how much; a larger box holds more)",
+        particles, particles == 1 ? "" : "s", enough_particles));
+  }
+  constexpr double most_deviation = 0.01;
+  const auto asked = stage.filler->fraction;
+  if (asked && std::abs(packed.fraction - *asked) > most_deviation) {
+    warnings.push_back(
+        fmt::format("the particles fill {:.3g} % of the box where {:.3g} % were asked for; a larger box comes closer",
+                    100.0 * packed.fraction, 100.0 * *asked));
+  }
+  return warnings;
+}
+
+}  // namespace breccia

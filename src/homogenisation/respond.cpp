@@ -1,0 +1,184 @@
+#include "breccia/homogenisation/respond.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/quasistatic/sampled_moduli.hpp"
+#include "breccia/study/chain.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "coverage_refusal.hpp"
+#include "stage_extrapolation.hpp"
+
+namespace breccia {
+namespace {
+
+TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, const TimeWindow& window,
+                   int points_per_decade) {
+  const auto& response = entry.response;
+  QuasistaticRecord record;
+  record.response.load = response.load;
+  record.response.error_estimate = largest_error(response, matrix, window);
+  record.response.reduced = response;
+  const auto compliance = creep_compliance(response, matrix);
+  TestResult test{.id = {response.load, response.boundary, Method::quasistatic, TestGrid(entry.cells)}};
+  test.series = relaxation_modulus(compliance);
+  for (const double time : logarithmic_times(window, points_per_decade)) {
+    test.modulus.push_back({time, test.series.at(time)});
+    if (response.boundary == Boundary::traction) test.compliance.push_back({time, compliance.at(time)});
+  }
+  test.record = std::move(record);
+  return test;
+}
+
+/// What the stage was, as far as its responses need it.
+Stage stage_of(const StoredResponses& stored) {
+  Stage stage;
+  stage.name = stored.stage;
+  stage.matrix = stored.matrix;
+  stage.side = stored.side;
+  for (const auto& entry : stored.entries) stage.cells = std::max(stage.cells, entry.cells);
+  auto& coarser = stage.coarser_cells;
+  for (const auto& entry : stored.entries) {
+    if (entry.cells != stage.cells && std::ranges::find(coarser, entry.cells) == coarser.end()) {
+      coarser.push_back(entry.cells);
+    }
+  }
+  std::ranges::sort(coarser);
+  stage.filler.emplace().material.density = stored.filler_density;
+  return stage;
+}
+
+/// Throws NotCovered where one of the responses of the stage does not answer over the whole window.
+StageResult respond_within(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+  require_coverage(stored, matrix, times);
+  StageResult result;
+  result.name = stored.stage;
+  const auto stage = stage_of(stored);
+  result.cells = stage.cells;
+  result.microstructure.fraction = stored.filler_fraction;
+  for (const auto& entry : stored.entries) {
+    result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
+  }
+  std::ranges::stable_sort(result.tests, {}, [](const TestResult& test) { return test.id.grid; });
+  for (auto& test : extrapolate_tests(stage, result.tests)) result.tests.push_back(std::move(test));
+  return result;
+}
+
+/// The study that left these responses, as far as they need it.
+Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& times) {
+  Study study;
+  study.tests.first_time = times.begin;
+  study.tests.last_time = times.end;
+  study.tests.boundaries.clear();
+  for (const auto& one : stored) {
+    study.stages.push_back(stage_of(one));
+    study.tests.fit_tolerance = one.fit_tolerance;
+    study.tests.points_per_decade = one.points_per_decade;
+    for (const auto& entry : one.entries) {
+      auto& boundaries = study.tests.boundaries;
+      const auto boundary = entry.response.boundary;
+      if (std::ranges::find(boundaries, boundary) == boundaries.end()) boundaries.push_back(boundary);
+    }
+  }
+  return study;
+}
+
+/// The first of some stages that builds on none but those that are done.
+std::vector<StoredResponses>::const_iterator next_stage(const std::vector<StoredResponses>& stored,
+                                                        const std::vector<StageResult>& done) {
+  const auto is_done = [&done](const std::string& stage) {
+    return std::ranges::find(done, stage, &StageResult::name) != done.end();
+  };
+  const auto next = std::ranges::find_if(stored, [&](const StoredResponses& one) {
+    const auto* earlier = std::get_if<EarlierStage>(&one.matrix);
+    return !is_done(one.stage) && (earlier == nullptr || is_done(earlier->name));
+  });
+  if (next != stored.end()) return next;
+  const auto& stuck = *std::ranges::find_if(stored, [&](const StoredResponses& one) { return !is_done(one.stage); });
+  throw InputError(fmt::format("stage {}: its matrix is the result of stage {}, of which there is no response",
+                               stuck.stage, name_of(stuck.matrix)));
+}
+
+void refuse_several_studies(const std::vector<StoredResponses>& stored) {
+  for (const auto& one : stored) {
+    if (one.deck_hash == stored.front().deck_hash) continue;
+    throw InputError(fmt::format(
+        "the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a stage, or run the "
+        "study anew in a directory of its own",
+        stored.front().stage, one.stage, stored.front().deck_hash, one.deck_hash));
+  }
+}
+
+/// One new material can stand for one old one only.
+void refuse_mixtures(const std::vector<StoredResponses>& stored) {
+  const StoredResponses* first = nullptr;
+  for (const auto& one : stored) {
+    if (!std::holds_alternative<Material>(one.matrix)) continue;
+    if (first == nullptr) first = &one;
+    if (name_of(one.matrix) == name_of(first->matrix)) continue;
+    throw InputError(
+        fmt::format("stages {} and {} have different matrices, {} and {}; name the stage that the new "
+                    "material is for",
+                    first->stage, one.stage, name_of(first->matrix), name_of(one.matrix)));
+  }
+}
+
+/// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
+std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
+                                        const std::map<std::string, Material>& matrices, const TimeWindow& window) {
+  const auto study = study_of(stored, window);
+  std::vector<StageResult> done;
+  while (done.size() < stored.size()) {
+    const auto& next = *next_stage(stored, done);
+    auto stage = stage_of(next);
+    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = matrices.at(name_of(next.matrix));
+    const MatrixUnder matrix_under = [&](Boundary boundary) -> const Material& {
+      return matrix_of(stage, done, boundary, Method::quasistatic);
+    };
+    auto result = respond_within(next, matrix_under, window);
+    if (const auto* material = std::get_if<Material>(&stage.matrix)) {
+      const auto warning = warning_of_unknown_times(*material, window);
+      if (warning) result.warnings.push_back(fmt::format("{}: {}", stage.name, *warning));
+    }
+    if (serves_as_matrix(study, stage)) result.materials = materials_from(study, stage, done, result);
+    done.push_back(std::move(result));
+  }
+  return done;
+}
+
+}  // namespace
+
+StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
+  return or_tell_covered_times(times.value_or(stored.times), [&](const TimeWindow& window) {
+    return respond_within(
+        stored, [&](Boundary) -> const Material& { return matrix; }, window);
+  });
+}
+
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
+                                 std::optional<TimeWindow> times) {
+  refuse_mixtures(stored);
+  std::map<std::string, Material> matrices;
+  for (const auto& one : stored) {
+    if (std::holds_alternative<Material>(one.matrix)) matrices.emplace(name_of(one.matrix), matrix);
+  }
+  return respond(stored, matrices, times);
+}
+
+std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
+                                 const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times) {
+  if (stored.empty()) return {};
+  refuse_several_studies(stored);
+  return or_tell_covered_times(times.value_or(stored.front().times),
+                               [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });
+}
+
+}  // namespace breccia

@@ -1,0 +1,99 @@
+#include "stage_extrapolation.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/virtual_test/extrapolation.hpp"
+
+#include "named_errors.hpp"
+#include "stage_tests.hpp"
+
+namespace breccia {
+namespace {
+
+/// The tests on grids that differ from one in their grids alone, by rising number of cells.
+std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const std::vector<TestResult>& tests) {
+  std::vector<const TestResult*> same;
+  for (const auto& test : tests) {
+    auto on_its_grid = one.id;
+    on_its_grid.grid = test.id.grid;
+    if (test.id == on_its_grid && !test.id.grid.is_extrapolated()) same.push_back(&test);
+  }
+  return same;
+}
+
+/// The limit of a value that the grids have at a time [s], by the law of first order in the side of a cell.
+template <class Value>
+Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& grids, double time, const Value& value) {
+  std::vector<double> cell_sides, values;
+  for (const auto* grid : grids) {
+    cell_sides.push_back(stage.side / grid->id.grid.cells().value());
+    values.push_back(value(*grid));
+  }
+  const auto extrapolated = extrapolate(cell_sides, values);
+  if (extrapolated.value > 0.0) return extrapolated;
+  throw NumericalError(
+      fmt::format("extrapolation to vanishing cells gives {:.3g} at {:.3g} s: the grids are too "
+                  "coarse for a law of first order; take finer ones",
+                  extrapolated.value, time));
+}
+
+TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResult*>& grids) {
+  const auto& finest = *grids.back();
+  TestResult result{.id = finest.id};
+  result.id.grid = TestGrid::extrapolated();
+  ExtrapolationRecord record;
+  for (const auto* grid : grids) record.cells.push_back(grid->id.grid.cells().value());
+  for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
+    const double time = finest.modulus[i].time;
+    const auto [modulus, half_band] =
+        limit(stage, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; });
+    result.modulus.push_back({time, modulus});
+    record.half_bands.push_back(half_band);
+    if (finest.compliance.empty()) continue;
+    const auto creep = limit(stage, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; });
+    result.compliance.push_back({time, creep.value});
+  }
+  result.series = fitted(result.modulus);
+  result.record = std::move(record);
+  return result;
+}
+
+/// Is the series of a test more than a fit to its curve?
+bool has_exact_series(const TestResult& test) {
+  const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+  return record != nullptr && record->response.reduced.has_value();
+}
+
+}  // namespace
+
+std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests) {
+  std::vector<TestResult> extrapolated;
+  if (stage.coarser_cells.empty()) return extrapolated;
+  for (const auto& test : tests) {
+    if (test.id.grid != TestGrid(stage.cells)) continue;
+    const auto grids = same_on_all_grids(test, tests);
+    const auto name = fmt::format("{} {} {} {}", stage.name, name_of(test.id.load), bound_of(test.id.boundary),
+                                  name_of(test.id.method));
+    extrapolated.push_back(name_errors(name, [&] { return extrapolate_test(stage, grids); }));
+  }
+  return extrapolated;
+}
+
+Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<TestResult>& tests,
+               const std::vector<double>& times) {
+  const auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
+  if (!std::ranges::all_of(grids, [](const TestResult* grid) { return has_exact_series(*grid); })) return test.modulus;
+  Curve curve;
+  for (const double time : times) {
+    const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };
+    curve.push_back({time, grids.size() == 1 ? modulus(test) : limit(stage, grids, time, modulus).value});
+  }
+  return curve;
+}
+
+}  // namespace breccia

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/discretisation/cell.hpp"
+#include "breccia/homogenisation/study_observer.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/homogenisation/study_sink.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// A microstructure on a grid, ready to be tested.
+struct StageGrid {
+  const Study* study;
+  const Stage* stage;
+  Discretisation discretisation;
+  int threads;
+};
+
+/// Runs all loads under one boundary by the quasi-static method, with a matrix and the moduli [Pa] that it shows over
+/// the whole of its relaxation.
+std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
+                                        std::vector<Moduli> matrix_moduli, Boundary boundary,
+                                        const StudyObserver& observer, StudySink& sink);
+
+/// Runs one load under one boundary by the dynamic method.
+TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
+                       const StudyObserver& observer, StudySink& sink);
+
+/// The Prony series fitted to a curve that a method gives as numbers.
+PronySeries fitted(const Curve& curve);
+
+/// Reasons to doubt the result of a test.
+std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test);
+
+}  // namespace breccia

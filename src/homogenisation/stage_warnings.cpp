@@ -1,0 +1,89 @@
+#include "breccia/homogenisation/stage_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "breccia/homogenisation/quality.hpp"
+#include "breccia/io/units.hpp"
+
+#include "material_warnings.hpp"
+#include "separation.hpp"
+
+namespace breccia {
+namespace {
+
+std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
+  constexpr double cells_per_gap = 3.0;
+  constexpr double rounding = 1e-9;
+  const double gap = std::min(packed.gap, packed.wall_gap);
+  const double cells = gap / stage.cell_size();
+  if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
+  const double needed = std::ceil(cells_per_gap * stage.side / gap);
+  constexpr double affordable = 20000.0;
+  return fmt::format(
+      "the smallest gap between particles or to a wall, {}, is {:.2g} {} wide; below {:g} the "
+      "modulus at long times comes out several times too high, and tens of times at 1{}",
+      readable(gap, Dimension::length), cells, cells == 1.0 ? "cell" : "cells", cells_per_gap,
+      needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
+}
+
+bool has_particles_across_sides(const Microstructure& microstructure) {
+  if (microstructure.walls != Walls::periodic) return false;
+  return std::ranges::any_of(microstructure.discs, [side = microstructure.side](const Disc& disc) {
+    const double radius = 0.5 * disc.diameter;
+    return std::ranges::any_of(disc.centre, [&](double x) { return x < radius || side - x < radius; });
+  });
+}
+
+std::optional<std::string> warning_of_cut_particles(const std::vector<Boundary>& boundaries,
+                                                    const StageMicrostructure& packed) {
+  const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
+  if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
+  return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
+         "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
+         "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "
+         "packing.walls = true keeps its particles inside";
+}
+
+std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {
+  const auto* matrix = std::get_if<Material>(&stage.matrix);
+  return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
+}
+
+}  // namespace
+
+std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
+  // A single term is a model of its own; several are data, which end somewhere.
+  if (matrix.shear.terms().size() < 2) return std::nullopt;
+  // A term is felt for a decade on either side.
+  constexpr double decade = 10.0;
+  const double slowest = matrix.shear.terms().front().relaxation_time;
+  const double fastest = matrix.shear.terms().back().relaxation_time;
+  if (times.begin >= fastest / decade && times.end <= slowest * decade) return std::nullopt;
+  return fmt::format(
+      "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
+      "beyond them it is constant, whatever the material does",
+      readable(times.begin, Dimension::time), readable(times.end, Dimension::time), matrix.name,
+      readable(fastest, Dimension::time), readable(slowest, Dimension::time));
+}
+
+std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
+                                     const StageMicrostructure& microstructure) {
+  auto of_stage = stage.warnings;
+  for (const auto& warning :
+       {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
+        warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.boundaries, microstructure),
+        warning_of_unknown_times(stage, study.tests)}) {
+    if (warning) of_stage.push_back(*warning);
+  }
+  std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));
+  auto warnings = warnings_on_materials(study, stage);
+  for (const auto& warning : of_stage) warnings.push_back(fmt::format("{}: {}", stage.name, warning));
+  return warnings;
+}
+
+}  // namespace breccia

@@ -1,0 +1,69 @@
+#include "breccia/homogenisation/test_requests.hpp"
+
+#include <algorithm>
+
+#include "breccia/study/chain.hpp"
+
+#include "mixtures.hpp"
+
+namespace breccia {
+namespace {
+
+std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
+  std::vector<Material> materials = {matrix};
+  if (stage.filler) materials.push_back(stage.filler->material);
+  return materials;
+}
+
+/// Times [s] at which a test of a stage finds its fields: of the first load, on the finest grid.
+std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation& discretisation,
+                                   Load load) {
+  const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns == stage.cells;
+  return has_fields ? study.tests.field_times : std::vector<double>();
+}
+
+}  // namespace
+
+DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                              const Discretisation& discretisation, Boundary boundary, Load load, int threads) {
+  return {.discretisation = discretisation,
+          .materials = materials_of(stage, matrix),
+          .boundary = boundary,
+          .load = load,
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .field_times = field_times_of(study, stage, discretisation, load),
+          .options = study.tests.dynamic,
+          .threads = threads};
+}
+
+QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                      const Discretisation& discretisation, Boundary boundary, int threads) {
+  auto options = study.tests.quasistatic;
+  options.linear.threads = threads;
+  return {.discretisation = discretisation,
+          .materials = materials_of(stage, matrix),
+          .boundary = boundary,
+          .loads = loads_of(study, stage),
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .field_times = field_times_of(study, stage, discretisation, study.tests.loads.front()),
+          .options = options};
+}
+
+Material expected_matrix(const Study& study, const Stage& stage) {
+  if (const auto* material = std::get_if<Material>(&stage.matrix)) return *material;
+  const auto& name = std::get<EarlierStage>(stage.matrix).name;
+  const auto& earlier = *std::ranges::find(study.stages, name, &Stage::name);
+  auto matrix = expected_matrix(study, earlier);
+  if (!earlier.filler) return matrix;
+  const double fraction = earlier.filler->fraction.value_or(0.5);
+  const auto& filler = earlier.filler->material;
+  // A few rigid discs in an incompressible matrix (Hashin's lower bound); volumes under one pressure.
+  const double stiffening =
+      std::min((1.0 + fraction) / (1.0 - fraction), filler.shear.unrelaxed() / matrix.shear.unrelaxed());
+  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), 1.0 / filler.bulk.unrelaxed(), fraction);
+  return {name, mixed(matrix.density, filler.density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
+}
+
+}  // namespace breccia

@@ -1,0 +1,125 @@
+#include "breccia/results/field_files.hpp"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/io/display.hpp"
+#include "breccia/io/safe_name.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/io/vtkhdf.hpp"
+#include "breccia/report/field_picture.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_vtkhdf(const fs::path& path, const Grid& grid, const TimedFields& timed) {
+  const auto& [time, fields] = timed;
+  // A square for each material point, a quarter of a cell: integrals over the squares are those of the solver.
+  const double spacing = 0.5 * grid.cell_side;
+  const auto columns = 2 * static_cast<std::size_t>(grid.columns), rows = 2 * static_cast<std::size_t>(grid.rows);
+  std::vector<float> displacement, strain, stress;
+  const auto append = [](std::vector<float>& values, std::initializer_list<double> components) {
+    for (const double component : components) values.push_back(static_cast<float>(component));
+  };
+  for (const auto& u : fields.displacement) append(displacement, {u[0], u[1], 0.0});
+  for (const auto& e : fields.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
+  for (const auto& s : fields.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
+  breccia::write_vtkhdf(path, {columns, rows, {0.0, 0.0}, spacing},
+                        {{"material", 1, fields.material},
+                         {"displacement_m", 3, std::move(displacement)},
+                         {"strain", 6, std::move(strain)},
+                         {"stress_Pa", 6, std::move(stress)}},
+                        {{"time_s", time}});
+}
+
+/// For people: "µ" where files have "u".
+std::string_view shown(std::string_view prefix) {
+  return prefix == "u" ? "µ" : prefix;
+}
+
+std::string in_seconds(double time) {
+  const auto [number, prefix, scale] = with_prefix(time);
+  return fmt::format("{:.3g} {}s", number, shown(prefix));
+}
+
+/// The stress that a load raises, over the strain that it gives or the stress that it applies.
+FieldPicture stress_map(const PointFields& fields, Boundary boundary, Load load) {
+  FieldPicture map;
+  double sum = 0.0;
+  for (const auto& s : fields.stress) {
+    map.values.push_back(modulus_of(load, {.xx = s[0], .yy = s[1], .xy = s[3]}));
+    sum += map.values.back();
+  }
+  const std::string stress = load == Load::bulk ? "Mean in-plane stress" : "Shear stress";
+  if (boundary == Boundary::traction) {
+    map.quantity = stress + " over that applied";
+    return map;
+  }
+  const auto [number, prefix, scale] = with_prefix(sum / static_cast<double>(fields.stress.size()));
+  map.unit_size = scale;
+  map.quantity =
+      fmt::format("{} over mean {} in {}Pa", stress, load == Load::bulk ? "dilatation" : "shear strain", shown(prefix));
+  return map;
+}
+
+/// The largest shear strain of each point over the mean strain of the load's kind.
+FieldPicture strain_map(const PointFields& fields, Load load) {
+  FieldPicture map{.scale = ColourScale::logarithmic};
+  double sum = 0.0;
+  for (const auto& [xx, yy, xy] : fields.strain) {
+    map.values.push_back(std::hypot(xx - yy, 2.0 * xy));
+    sum += compliance_of(load, {.xx = xx, .yy = yy, .xy = xy});
+  }
+  map.unit_size = sum / static_cast<double>(fields.strain.size());
+  map.quantity = fmt::format("Largest shear strain over mean {}", load == Load::bulk ? "dilatation" : "shear strain");
+  return map;
+}
+
+}  // namespace
+
+std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
+                                      const TestId& test, const Discretisation& discretisation,
+                                      const std::vector<TimedFields>& fields) {
+  const auto& tests = study.tests;
+  const auto& [load, boundary, method, grid] = test;
+  const bool is_first = boundary == tests.boundaries.front() && method == tests.methods.front();
+  const auto name = is_first ? "fields" : fmt::format("fields-{}-{}", name_of(boundary), name_of(method));
+  const auto title =
+      fmt::format("{}, {}, {}", stage.name, bound_of(boundary), method == Method::dynamic ? "dynamic" : "quasi-static");
+  std::vector<FieldRecord> records;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto& [time, points] = fields[i];
+    const auto numbered = i + 1 == fields.size() ? name : fmt::format("{}-{}", name, i + 1);
+    const FieldRecord record = {time, numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"};
+    write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
+    const auto draw = [&, at = in_seconds(time)](const std::string& file, FieldPicture picture) {
+      picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns);
+      picture.title = fmt::format("{}, {}", title, at);
+      write_text(directory / file, field_picture(picture));
+    };
+    draw(record.stress_picture, stress_map(points, boundary, load));
+    draw(record.strain_picture, strain_map(points, load));
+    records.push_back(record);
+  }
+  return records;
+}
+
+void copy_fields(const fs::path& from, const fs::path& to, const std::vector<TestResult>& tests) {
+  for (const auto& test : tests) {
+    for (const auto& [time, file, stress, strain] : test.field_files) {
+      for (const auto& name : {file, stress, strain}) copy_result(from / name, to / name);
+    }
+  }
+}
+
+bool is_of_fields(std::string_view name) {
+  return stays_in_directory(name) && name.starts_with("fields") &&
+         (name.ends_with(".vtkhdf") || name.ends_with("-stress.svg") || name.ends_with("-strain.svg"));
+}
+
+}  // namespace breccia

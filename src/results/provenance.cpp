@@ -1,0 +1,270 @@
+#include "breccia/results/provenance.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <variant>
+
+#include <fmt/chrono.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/homogenisation/quality.hpp"
+#include "breccia/homogenisation/whole_filler.hpp"
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const PronySeries& series) {
+  Json terms = Json::array();
+  for (const auto& [relaxation_time, modulus] : series.terms()) {
+    terms.push_back({{"relaxation_time_s", relaxation_time}, {"modulus_Pa", modulus}});
+  }
+  return {{"equilibrium_Pa", series.equilibrium()}, {"terms", std::move(terms)}};
+}
+
+Json json_of(const Material& material) {
+  return {{"name", material.name},
+          {"density_kg_per_m3", material.density},
+          {"bulk", json_of(material.bulk)},
+          {"shear", json_of(material.shear)}};
+}
+
+Json json_of(const TemperatureShift& shift) {
+  return {{"c1", shift.law.c1},
+          {"c2_K", shift.law.c2},
+          {"reference_K", shift.law.reference_temperature},
+          {"temperature_K", shift.temperature}};
+}
+
+Json json_of(const TimeWindow& window) {
+  return {window.begin, window.end};
+}
+
+Json json_of(const ComparedSample& sample) {
+  return {{"time_s", sample.time}, {"ratio", sample.ratio()}};
+}
+
+/// JSON has no infinity: a gap without two particles is null.
+Json finite_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json json_of(const TimeDomain& domain, std::size_t points) {
+  return {{"density_factor", domain.density_factor},
+          {"time_step_s", domain.time_step},
+          {"ramp_s", domain.ramp},
+          {"valid_s", json_of(domain.window)},
+          {"steps", domain.steps},
+          {"active_terms", domain.terms},
+          {"reduction_error", domain.reduction_error},
+          {"wall_time_s", domain.seconds},
+          {"points_x_steps_per_s", domain.point_steps_per_second(points)}};
+}
+
+Json json_of(const LinearEffort& effort) {
+  return {{"method", effort.is_direct ? "direct" : "iterative"},
+          {"unknowns", effort.unknowns},
+          {"factorisations", effort.factorisations},
+          {"solves", effort.solves},
+          {"iterations", effort.iterations},
+          {"most_iterations", effort.most_iterations},
+          {"largest_residual", effort.largest_residual}};
+}
+
+Json json_of(const WholeFiller& filler) {
+  Json materials = Json::array();
+  for (const auto& [material, fraction, mass_fraction] : filler.materials) {
+    materials.push_back({{"material", material}, {"fraction", fraction}, {"mass_fraction", mass_fraction}});
+  }
+  return {{"fraction", filler.fraction}, {"mass_fraction", filler.mass_fraction}, {"materials", std::move(materials)}};
+}
+
+/// What a test was made with.
+struct DescribeRecord {
+  const Tests& options;
+  std::size_t points;  ///< of the grid
+
+  Json operator()(const QuasistaticRecord& record) const {
+    const auto& response = record.response;
+    Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)},
+                 {"volumetric", name_of(options.quasistatic.volumetric)},
+                 {"error_estimate", response.error_estimate},
+                 {"linear", json_of(record.effort)},
+                 {"wall_time_s", record.seconds}};
+    if (response.fit_error) json["fit_error"] = *response.fit_error;
+    if (!response.reduced) {
+      json["steps_per_decade"] = options.quasistatic.steps_per_decade;
+      return json;
+    }
+    json["tolerance"] = options.quasistatic.sampling.tolerance;
+    json["range"] = name_of(options.quasistatic.range);
+    json["snapshots"] = Json::array();
+    for (const auto& [matrix, error] : response.reduced->snapshots) {
+      json["snapshots"].push_back(
+          {{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}, {"error_before", error > 0.0 ? Json(error) : Json()}});
+    }
+    return json;
+  }
+
+  Json operator()(const DynamicTestResult& record) const {
+    Json domains = Json::array(), overlaps = Json::array();
+    for (const auto& domain : record.domains) domains.push_back(json_of(domain, points));
+    for (const auto& [window, mismatch] : record.overlaps) {
+      overlaps.push_back({{"window_s", json_of(window)}, {"mismatch", mismatch}});
+    }
+    Json json = {{"formulation", name_of(options.dynamic.formulation)},
+                 {"start", name_of(options.dynamic.start)},
+                 {"volumetric", name_of(options.dynamic.volumetric)},
+                 {"courant", options.dynamic.courant},
+                 {"time_domains", std::move(domains)},
+                 {"overlaps", std::move(overlaps)}};
+    if (record.fit_error) json["fit_error"] = *record.fit_error;
+    return json;
+  }
+
+  Json operator()(const ExtrapolationRecord& record) const { return {{"from_cells", record.cells}}; }
+};
+
+Json json_of(const TestResult& test, const Study& study) {
+  const auto cells = test.id.grid.cells();
+  const auto points = 4 * static_cast<std::size_t>(cells.value_or(0)) * static_cast<std::size_t>(cells.value_or(0));
+  Json json = {{"load", name_of(test.id.load)},
+               {"boundary", name_of(test.id.boundary)},
+               {"method", name_of(test.id.method)},
+               {"cells", cells ? Json(*cells) : Json(name_of(test.id.grid))}};
+  json.update(std::visit(DescribeRecord{study.tests, points}, test.record));
+  for (const auto& [time, file, stress, strain] : test.field_files) {
+    json["fields"].push_back(
+        {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}});
+  }
+  return json;
+}
+
+Json json_of(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
+Json json_of(const BoundsAtTime& bounds) {
+  return {{"time_s", bounds.time},
+          {"upper_Pa", json_of(bounds.upper)},
+          {"lower_Pa", json_of(bounds.lower)},
+          {"relative_distance", json_of(bounds.distance())},
+          {"grid_half_band_Pa", json_of(bounds.grid_half_band)}};
+}
+
+Json json_of(const StageQuality& quality) {
+  Json bounds = Json::array();
+  for (const auto& load : quality.loads) {
+    if (load.times.empty()) continue;
+    bounds.push_back({{"load", name_of(load.load)},
+                      {"method", name_of(load.method)},
+                      {"first", json_of(load.times.front())},
+                      {"last", json_of(load.times.back())}});
+  }
+  return {{"summary", summary_of(quality)},
+          {"fraction_asked", json_of(quality.fraction_asked)},
+          {"narrowest_gap_cells", finite_or_null(quality.gap_cells)},
+          {"grids", quality.grids.size()},
+          {"seeds", quality.is_random ? Json(1) : Json()},
+          {"bounds", std::move(bounds)}};
+}
+
+Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
+  const auto& packing = result.microstructure;
+  Json microstructure = {{"particles", packing.microstructure.discs.size()},
+                         {"fraction", packing.fraction},
+                         {"interface_per_area_1_per_m", packing.interface_per_area},
+                         {"smallest_gap_m", finite_or_null(packing.gap)},
+                         {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
+                         {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
+                         {"wall_time_s", packing.seconds}};
+  if (!packing.microstructure.discs.empty()) {
+    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.discs, {}, &Disc::diameter);
+    microstructure["smallest_diameter_m"] = smallest.diameter;
+    microstructure["largest_diameter_m"] = largest.diameter;
+  }
+  if (packing.size_deviation) microstructure["size_distribution_deviation"] = *packing.size_deviation;
+  if (stage.filler && std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing)) {
+    microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.filler->packing).seed;
+    microstructure["events"] = packing.events;
+  }
+  Json materials = Json::array();
+  for (const auto& [boundary, method, fit] : result.materials) {
+    materials.push_back({{"boundary", name_of(boundary)},
+                         {"method", name_of(method)},
+                         {"fitted_over_s", json_of(fit.fitted)},
+                         {"shear_fit_error", fit.shear_error},
+                         {"bulk_fit_error", fit.bulk_error},
+                         {"material", json_of(fit.material)}});
+  }
+  Json comparisons = Json::array();
+  for (const auto& comparison : result.comparisons) {
+    comparisons.push_back({{"measurement", comparison.measurement},
+                           {"boundary", name_of(comparison.test.boundary)},
+                           {"method", name_of(comparison.test.method)},
+                           {"best", json_of(comparison.best())},
+                           {"worst", json_of(comparison.worst())}});
+  }
+  Json tests = Json::array();
+  for (const auto& test : result.tests) tests.push_back(json_of(test, study));
+  Json json = {{"name", stage.name},
+               {"matrix", name_of(stage.matrix)},
+               {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
+               {"box_m", stage.side},
+               {"cells", stage.grids()},
+               {"points", result.points},
+               {"filler_point_fraction", result.point_fraction},
+               {"microstructure", std::move(microstructure)},
+               {"tests", std::move(tests)},
+               {"materials", std::move(materials)},
+               {"comparisons", std::move(comparisons)},
+               {"quality", json_of(quality_of(stage, result))},
+               {"warnings", result.warnings}};
+  if (!result.answered_from.empty()) json["answered_from"] = result.answered_from;
+  return json;
+}
+
+/// Now, as ISO 8601 writes it, in UTC: "2026-01-31T12:00:00Z".
+std::string date_of_now() {
+  const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+}  // namespace
+
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result) {
+  Json materials = Json::array(), stages = Json::array(), stage_names = Json::array();
+  for (const auto& stage : study.stages) stage_names.push_back(stage.name);
+  for (const auto& material : study.materials) {
+    materials.push_back(json_of(material));
+    const auto shift = study.temperature_shifts.find(material.name);
+    if (shift != study.temperature_shifts.end()) materials.back()["temperature_shift"] = json_of(shift->second);
+  }
+  std::vector<double> fractions;
+  for (std::size_t i = 0; i < result.stages.size(); ++i) {
+    stages.push_back(json_of(study.stages[i], result.stages[i], study));
+    fractions.push_back(result.stages[i].microstructure.fraction);
+    const auto whole = filler_of_the_whole(study, study.stages[i], fractions);
+    if (whole.fraction > 0.0) stages.back()["filler_of_the_whole"] = json_of(whole);
+  }
+  const Json json = {{"program", "breccia"},
+                     {"version", BRECCIA_VERSION},
+                     {"title", study.title},
+                     {"deck", study.provenance.deck.string()},
+                     {"overrides", study.provenance.overrides},
+                     {"hash", study.provenance.hash},
+                     {"complete", result.seconds.has_value()},
+                     {"date", result.seconds ? Json(date_of_now()) : Json()},
+                     {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},
+                     {"deck_text", study.provenance.deck_text},
+                     {"times_s", {study.tests.first_time, study.tests.last_time}},
+                     {"materials", std::move(materials)},
+                     {"stage_names", std::move(stage_names)},
+                     {"stages", std::move(stages)}};
+  write_text(directory / "study.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace breccia

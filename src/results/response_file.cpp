@@ -1,0 +1,161 @@
+#include "breccia/results/response_file.hpp"
+
+#include <optional>
+#include <string>
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/hdf5.hpp"
+
+namespace breccia {
+namespace {
+
+constexpr std::int64_t format_version = 3;
+
+void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
+  // HDF5 counts rows first, Eigen columns.
+  const Eigen::MatrixXd rows = matrix.transpose();
+  file.write(name, std::span(rows.data(), static_cast<std::size_t>(rows.size())),
+             {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+}
+
+Eigen::MatrixXd read_matrix(const Hdf5Reader& file, const std::string& name) {
+  const auto shape = file.shape(name);
+  const auto values = file.read_numbers(name);
+  if (shape.size() != 2) throw FileError(fmt::format("{}: expected a matrix", name));
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(shape[1]),
+                                           static_cast<Eigen::Index>(shape[0]))
+      .transpose();
+}
+
+void write_response(Hdf5Writer& file, const std::string& group, const ReducedResponse& response) {
+  write_matrix(file, group + "/filler_Pa", response.filler);
+  write_matrix(file, group + "/matrix_shear", response.matrix_shear);
+  write_matrix(file, group + "/matrix_bulk", response.matrix_bulk);
+  write_matrix(file, group + "/load_forces", response.load_forces);
+  write_matrix(file, group + "/residual_products", response.residual_products);
+  Eigen::MatrixXd snapshots(static_cast<Eigen::Index>(response.snapshots.size()), 3);
+  for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
+    const auto& [matrix, error] = response.snapshots[static_cast<std::size_t>(i)];
+    snapshots.row(i) << matrix.shear, matrix.bulk, error;
+  }
+  write_matrix(file, group + "/snapshots_shear_bulk_error", snapshots);
+  file.write_attribute(group, "residual_scale", response.residual_scale);
+}
+
+void require(bool is_so, const std::string& group, const char* expected) {
+  if (!is_so) throw FileError(fmt::format("{}: no response of this program: expected {}", group, expected));
+}
+
+/// All parts of a response belong to bases of one size.
+void require_consistent(const ReducedResponse& response, const std::string& group) {
+  const auto size = response.filler.rows();
+  const auto is_square = [size](const Eigen::MatrixXd& matrix) {
+    return matrix.rows() == size && matrix.cols() == size;
+  };
+  const bool fits = size > 0 && is_square(response.filler) && is_square(response.matrix_shear) &&
+                    is_square(response.matrix_bulk) && response.load_forces.size() == size &&
+                    response.residual_products.rows() == 3 * size + 1 &&
+                    response.residual_products.cols() == 3 * size + 1 && !response.snapshots.empty();
+  require(fits, group, "matrices of one size");
+}
+
+int read_cells(const std::string& name, const std::string& group) {
+  const auto grid = grid_named(name);
+  require(grid && !grid->is_extrapolated(), group, "numbers of cells");
+  return grid->cells().value();
+}
+
+ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) {
+  ReducedResponse response;
+  response.filler = read_matrix(file, group + "/filler_Pa");
+  response.matrix_shear = read_matrix(file, group + "/matrix_shear");
+  response.matrix_bulk = read_matrix(file, group + "/matrix_bulk");
+  response.load_forces = read_matrix(file, group + "/load_forces");
+  response.residual_products = read_matrix(file, group + "/residual_products");
+  response.residual_scale = file.attribute<double>(group, "residual_scale");
+  const auto snapshots = read_matrix(file, group + "/snapshots_shear_bulk_error");
+  require(snapshots.cols() == 3, group, "three columns of snapshots");
+  for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
+    response.snapshots.push_back({{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}, snapshots(i, 2)});
+  }
+  require_consistent(response, group);
+  return response;
+}
+
+}  // namespace
+
+void write_responses(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                     const StageResult& result) {
+  std::optional<Hdf5Writer> file;
+  for (const auto& test : result.tests) {
+    const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+    if (record == nullptr || !record->response.reduced) continue;
+    if (!file) {
+      file.emplace(directory / "response.h5");
+      file->write_attribute("/", "format_version", format_version);
+      file->write_attribute("/", "deck_hash", study.provenance.hash);
+      file->write_attribute("/", "stage", stage.name);
+      file->write_attribute("/", "matrix", name_of(stage.matrix));
+      const bool is_material = std::holds_alternative<Material>(stage.matrix);
+      file->write_attribute("/", "matrix_is", std::string(is_material ? "material" : "stage"));
+      file->write_attribute("/", "filler_density_kg_per_m3", stage.filler ? stage.filler->material.density : 0.0);
+      file->write_attribute("/", "filler_fraction", result.microstructure.fraction);
+      file->write_attribute("/", "box_m", stage.side);
+      file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
+      file->write_attribute("/", "sampled_range", name_of(study.tests.quasistatic.range));
+      file->write_attribute("/", "fit_tolerance", study.tests.fit_tolerance);
+      file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
+    }
+    write_response(*file,
+                   fmt::format("/{}/{}/{}", name_of(test.id.boundary), name_of(test.id.load), name_of(test.id.grid)),
+                   *record->response.reduced);
+  }
+  if (file) file->commit();
+}
+
+StoredResponses read_responses(const std::filesystem::path& path) {
+  const Hdf5Reader file(path);
+  const auto version = file.attribute<std::int64_t>("/", "format_version");
+  if (version != format_version) {
+    throw FileError(
+        fmt::format("{}: written in format {}; this program reads format {}", path.string(), version, format_version));
+  }
+  StoredResponses stored;
+  stored.stage = file.attribute<std::string>("/", "stage");
+  const auto matrix = file.attribute<std::string>("/", "matrix");
+  if (file.attribute<std::string>("/", "matrix_is") == "stage") {
+    stored.matrix = EarlierStage{matrix};
+  } else {
+    stored.matrix.emplace<Material>().name = matrix;
+  }
+  stored.filler_density = file.attribute<double>("/", "filler_density_kg_per_m3");
+  stored.filler_fraction = file.attribute<double>("/", "filler_fraction");
+  stored.side = file.attribute<double>("/", "box_m");
+  stored.deck_hash = file.attribute<std::string>("/", "deck_hash");
+  const auto range = value_named<SampledRange>(file.attribute<std::string>("/", "sampled_range"));
+  require(range.has_value(), path.string(), "a range that was sampled, matrix or times");
+  stored.range = *range;
+  stored.fit_tolerance = file.attribute<double>("/", "fit_tolerance");
+  const auto times = file.attribute<std::vector<double>>("/", "times_s");
+  require(times.size() == 2, path.string(), "two times");
+  stored.times = {times[0], times[1]};
+  stored.points_per_decade = static_cast<int>(file.attribute<std::int64_t>("/", "points_per_decade"));
+  for (const auto& [boundary_name, boundary] : words<Boundary>) {
+    for (const auto& [load_name, load] : words<Load>) {
+      const auto group = fmt::format("/{}/{}", boundary_name, load_name);
+      if (!file.has(group)) continue;
+      for (const auto& cells : file.names(group)) {
+        auto response = read_response(file, fmt::format("{}/{}", group, cells));
+        response.load = load;
+        response.boundary = boundary;
+        stored.entries.push_back({read_cells(cells, group), std::move(response)});
+      }
+    }
+  }
+  return stored;
+}
+
+}  // namespace breccia

@@ -1,0 +1,45 @@
+#include "breccia/results/result_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/results/field_files.hpp"
+#include "breccia/results/history_file.hpp"
+#include "breccia/study/result_names.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array stage_files = {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
+                                    "response.h5"};
+
+}  // namespace
+
+bool is_file_of_a_stage(std::string_view name) {
+  return std::ranges::find(stage_files, name) != stage_files.end() || is_history(name) || is_of_fields(name) ||
+         is_checkpoint_file(name);
+}
+
+std::vector<std::string> result_files_in(const fs::path& directory, const std::vector<std::string>& stages) {
+  auto known = files_of_a_study();
+  std::ranges::copy(files_of_a_sweep(), std::back_inserter(known));
+  std::vector<std::string> names;
+  for (const auto& name : known) {
+    const bool is_listed = std::ranges::find(names, name) != names.end();
+    if (!is_listed && fs::exists(directory / name)) names.push_back(name);
+  }
+  for (const auto& stage : stages) {
+    std::error_code is_missing;
+    for (const auto& entry : fs::directory_iterator(directory / stage, is_missing)) {
+      const auto name = entry.path().filename().string();
+      if (entry.is_regular_file() && is_file_of_a_stage(name)) names.push_back(stage + "/" + name);
+    }
+  }
+  return names;
+}
+
+}  // namespace breccia

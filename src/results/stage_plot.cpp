@@ -1,0 +1,126 @@
+#include "breccia/results/stage_plot.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/report/modulus_plot.hpp"
+
+namespace breccia {
+namespace {
+
+/// A relaxation modulus that stands beside those of the tests.
+struct ReferenceCurve {
+  std::string label;
+  Curve modulus;
+  std::optional<Boundary> boundary;  ///< of the tests that it belongs to; none: of no test, but measured
+};
+
+/// "1030", not "1.03e+03".
+std::string three_digits(double value) {
+  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
+}
+
+/// Places in the palette: blue, red and green for the boundaries, others for the second shear test, black for what was
+/// measured.
+std::size_t colour_of(Boundary boundary, Load load) {
+  return static_cast<std::size_t>(boundary) + (load == Load::diagonal_shear ? 3U : 0U);
+}
+constexpr std::size_t colour_of_measurements = 6;
+
+PlotCurve plot_curve(std::string label, const Curve& modulus) {
+  PlotCurve curve{.label = std::move(label)};
+  for (const auto& sample : modulus) {
+    curve.times.push_back(sample.time);
+    curve.moduli.push_back(sample.modulus);
+  }
+  return curve;
+}
+
+std::string label_of(const Study& study, const TestResult& test) {
+  auto label = bound_of(test.id.boundary);
+  if (test.id.load == Load::diagonal_shear) label += ", xx-yy";
+  if (study.tests.methods.size() > 1) label += ", " + name_of(test.id.method);
+  return label;
+}
+
+/// The curves of a stage that `shown` accepts; where there are several grids, only the extrapolated ones.
+template <class Shown>
+ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& result, const Shown& shown) {
+  ModulusPlot plot;
+  plot.title = fmt::format("{}: {}", study.title, stage.name);
+  bool has_windows = false;
+  for (const auto& test : result.tests) {
+    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+    if (!shown(test)) continue;
+    if (dynamic != nullptr && !has_windows) {
+      has_windows = true;
+      for (const auto& domain : dynamic->domains) {
+        plot.windows.push_back(
+            {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
+      }
+    }
+    if (!stage.coarser_cells.empty() && !test.id.grid.is_extrapolated()) continue;
+    auto curve = plot_curve(label_of(study, test), test.modulus);
+    curve.colour = colour_of(test.id.boundary, test.id.load);
+    if (dynamic != nullptr && study.tests.methods.size() > 1) curve.style = PlotStyle::dashed;
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+/// The matrix of a stage, for every boundary its own where an earlier stage made it, and what was measured.
+std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, const StudyResult& result) {
+  std::vector<ReferenceCurve> curves;
+  const bool is_one = std::holds_alternative<Material>(stage.matrix);
+  for (const auto boundary : study.tests.boundaries) {
+    const auto& matrix = matrix_of(stage, result.stages, boundary, study.tests.methods.front());
+    auto& curve = curves.emplace_back();
+    curve.label = is_one ? "matrix" : fmt::format("matrix, {}", bound_of(boundary));
+    curve.boundary = boundary;
+    for (const double time :
+         logarithmic_times({study.tests.first_time, study.tests.last_time}, study.tests.points_per_decade)) {
+      curve.modulus.push_back({time, matrix.shear.at(time)});
+    }
+    if (is_one) break;
+  }
+  for (const auto& measurement : study.measurements) {
+    if (measurement.stage != stage.name) continue;
+    const auto known = measurement.known_within({study.tests.first_time, study.tests.last_time});
+    if (!known) continue;
+    auto& curve = curves.emplace_back(ReferenceCurve{"measured, " + measurement.label, {}, {}});
+    for (const double time : logarithmic_times(*known, study.tests.points_per_decade)) {
+      curve.modulus.push_back({time, measurement.at(time)});
+    }
+  }
+  return curves;
+}
+
+}  // namespace
+
+void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                 const StudyResult& study_result) {
+  if (why_no_plots()) return;
+  const auto& result = study_result.stages.back();
+  auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load != Load::bulk; });
+  if (!shear.curves.empty()) {
+    for (const auto& [label, modulus, boundary] : references(study, stage, study_result)) {
+      auto& curve = shear.curves.emplace_back(plot_curve(label, modulus));
+      curve.colour = boundary ? colour_of(*boundary, Load::shear) : colour_of_measurements;
+      if (boundary) curve.style = PlotStyle::dotted;
+    }
+    shear.quantity = "Relaxation modulus G(t)";
+    write_text(directory / "modulus.svg", modulus_plot(shear));
+  }
+  auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
+  if (bulk.curves.empty()) return;
+  bulk.quantity = "Plane-strain bulk modulus K(t) + G(t)/3";
+  write_text(directory / "bulk_modulus.svg", modulus_plot(bulk));
+}
+
+}  // namespace breccia

@@ -1,0 +1,107 @@
+#include "breccia/results/study_record.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/safe_name.hpp"
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string text_at(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::vector<std::string> texts_at(const Json& json, const char* key) {
+  std::vector<std::string> texts;
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_array()) return texts;
+  for (const auto& text : *found) {
+    if (text.is_string()) texts.push_back(text.get<std::string>());
+  }
+  return texts;
+}
+
+std::vector<std::string> safe_names(std::vector<std::string> names) {
+  std::erase_if(names, [](const std::string& name) { return !is_safe_name(name); });
+  return names;
+}
+
+void read_stages(const Json& json, StudyRecord& record) {
+  record.stages = safe_names(texts_at(json, "stage_names"));
+  const auto stages = json.find("stages");
+  if (stages == json.end() || !stages->is_array()) return;
+  for (const auto& stage : *stages) {
+    if (!stage.is_object()) continue;
+    record.stages_packed.push_back(text_at(stage, "name"));
+    record.has_tests = record.has_tests || (stage.contains("tests") && !stage["tests"].empty());
+  }
+  record.stages_packed = safe_names(std::move(record.stages_packed));
+  for (const auto& name : record.stages_packed) {
+    if (std::ranges::find(record.stages, name) == record.stages.end()) record.stages.push_back(name);
+  }
+}
+
+/// The first line in which two texts differ, as "line 7 was `a`, is `b`"; empty when there is none.
+std::string difference(const std::string& before, const std::string& now) {
+  std::istringstream lines_before(before), lines_now(now);
+  for (int number = 1;; ++number) {
+    std::string was, is;
+    const bool had = static_cast<bool>(std::getline(lines_before, was));
+    const bool has = static_cast<bool>(std::getline(lines_now, is));
+    if (!had && !has) return {};
+    if (had != has || was != is) return fmt::format("line {} was `{}`, is `{}`", number, was, is);
+  }
+}
+
+}  // namespace
+
+bool StudyRecord::is_of(const Study& study) const {
+  return is_ours && hash == study.provenance.hash && version == BRECCIA_VERSION;
+}
+
+bool is_record_of_breccia(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) return false;
+  const auto json = Json::parse(read_text(file), nullptr, false);
+  return json.is_object() && text_at(json, "program") == "breccia";
+}
+
+StudyRecord read_study_record(const std::filesystem::path& directory) {
+  StudyRecord record;
+  const auto file = directory / "study.json";
+  if (!std::filesystem::is_regular_file(file)) return record;
+  const auto json = Json::parse(read_text(file), nullptr, false);
+  if (!json.is_object() || text_at(json, "program") != "breccia") return record;
+  record.is_ours = true;
+  record.is_complete = json.contains("complete") && json["complete"] == true;
+  record.hash = text_at(json, "hash");
+  record.version = text_at(json, "version");
+  record.deck_text = text_at(json, "deck_text");
+  record.overrides = texts_at(json, "overrides");
+  if (json.contains("wall_time_s") && json["wall_time_s"].is_number()) record.wall_time = json["wall_time_s"];
+  read_stages(json, record);
+  return record;
+}
+
+std::string difference(const StudyRecord& before, const Study& now) {
+  if (before.version != BRECCIA_VERSION) {
+    return fmt::format("they are of version {} of Breccia, this is version {}", before.version, BRECCIA_VERSION);
+  }
+  const auto deck = difference(before.deck_text, now.provenance.deck_text);
+  if (!deck.empty()) return fmt::format("{}: {}", now.provenance.deck.string(), deck);
+  if (before.overrides != now.provenance.overrides) {
+    return fmt::format("the overrides were {}, are {}", Json(before.overrides).dump(),
+                       Json(now.provenance.overrides).dump());
+  }
+  return "a data file differs";
+}
+
+}  // namespace breccia

@@ -1,0 +1,88 @@
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/error.hpp"
+#include "breccia/io/safe_name.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/report/page.hpp"
+#include "breccia/results/report.hpp"
+#include "breccia/results/sweep_files.hpp"
+
+#include "report_data.hpp"
+#include "report_tables.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json json_of(std::size_t task, const TaskCurve& curve) {
+  std::vector<double> times, moduli;
+  for (const auto& [time, modulus] : curve.modulus) {
+    times.push_back(time);
+    moduli.push_back(modulus);
+  }
+  return {{"task", task},
+          {"stage", curve.stage},
+          {"load", name_of(curve.test.load)},
+          {"boundary", name_of(curve.test.boundary)},
+          {"method", name_of(curve.test.method)},
+          {"cells", name_of(curve.test.grid)},
+          {"time_s", rounded(std::move(times))},
+          {"modulus_Pa", rounded(std::move(moduli))}};
+}
+
+/// The curves of each task that is done, as they are on the disk.
+std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, const Json& tasks) {
+  std::vector<std::vector<TaskCurve>> curves(tasks.size());
+  for (std::size_t task = 0; task < tasks.size(); ++task) {
+    if (tasks[task].at("state") != "done") continue;
+    const auto name = tasks[task].at("name").get<std::string>();
+    if (!stays_in_directory(name)) {
+      throw FileError(fmt::format("sweep.json: \"{}\" is not a name that `breccia run` gives to a task", name));
+    }
+    curves[task] = read_curves(directory / name);
+  }
+  return curves;
+}
+
+Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vector<TaskCurve>>& curves_of_tasks) {
+  Json curves = Json::array(), tables = Json::object();
+  for (std::size_t task = 0; task < curves_of_tasks.size(); ++task) {
+    for (const auto& curve : curves_of_tasks[task]) curves.push_back(json_of(task, curve));
+  }
+  auto text_columns = text_columns_of_tests();
+  for (const auto& key : sweep.at("keys")) text_columns.push_back(key.get<std::string>());
+  auto spread = table_for_page(directory / "spread.csv", text_columns);
+  if (!spread.empty()) tables["spread.csv"] = std::move(spread);
+  return {{"sweep", std::move(sweep)}, {"curves", std::move(curves)}, {"tables", std::move(tables)}};
+}
+
+}  // namespace
+
+PageData sweep_page_data(const fs::path& directory) {
+  return read_page_data(directory / "sweep.json", [&](Json sweep) {
+    const auto curves = stored_curves(directory, sweep.at("tasks"));
+    return data_of(directory, std::move(sweep), curves);
+  });
+}
+
+void write_sweep_report(const fs::path& directory) {
+  const auto [title, data] = sweep_page_data(directory);
+  write_text(directory / "report.html", sweep_page(title, data));
+}
+
+void write_sweep_report(const fs::path& directory, const SweepResult& result) {
+  std::vector<std::vector<TaskCurve>> curves;
+  for (const auto& task : result) curves.push_back(task.curves);
+  const auto [title, data] = read_page_data(directory / "sweep.json",
+                                            [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
+  write_text(directory / "report.html", sweep_page(title, data));
+}
+
+}  // namespace breccia

@@ -1,0 +1,160 @@
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "breccia/deck/swept_quantities.hpp"
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/results/sweep_files.hpp"
+#include "breccia/results/sweep_spread.hpp"
+
+namespace breccia {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The columns of swept keys, as text.
+class KeyColumns {
+ public:
+  KeyColumns(const Sweep& sweep, const std::function<bool(const SweptKey&)>& has_column) : sweep_(sweep) {
+    for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+      if (has_column(sweep.keys[key])) keys_.push_back(key);
+    }
+    columns_.resize(keys_.size());
+  }
+
+  void add(const SweepTask& task) {
+    for (std::size_t i = 0; i < keys_.size(); ++i) columns_[i].push_back(plain_text(task.values[keys_[i]]));
+  }
+
+  void append_to(std::vector<CsvColumn>& table) const {
+    for (std::size_t i = 0; i < keys_.size(); ++i) table.push_back({sweep_.keys[keys_[i]].path, columns_[i]});
+  }
+
+ private:
+  const Sweep& sweep_;
+  std::vector<std::size_t> keys_;
+  std::vector<std::vector<std::string>> columns_;
+};
+
+/// The columns that tell tests apart.
+struct CurveColumns {
+  std::vector<std::string> stages, loads, boundaries, methods, cells;
+
+  void add(const TaskCurve& curve) {
+    stages.push_back(curve.stage);
+    loads.push_back(name_of(curve.test.load));
+    boundaries.push_back(name_of(curve.test.boundary));
+    methods.push_back(name_of(curve.test.method));
+    cells.push_back(name_of(curve.test.grid));
+  }
+
+  void append_to(std::vector<CsvColumn>& table) const {
+    table.insert(table.end(),
+                 {{"stage", stages}, {"load", loads}, {"boundary", boundaries}, {"method", methods}, {"cells", cells}});
+  }
+};
+
+void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  KeyColumns keys(sweep, [](const SweptKey&) { return true; });
+  CurveColumns curves;
+  std::vector<std::string> tasks;
+  std::vector<double> times, moduli;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    for (const auto& curve : result[i].curves) {
+      for (const auto& [time, modulus] : curve.modulus) {
+        tasks.push_back(sweep.tasks[i].name);
+        keys.add(sweep.tasks[i]);
+        curves.add(curve);
+        times.push_back(time);
+        moduli.push_back(modulus);
+      }
+    }
+  }
+  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
+  std::vector<CsvColumn> table{{"task", tasks}};
+  keys.append_to(table);
+  curves.append_to(table);
+  table.insert(table.end(), {{"time_s", times}, {"modulus_Pa", moduli}});
+  write_csv(file, table);
+}
+
+void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  KeyColumns keys(sweep, [](const SweptKey& key) { return !key.is_seed; });
+  CurveColumns tests;
+  std::vector<double> times, counts, means, deviations, smallest, largest;
+  for (const auto& [task, test, spreads] : spread_over_seeds(sweep, result)) {
+    for (const auto& spread : spreads) {
+      keys.add(sweep.tasks[task]);
+      tests.add(test);
+      times.push_back(spread.time);
+      counts.push_back(static_cast<double>(spread.tasks));
+      means.push_back(spread.mean);
+      deviations.push_back(spread.standard_deviation);
+      smallest.push_back(spread.smallest);
+      largest.push_back(spread.largest);
+    }
+  }
+  if (times.empty()) return remove_files(file.parent_path(), std::vector{file.filename().string()});
+  std::vector<CsvColumn> table;
+  keys.append_to(table);
+  tests.append_to(table);
+  table.insert(table.end(), {{"time_s", times},
+                             {"tasks", counts},
+                             {"mean_modulus_Pa", means},
+                             {"standard_deviation_Pa", deviations},
+                             {"smallest_Pa", smallest},
+                             {"largest_Pa", largest}});
+  write_csv(file, table);
+}
+
+Json json_of(const Sweep& sweep, const SweepTask& task, const TaskResult& result) {
+  Json values = Json::object();
+  for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
+    std::visit([&](const auto& value) { values[sweep.keys[i].path] = value; }, task.values[i]);
+  }
+  Json json = {{"name", task.name},
+               {"values", std::move(values)},
+               {"hash", task.study.provenance.hash},
+               {"state", name_of(result.state)},
+               {"wall_time_s", result.state == TaskState::done ? Json(result.seconds) : Json()}};
+  if (result.state == TaskState::failed) json["error"] = result.error;
+  return json;
+}
+
+void write_states(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
+  Json tasks = Json::array();
+  for (std::size_t i = 0; i < result.size(); ++i) tasks.push_back(json_of(sweep, sweep.tasks[i], result[i]));
+  Json keys = Json::array();
+  for (const auto& key : sweep.keys) keys.push_back(key.path);
+  Json quantities = Json::object();
+  for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
+    const auto swept = swept_quantity(sweep, key);
+    if (swept) quantities[sweep.keys[key].path] = {{"unit", swept->unit}, {"numbers", swept->numbers}};
+  }
+  const auto& study = sweep.tasks.front().study;
+  const auto& provenance = study.provenance;
+  const Json json = {{"program", "breccia"},
+                     {"version", BRECCIA_VERSION},
+                     {"title", study.title},
+                     {"deck", provenance.deck.string()},
+                     {"deck_text", provenance.deck_text},
+                     {"overrides", provenance.overrides},
+                     {"keys", std::move(keys)},
+                     {"quantities", std::move(quantities)},
+                     {"tasks", std::move(tasks)}};
+  write_text(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace
+
+void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
+  write_all_curves(directory / "sweep.csv", sweep, result);
+  write_spreads(directory / "spread.csv", sweep, result);
+  write_states(directory / "sweep.json", sweep, result);
+}
+
+}  // namespace breccia

@@ -1,0 +1,31 @@
+#include "breccia/study/result_names.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "breccia/io/replacement.hpp"
+
+namespace breccia {
+
+std::vector<std::string> curve_files() {
+  return {"curves.csv", "compliance.csv", "extrapolation.csv", "prony.csv", "quality.csv"};
+}
+
+std::vector<std::string> files_of_a_study() {
+  auto names = curve_files();
+  names.insert(names.end(), {"comparison.csv", "study.json", "report.html"});
+  return names;
+}
+
+std::vector<std::string> files_of_a_sweep() {
+  return {"sweep.csv", "spread.csv", "sweep.json", "sweep.svg", "report.html"};
+}
+
+std::vector<std::string> reserved_names() {
+  auto names = files_of_a_study();
+  std::ranges::copy(files_of_a_sweep(), std::back_inserter(names));
+  names.emplace_back(unfinished_directory);
+  return names;
+}
+
+}  // namespace breccia

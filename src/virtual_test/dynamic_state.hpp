@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/virtual_test/dynamic_test.hpp"
+
+namespace breccia {
+
+/// One time domain, with its history, in a group of a state.
+void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain);
+TimeDomain read_domain(const StateReader& state, const std::string& group);
+
+/// The domains that are done.
+void save_domains(StateWriter& state, const std::vector<TimeDomain>& domains);
+std::vector<TimeDomain> read_domains(const StateReader& state);
+
+}  // namespace breccia

@@ -1,0 +1,227 @@
+#include "breccia/virtual_test/dynamic_test.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "domain_run.hpp"
+#include "dynamic_state.hpp"
+#include "test_times.hpp"
+
+namespace breccia {
+namespace {
+
+void require_complete(const DynamicTest& test) {
+  require_times("dynamic test", test.times, test.field_times);
+  if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
+    throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
+  }
+}
+
+/// Bytes of one run, about.
+std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
+  const auto points = test.discretisation.points();
+  const auto nodes = test.discretisation.grid().nodes();
+  const std::size_t results = points * sizeof(double) * 9;
+  if (test.options.formulation == Formulation::classical) return results + points * (180 + 24 * terms) + nodes * 72;
+  return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
+}
+
+/// The window of a domain as far as it is wanted. Only the first domain may be valid earlier than expected without the
+/// times before being known better from another.
+TimeWindow window_wanted(const DomainSequence& sequence) {
+  auto window = sequence.window().value_or(TimeWindow{});
+  if (!sequence.is_first()) {
+    window.begin = std::max(window.begin, std::min(sequence.expected_begin(), window.end));
+  }
+  return window;
+}
+
+}  // namespace
+
+double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials) {
+  const auto fractions = discretisation.fractions(materials.size());
+  double density = 0.0;
+  for (std::size_t m = 0; m < materials.size(); ++m) density += fractions[m] * materials[m].density;
+  return density;
+}
+
+DynamicPlan plan_dynamic_test(const DynamicTest& test) {
+  require_complete(test);
+  const auto rules = rules_of(test);
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  DomainSequence sequence(rules, bounds.lower(test.times.begin));
+  DynamicPlan plan;
+  for (;;) {
+    auto domain = prepare(test, rules, bounds, sequence).domain;
+    constexpr double increase = 1.01;
+    double time = std::min(0.5 * sequence.expected_begin(), test.times.end);
+    while (sequence.observe(time, bounds.estimate(time))) time *= increase;
+    domain.window = window_wanted(sequence);
+    domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
+    plan.bytes = std::max(plan.bytes, memory_of(test, domain.terms));
+    plan.domains.push_back(std::move(domain));
+    if (sequence.is_complete()) return plan;
+    sequence.advance();
+  }
+}
+
+double trial_speed(const DynamicTest& test) {
+  require_complete(test);
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  const auto rules = rules_of(test);
+  const DomainSequence sequence(rules, bounds.lower(test.times.begin));
+  auto preparation = prepare(test, rules, bounds, sequence);
+  const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
+  std::vector<Averages> averages;
+  // A given amount of work, the same on all processes, that takes a few tenths of a second.
+  const double points_x_steps = test.options.formulation == Formulation::classical ? 3e6 : 1e8;
+  const auto steps = static_cast<int>(points_x_steps / static_cast<double>(test.discretisation.points()));
+  const auto start = std::chrono::steady_clock::now();
+  solver->advance(std::max(steps, 10), averages);
+  const auto seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return static_cast<double>(test.discretisation.points()) * static_cast<double>(solver->steps_taken()) / seconds;
+}
+
+namespace {
+
+/// From 1 / J to the compliance, and on to the relaxation modulus.
+void convert_creep(DynamicTestResult& result) {
+  std::vector<double> times, compliances;
+  for (const auto& [time, reciprocal] : result.curve) {
+    times.push_back(time);
+    compliances.push_back(1.0 / reciprocal);
+    result.compliance.push_back({time, 1.0 / reciprocal});
+  }
+  const auto fit = fit_creep(times, compliances);
+  result.fit_error = fit.quality.worst_error;
+  const auto series = relaxation_modulus(fit.compliance);
+  for (auto& [time, modulus] : result.curve) modulus = series.at(time);
+}
+
+/// The time domains of a test, one after the other, each run anew or taken over from an earlier run.
+class DynamicRun {
+ public:
+  DynamicRun(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint)
+      : test_(test),
+        observer_(observer),
+        checkpoint_(checkpoint),
+        earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
+        rules_(rules_of(test)),
+        bounds_(test.discretisation, test.materials),
+        sequence_(rules_, bounds_.lower(test.times.begin)),
+        furthest_(test.times.begin) {
+    if (earlier_ == nullptr) return;
+    past_ = read_domains(*earlier_);
+    result_.fields = read_fields(*earlier_, "/fields", test.discretisation);
+  }
+
+  DynamicTestResult run() {
+    for (;;) {
+      auto prepared = prepare(test_, rules_, bounds_, sequence_);
+      const bool is_past = result_.domains.size() < past_.size();
+      result_.domains.push_back(is_past ? take_over(past_[result_.domains.size()]) : run(std::move(prepared)));
+      if (observer_.finished) observer_.finished(result_.domains.back());
+      if (sequence_.is_complete()) return std::move(result_);
+      sequence_.advance();
+    }
+  }
+
+ private:
+  TimeDomain take_over(TimeDomain& past) {
+    static_cast<void>(show(past));
+    return std::move(past);
+  }
+
+  TimeDomain run(PreparedDomain prepared) {
+    const auto field_times = std::span(test_.field_times).subspan(result_.fields.size());
+    DomainRun domain(test_, std::move(prepared), field_times);
+    bool is_over = false;
+    if (earlier_ != nullptr && result_.domains.size() == past_.size() && earlier_->has("/running")) {
+      domain.restore(*earlier_);
+      is_over = !show(domain.domain());
+    }
+    while (!is_over) {
+      const auto sample = domain.take_sample(sequence_.expected_begin());
+      is_over = !goes_on(test_, bounds_, domain.domain(), sample, sequence_);
+      tell(domain.domain(), sample.time);
+      if (!is_over) save_if_due(domain);
+    }
+    domain.domain().window = window_wanted(sequence_);
+    keep_fields(domain, field_times);
+    return std::move(domain.domain());
+  }
+
+  /// Shows the sequence what a domain has seen already. False when the domain has seen enough.
+  bool show(const TimeDomain& domain) {
+    return std::ranges::all_of(
+        domain.history, [&](const Sample& sample) { return goes_on(test_, bounds_, domain, sample, sequence_); });
+  }
+
+  void tell(const TimeDomain& running, double time) {
+    if (!observer_.progress) return;
+    furthest_ = std::max(furthest_, time);
+    const auto points = static_cast<double>(test_.discretisation.points());
+    const double log_range = std::log(test_.times.end / test_.times.begin);
+    const double done = std::log(furthest_ / test_.times.begin);
+    observer_.progress({.domain = result_.domains.size(),
+                        .density_factor = running.density_factor,
+                        .time = time,
+                        .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
+                        .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+  }
+
+  void save_if_due(const DomainRun& domain) {
+    if (checkpoint_ == nullptr || !checkpoint_->is_due()) return;
+    checkpoint_->save([&](StateWriter& state) {
+      save_domains(state, result_.domains);
+      save(state, "/fields", result_.fields);
+      domain.save(state);
+    });
+  }
+
+  /// The first domain that is valid at a time tells its fields: the lightest.
+  void keep_fields(DomainRun& domain, std::span<const double> times) {
+    auto& fields = domain.fields();
+    for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {
+      result_.fields.push_back(std::move(fields[i]));
+    }
+  }
+
+  const DynamicTest& test_;
+  const DynamicObserver& observer_;
+  Checkpoint* checkpoint_;
+  const StateReader* earlier_;
+  DomainRules rules_;
+  ShearModulusBounds bounds_;
+  DomainSequence sequence_;
+  double furthest_;               // time that any domain has reached [s]
+  std::vector<TimeDomain> past_;  // that the earlier run has completed
+  DynamicTestResult result_;
+};
+
+}  // namespace
+
+DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint) {
+  require_complete(test);
+  auto result = DynamicRun(test, observer, checkpoint).run();
+  result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
+  result.curve = stitch(result.domains, test.times, test.points_per_decade);
+  if (test.boundary == Boundary::traction) convert_creep(result);
+  return result;
+}
+
+void save_result(StateWriter& state, const DynamicTestResult& result) {
+  save_domains(state, result.domains);
+  save(state, "/fields", std::span<const TimedFields>());
+}
+
+}  // namespace breccia

@@ -1,0 +1,173 @@
+#include "breccia/virtual_test/quasistatic_test.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/quasistatic/carson_path.hpp"
+#include "breccia/quasistatic/log_time_stepping.hpp"
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "quasistatic_state.hpp"
+#include "test_times.hpp"
+
+namespace breccia {
+namespace {
+
+QuasistaticProblem problem_of(const QuasistaticTest& test) {
+  return {.discretisation = test.discretisation,
+          .materials = test.materials,
+          .volumetric = test.options.volumetric,
+          .boundary = test.boundary,
+          .linear = test.options.linear};
+}
+
+/// Moduli of the matrix [Pa] for which the reduced response is to be good, from stiff to soft.
+std::vector<Moduli> sampled_path(const QuasistaticTest& test) {
+  const auto& matrix = test.materials.front();
+  // Where a fit stands for the matrix it is somewhat off the moduli that it was made from: both count.
+  auto path = carson_path(matrix, test.times);
+  if (test.options.range == SampledRange::times) return path;
+  const auto whole = test.matrix_moduli.empty() ? relaxation_path(matrix, test.times) : test.matrix_moduli;
+  std::ranges::copy_if(whole, std::back_inserter(path), [](const Moduli& moduli) { return !is_like_softer(moduli); });
+  std::ranges::stable_sort(path, std::ranges::greater(), &Moduli::shear);
+  return path;
+}
+
+void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+                 Checkpoint* checkpoint) {
+  const auto& matrix = test.materials.front();
+  const auto path = sampled_path(test);
+  const double orders = std::log10(1.0 / test.options.sampling.tolerance);
+  auto sampled = sample_responses(
+      problem_of(test), 0, test.loads, path, test.options.sampling,
+      [&](const SamplingProgress& progress) {
+        if (!observer) return;
+        observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
+                 std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
+      },
+      checkpoint);
+  result.effort = sampled.effort;
+  const auto times = logarithmic_times(test.times, test.points_per_decade);
+  for (auto& reduced : sampled.responses) {
+    auto& response = result.responses.emplace_back();
+    response.load = reduced.load;
+    const auto compliance = creep_compliance(reduced, matrix);
+    response.series = relaxation_modulus(compliance);
+    for (const double time : times) {
+      response.modulus.push_back({time, response.series.at(time)});
+      if (test.boundary == Boundary::traction) response.compliance.push_back({time, compliance.at(time)});
+    }
+    for (const auto& moduli : path) {
+      response.error_estimate = std::max(response.error_estimate, reduced.error_estimate(moduli));
+    }
+    response.reduced = std::move(reduced);
+  }
+  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, matrix, time)});
+}
+
+/// Where a stepped run passes: from well before the first time wanted, through all of them.
+std::vector<double> step_times(const QuasistaticTest& test) {
+  constexpr double warm_up = 1e-3;
+  const int output = test.points_per_decade;
+  const int wanted = test.options.steps_per_decade;
+  const int per_decade = output * std::max(1, (wanted + output - 1) / output);
+  return logarithmic_times({warm_up * test.times.begin, test.times.end}, per_decade);
+}
+
+/// Index of the step at a time that is one of the steps but for rounding.
+std::size_t step_at(const std::vector<double>& steps, double time) {
+  constexpr double rounding = 1e-9;
+  const auto found = std::lower_bound(steps.begin(), steps.end(), time * (1.0 - rounding));
+  return static_cast<std::size_t>(found - steps.begin());
+}
+
+/// Makes a time one of the steps where it is none, and returns the step.
+double make_step_at(std::vector<double>& steps, double time) {
+  constexpr double rounding = 1e-9;
+  const auto place = steps.begin() + static_cast<std::ptrdiff_t>(step_at(steps, time));
+  if (place != steps.end() && *place <= time * (1.0 + rounding)) return *place;
+  return *steps.insert(place, time);
+}
+
+/// Largest relative deviation of a fit from its data, from one of them on.
+double worst_from(std::size_t first, const std::vector<double>& data, const FitQuality& quality) {
+  double worst = 0.0;
+  for (std::size_t i = first; i < data.size(); ++i) {
+    worst = std::max(worst, std::abs(quality.fitted[i] / data[i] - 1.0));
+  }
+  return worst;
+}
+
+void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+                  Checkpoint* checkpoint) {
+  auto steps = step_times(test);
+  // The first time wanted is an end of the curve, and need not be one of the steps; nor need those of fields.
+  make_step_at(steps, test.times.begin);
+  std::vector<double> field_steps;
+  for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
+  auto stepped = run_log_time_stepping(
+      problem_of(test), test.loads, steps,
+      [&](double share) {
+        if (observer) observer(fmt::format("{} steps", steps.size()), share);
+      },
+      field_steps, checkpoint);
+  result.fields = std::move(stepped.fields);
+  result.effort = stepped.effort;
+  const auto times = logarithmic_times(test.times, test.points_per_decade);
+  const auto first_step = step_at(steps, test.times.begin);
+  for (const auto& found : stepped.responses) {
+    auto& response = result.responses.emplace_back();
+    response.load = found.load;
+    std::vector<double> values;
+    for (const double time : times) {
+      const auto step = step_at(steps, time);
+      values.push_back(found.values[step]);
+      response.error_estimate = std::max(response.error_estimate, found.error_estimates[step]);
+    }
+    // Of all steps, for what came before the first time wanted counts in the conversion of creep.
+    if (test.boundary == Boundary::traction) {
+      const auto fit = fit_creep(steps, found.values);
+      response.series = relaxation_modulus(fit.compliance);
+      response.fit_error = worst_from(first_step, found.values, fit.quality);
+    } else {
+      const auto fit = fit_relaxation(steps, found.values);
+      response.series = fit.series;
+      response.fit_error = worst_from(first_step, found.values, fit.quality);
+    }
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (test.boundary == Boundary::traction) {
+        response.compliance.push_back({times[i], values[i]});
+        response.modulus.push_back({times[i], response.series.at(times[i])});
+      } else {
+        response.modulus.push_back({times[i], values[i]});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer,
+                                           Checkpoint* checkpoint) {
+  require_times("quasi-static test", test.times, test.field_times);
+  if (test.loads.empty()) throw InputError("quasi-static test: no loads");
+  if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
+  const auto start = std::chrono::steady_clock::now();
+  QuasistaticTestResult result;
+  if (test.options.solver == Solver::reduced) {
+    run_reduced(test, result, observer, checkpoint);
+  } else {
+    run_stepping(test, result, observer, checkpoint);
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace breccia

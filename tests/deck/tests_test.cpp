@@ -1,0 +1,179 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr auto times = "times = [\"10 ns\", \"10 ms\"]\n";
+
+class DeckTests : public testing::Test {
+ protected:
+  [[nodiscard]] static std::string deck(std::string_view lines) {
+    return test::join(test::materials, test::stage, "[tests]\n", lines);
+  }
+  [[nodiscard]] Tests tests(std::string_view lines) const { return directory.study(deck(lines)).tests; }
+  [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(DeckTests, Defaults) {
+  const auto defaults = tests(times);
+  EXPECT_THAT(defaults.loads, ElementsAre(Load::shear));
+  EXPECT_THAT(defaults.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+  EXPECT_THAT(defaults.methods, ElementsAre(Method::quasistatic));
+  EXPECT_EQ(defaults.quasistatic.solver, Solver::reduced);
+  EXPECT_EQ(defaults.quasistatic.volumetric, Volumetric::averaged);
+  EXPECT_EQ(defaults.quasistatic.range, SampledRange::matrix);
+  EXPECT_EQ(defaults.quasistatic.linear.method, LinearMethod::automatic);
+  EXPECT_EQ(defaults.first_time, 1e-8);
+  EXPECT_EQ(defaults.last_time, 1e-2);
+  EXPECT_EQ(defaults.points_per_decade, 20);
+  EXPECT_EQ(defaults.dynamic.volumetric, Volumetric::averaged);
+  EXPECT_EQ(defaults.dynamic.courant, DynamicOptions().courant);
+  EXPECT_THAT(defaults.dynamic.density_factors, IsEmpty());
+  EXPECT_THAT(defaults.field_times, ElementsAre(defaults.last_time));
+}
+
+TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
+  const auto periodic = test::replaced(std::string(test::stage), "stillinger\"", "stillinger\", walls = false");
+  const auto boundaries_of = [&](std::string_view lines) {
+    return directory.study(test::join(test::materials, periodic, "[tests]\n", times, lines)).tests.boundaries;
+  };
+  EXPECT_THAT(boundaries_of(""), ElementsAre(Boundary::periodic));
+  EXPECT_THAT(boundaries_of("boundaries = [\"displacement\"]"), ElementsAre(Boundary::displacement))
+      << "as the deck wishes";
+}
+
+TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
+  EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
+  EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());
+  EXPECT_THAT(tests(test::join(times, "fields = [\"1 us\", \"10 ms\"]")).field_times, ElementsAre(1e-6, 1e-2));
+}
+
+TEST_F(DeckTests, EverythingOfTheQuasistaticMethod) {
+  const auto given = tests(test::join(times, R"(loads = ["shear-xx-yy", "bulk"]
+boundaries = ["traction", "periodic"]
+method = ["quasistatic"]
+solver = "stepping"
+volumetric = "standard"
+[tests.quasistatic]
+tolerance = 1e-4
+range = "times"
+steps_per_decade = 40
+linear = "iterative"
+linear_tolerance = 1e-8
+)"));
+  EXPECT_THAT(given.loads, ElementsAre(Load::diagonal_shear, Load::bulk));
+  EXPECT_THAT(given.boundaries, ElementsAre(Boundary::traction, Boundary::periodic));
+  EXPECT_EQ(given.quasistatic.solver, Solver::stepping);
+  EXPECT_EQ(given.quasistatic.volumetric, Volumetric::standard);
+  EXPECT_EQ(given.quasistatic.sampling.tolerance, 1e-4);
+  EXPECT_EQ(given.quasistatic.range, SampledRange::times);
+  EXPECT_EQ(given.quasistatic.steps_per_decade, 40);
+  EXPECT_EQ(given.quasistatic.linear.method, LinearMethod::iterative);
+  EXPECT_EQ(given.quasistatic.linear.tolerance, 1e-8);
+}
+
+TEST_F(DeckTests, BothMethods) {
+  const auto given = tests(test::join(times, R"(method = ["quasistatic", "dynamic"])"));
+  EXPECT_THAT(given.methods, ElementsAre(Method::quasistatic, Method::dynamic));
+}
+
+TEST_F(DeckTests, EverythingOfTheDynamicMethod) {
+  const auto given = tests(test::join(times, R"(loads = ["bulk", "shear"]
+boundaries = ["displacement"]
+method = "dynamic"
+volumetric = "standard"
+points_per_decade = 10
+[tests.dynamic]
+formulation = "classical"
+start = "affine"
+courant = 1
+ramp = "0.1 ms"
+density_factors = [1, 4, 100]
+overlap = 50
+reduction_tolerance = 1e-4
+)"));
+  EXPECT_THAT(given.loads, ElementsAre(Load::bulk, Load::shear));
+  EXPECT_EQ(given.points_per_decade, 10);
+  EXPECT_EQ(given.dynamic.volumetric, Volumetric::standard);
+  EXPECT_EQ(given.dynamic.formulation, Formulation::classical);
+  EXPECT_EQ(given.dynamic.start, Start::affine);
+  EXPECT_EQ(given.dynamic.courant, 1.0);
+  EXPECT_DOUBLE_EQ(given.dynamic.ramp_time.value(), 1e-4);
+  EXPECT_THAT(given.dynamic.density_factors, ElementsAre(1.0, 4.0, 100.0));
+  EXPECT_EQ(given.dynamic.overlap, 50.0);
+  EXPECT_EQ(given.dynamic.reduction_tolerance, 1e-4);
+}
+
+TEST_F(DeckTests, DensityFactorsMayBeLeftToTheProgram) {
+  EXPECT_THAT(tests(test::join(times, "dynamic = { density_factors = \"auto\" }")).dynamic.density_factors, IsEmpty());
+}
+
+TEST_F(DeckTests, Mistakes) {
+  const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
+  EXPECT_THAT(mistakes(""), HasSubstr("tests.times: missing, expected an array such as [\"10 ns\"]"));
+  EXPECT_THAT(mistakes("times = [\"1 s\"]"), HasSubstr("tests.times: expected two rising times"));
+  EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
+  EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
+  EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
+  EXPECT_THAT(with_times("bounds = [\"lowest\"]"), HasSubstr("got \"lowest\", did you mean \"lower\"?"));
+  EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
+  EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected one of \"last\", \"none\""));
+  EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
+  EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
+  EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),
+              HasSubstr("tests.fields: expected times within those of the"));
+  EXPECT_THAT(with_times("fields = [\"1 m\"]"), HasSubstr("tests.fields: expected a time, got \"1 m\""));
+  EXPECT_THAT(mistakes("fields = [\"1 ms\"]"), ::testing::Not(HasSubstr("fields")));
+  EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));
+  EXPECT_THAT(with_times("solver = \"stepped\""), HasSubstr("got \"stepped\""));
+  EXPECT_THAT(with_times("quasistatic = { tolerance = 1 }"), HasSubstr("tests.quasistatic.tolerance: expected"));
+  EXPECT_THAT(with_times("quasistatic = { range = \"all\" }"), HasSubstr("tests.quasistatic.range: expected"));
+  EXPECT_THAT(with_times("quasistatic = { steps = 10 }"), HasSubstr("unknown key \"steps\""));
+  EXPECT_THAT(with_times("points_per_decade = 0"),
+              HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));
+}
+
+TEST_F(DeckTests, MistakesInTheDynamicMethod) {
+  const auto with = [&](std::string_view keys) { return mistakes(test::join(times, "dynamic = { ", keys, " }")); };
+  EXPECT_THAT(with("courant = 1.5"),
+              HasSubstr("tests.dynamic.courant: expected a number above 0 and up to 1, got 1.5"));
+  EXPECT_THAT(with("ramp = \"1 s\", ramp_transits = 2"),
+              HasSubstr("dynamic.ramp_transits: the ramp is given as a time"));
+  EXPECT_THAT(with("density_factors = [4, 1]"), HasSubstr("dynamic.density_factors: expected rising numbers"));
+  EXPECT_THAT(with("density_factors = [0]"), HasSubstr("dynamic.density_factors: expected a positive number, got 0"));
+  EXPECT_THAT(with("density_factors = \"all\""), HasSubstr("dynamic.density_factors: expected \"auto\""));
+  EXPECT_THAT(with("damping = 1"), HasSubstr("tests.dynamic: unknown key \"damping\""));
+}
+
+TEST_F(DeckTests, WhatThePartsAllowAndTheWholeDoesNot) {
+  const auto soft = R"([materials.soft]
+density = "1 g/cm^3"
+bulk = "1 GPa"
+shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
+[[stages]]
+name = "S"
+matrix = "binder"
+box = "1 mm"
+cells = 40
+filler = { material = "soft", sizes = { diameter = "0.2 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+)";
+  const auto with = [&](const char* tests) { return test::join(test::materials, soft, "[tests]\n", tests); };
+  EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]")),
+              HasSubstr("tests: the filler of stage S, soft, relaxes"));
+  EXPECT_EQ(directory.study(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"")).stages.size(), 1U);
+  EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"\npoints_per_decade = 1")),
+              HasSubstr("give 2 times, of which no series can be fitted"));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,95 @@
+#include "breccia/homogenisation/memory.hpp"
+
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "homogenisation/available_memory.hpp"
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+Study study_of(int cells, std::vector<Method> methods) {
+  Study study;
+  Stage stage;
+  stage.name = "A";
+  stage.matrix = Material{"matrix", 1e3, PronySeries(1e9), PronySeries(1e5, {{1e-2, 1e6}, {1e-3, 1e6}})};
+  stage.side = 1e-3;
+  stage.cells = cells;
+  study.stages = {stage};
+  study.tests.first_time = 1e-3;
+  study.tests.last_time = 1e-2;
+  study.tests.methods = std::move(methods);
+  return study;
+}
+
+TEST(Memory, IsWhatQuasiStaticRunsHaveTaken) {
+  // HB-1 of PBX-9501 without fields (docs/performance.md).
+  const auto small = study_of(256, {}), large = study_of(2000, {});
+  EXPECT_NEAR(quasistatic_memory(small, small.stages.front(), 256), 0.26e9, 0.07e9) << "direct";
+  EXPECT_NEAR(quasistatic_memory(large, large.stages.front(), 2000), 2.69e9, 0.1e9) << "substructures";
+}
+
+TEST(Memory, SomeIsLeft) {
+  EXPECT_GT(available_memory(), 1e6);
+}
+
+/// Control groups as the kernel shows them.
+class ControlGroups : public testing::Test {
+ protected:
+  void group(const std::string& path, const std::string& limit_file, const std::string& limit,
+             const std::string& used_file, const std::string& used, const std::string& statistics) const {
+    std::filesystem::create_directories(directory_.path() / path);
+    directory_.write(path + "/" + limit_file, limit + "\n");
+    directory_.write(path + "/" + used_file, used + "\n");
+    directory_.write(path + "/memory.stat", statistics);
+  }
+  [[nodiscard]] double left(const std::string& membership) const {
+    return left_in_control_groups(directory_.written("membership", membership), directory_.path());
+  }
+
+ private:
+  test::TemporaryDirectory directory_;
+};
+
+TEST_F(ControlGroups, OfVersion2LeaveTheLeastOnTheWayUp) {
+  group("job", "memory.max", "8000000000", "memory.current", "5000000000", "anon 1\ninactive_file 1000000000\n");
+  group("job/step", "memory.max", "max", "memory.current", "1000", "inactive_file 0\n");
+  group("job/step/task", "memory.max", "6000000000", "memory.current", "1000000000", "");
+  EXPECT_EQ(left("0::/job/step/task\n"), 4e9);
+  EXPECT_EQ(left("0::/job/step\n"), 4e9);
+  EXPECT_EQ(left("0::/\n"), std::numeric_limits<double>::infinity());
+}
+
+TEST_F(ControlGroups, OfAContainerAreTheRoot) {
+  group(".", "memory.max", "2000000000", "memory.current", "500000000", "inactive_file 100000000\n");
+  EXPECT_EQ(left("0::/\n"), 1.6e9);
+}
+
+TEST_F(ControlGroups, OfVersion1AreFoundAmongTheOthers) {
+  group("memory/job", "memory.limit_in_bytes", "3000000000", "memory.usage_in_bytes", "1000000000",
+        "inactive_file 7\ntotal_inactive_file 500000000\n");
+  EXPECT_EQ(left("9:name=systemd:/\n4:memory:/job\n0::/\n"), 2.5e9);
+  EXPECT_EQ(left("4:memory:/elsewhere\nnonsense\n"), std::numeric_limits<double>::infinity());
+}
+
+TEST(Memory, TooLittleIsRefusedWithWhatWouldFit) {
+  const auto study = study_of(2000, {Method::quasistatic, Method::dynamic});
+  EXPECT_NO_THROW(require_memory(study, std::numeric_limits<double>::infinity()));
+  const auto message = test::message_of<InputError>([&] { require_memory(study, 1e8); });
+  EXPECT_THAT(message,
+              testing::MatchesRegex("A: 2000 x 2000 cells take about 2.72 GB by the quasi-static method, and 0.1 GB "
+                                    "are left; cells = 38[0-9] would fit .*\nA: 2000 x 2000 .* dynamic method.*"));
+  EXPECT_THAT(test::message_of<InputError>([&] { require_memory(study, -1.0); }),
+              testing::Not(testing::HasSubstr("would fit")));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,114 @@
+#include "homogenisation/packing_advice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_microstructure.hpp"
+
+#include "messages.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A box of 1 mm with 60 cells.
+Stage box(double diameter, double fraction, double gap, Walls walls = Walls::hard) {
+  Filler filler;
+  filler.sizes = SingleSize{diameter};
+  filler.fraction = fraction;
+  filler.gap = gap;
+  filler.packing = LubachevskyStillingerPacking{walls, 1};
+  return {.name = "A", .matrix = {}, .side = 1e-3, .cells = 60, .filler = std::move(filler)};
+}
+
+std::string message_on(const Stage& stage) {
+  return test::message_of<NumericalError>([&] { static_cast<void>(make_microstructure(stage)); });
+}
+
+/// The number after some words of a message, in its unit, which is um for lengths.
+double number_after(const std::string& message, const std::string& words) {
+  const auto at = message.find(words);
+  EXPECT_NE(at, std::string::npos) << message;
+  return at == std::string::npos ? 0.0 : std::stod(message.substr(at + words.size()));
+}
+
+/// Packings of one size, of two, of few particles and of many, too dense to begin with or to be reached.
+std::vector<Stage> impossible_stages() {
+  std::vector<Stage> stages;
+  for (const auto walls : {Walls::hard, Walls::periodic}) {
+    stages.push_back(box(120e-6, 0.44, 60e-6, walls));
+    stages.push_back(box(60e-6, 0.6, 20e-6, walls));
+    stages.push_back(box(250e-6, 0.5, 90e-6, walls));
+  }
+  stages.push_back(box(120e-6, 0.35, 56e-6));
+  stages.push_back(box(120e-6, 0.35, 68e-6, Walls::periodic));
+  auto wide = box(50e-6, 0.7, 25e-6);
+  wide.filler->sizes = LognormalSizes{{{1.0, 90e-6, 0.6}}};
+  wide.filler->smallest = 40e-6;
+  wide.filler->largest = 200e-6;
+  stages.push_back(wide);
+  return stages;
+}
+
+TEST(PackingAdvice, TheGapThatIsNamedPacks) {
+  for (auto stage : impossible_stages()) {
+    const auto message = message_on(stage);
+    stage.filler->gap = 1e-6 * number_after(message, "; a gap of ");
+    EXPECT_GT(stage.filler->gap, 0.0) << message;
+    EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+  }
+}
+
+TEST(PackingAdvice, TheFractionThatIsNamedPacks) {
+  for (auto stage : impossible_stages()) {
+    const auto message = message_on(stage);
+    stage.filler->fraction = number_after(message, "should pack, and so should a fraction of ");
+    EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+  }
+}
+
+TEST(PackingAdvice, TheCellsThatAreNamedPackWhereTheGapFollowsTheGrid) {
+  auto stage = box(120e-6, 0.35, 50e-6);
+  stage.filler->gap_source = GapSource::points;
+  const auto message = message_on(stage);
+  EXPECT_THAT(message, HasSubstr("gap of 50 um (3 cells of 16.7 um, from 6 points)"));
+  stage.cells = static_cast<int>(number_after(message, "(cells = "));
+  EXPECT_GT(stage.cells, 60);
+  stage.filler->gap = 3.0 * stage.cell_size();
+  EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+}
+
+TEST(PackingAdvice, ALengthIsNotDerivedFromTheGrid) {
+  EXPECT_THAT(message_on(box(120e-6, 0.44, 60e-6)), AllOf(HasSubstr("at a fraction of 0.44 with a gap of 60 um (3.6 "
+                                                                    "cells of 16.7 um) cannot be packed"),
+                                                          Not(HasSubstr("cells = "))));
+}
+
+TEST(PackingAdvice, WithoutAGapAFractionAloneIsNamed) {
+  auto stage = box(50e-6, 0.88, 0.0);
+  const auto message = message_on(stage);
+  EXPECT_THAT(message, AllOf(HasSubstr("with no gap between them jam: they would fill"), Not(HasSubstr("or less ("))));
+  stage.filler->fraction = number_after(message, "; a fraction of ");
+  EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
+}
+
+// Between the walls 100 um are left for two gaps.
+TEST(PackingAdvice, AParticleThatDoesNotFit) {
+  auto stage = box(0.9e-3, 0.35, 0.2e-3);
+  stage.filler->sizes = ListedSizes{{0.9e-3}};
+  stage.filler->fraction.reset();
+  const auto message = message_on(stage);
+  EXPECT_THAT(message, HasSubstr("a particle of 900 um that keeps a gap of 200 um"));
+  const double gap = number_after(message, "; a gap of ");
+  EXPECT_GE(gap, 49.0);
+  EXPECT_LE(gap, 50.0);
+  stage.filler->gap = 1e-6 * gap;
+  EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage)));
+}
+
+}  // namespace
+}  // namespace breccia

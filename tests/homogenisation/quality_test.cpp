@@ -1,0 +1,116 @@
+#include "breccia/homogenisation/quality.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A test whose modulus is constant.
+TestResult constant(Boundary boundary, TestGrid grid, double modulus, double last_time = 1.0) {
+  TestResult test{.id = {.boundary = boundary, .grid = grid}};
+  for (const double time : logarithmic_times({0.01, last_time}, 20)) test.modulus.push_back({time, modulus});
+  return test;
+}
+
+TestResult extrapolated(Boundary boundary, double modulus, double half_band) {
+  auto test = constant(boundary, TestGrid::extrapolated(), modulus);
+  test.record = ExtrapolationRecord{{50, 100}, std::vector<double>(test.modulus.size(), half_band)};
+  return test;
+}
+
+Stage random_stage() {
+  Filler filler;
+  filler.fraction = 0.35;
+  filler.packing = LubachevskyStillingerPacking{};
+  return {.name = "A", .matrix = Material{}, .side = 1e-3, .cells = 100, .coarser_cells = {}, .filler = filler};
+}
+
+StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40) {
+  StageResult result;
+  result.name = "A";
+  result.microstructure.fraction = 0.351;
+  result.microstructure.gap = 5e-5;
+  result.microstructure.wall_gap = 3e-5;
+  result.microstructure.microstructure.discs.resize(particles, Disc{{5e-4, 5e-4}, 1e-5});
+  result.tests = std::move(tests);
+  return result;
+}
+
+TEST(Quality, TellsTheDistanceOfTheBounds) {
+  const auto quality = quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 118.0),
+                                                             constant(Boundary::traction, TestGrid(100), 100.0)}));
+  ASSERT_EQ(quality.loads.size(), 1U);
+  ASSERT_EQ(quality.loads[0].times.size(), 3U) << "0.01, 0.1 and 1 s";
+  EXPECT_NEAR(*quality.loads[0].times[1].distance(), 0.18, 1e-12);
+  EXPECT_FALSE(quality.loads[0].times[1].grid_half_band);
+  EXPECT_NEAR(quality.gap_cells, 3.0, 1e-12) << "that to the wall is the narrowest";
+  EXPECT_EQ(summary_of(quality),
+            "bounds 18 % apart at 10 ms, 18 % at 1 s; grid: one grid, error unknown (give cells = [100, 200]); "
+            "narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)");
+}
+
+TEST(Quality, TellsAFactorWhereBoundsAreFarApart) {
+  const auto summary =
+      summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 30.0),
+                                                       constant(Boundary::traction, TestGrid(100), 2.0)})));
+  EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
+}
+
+TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
+  auto stage = random_stage();
+  stage.coarser_cells = {50};
+  const auto quality = quality_of(
+      stage,
+      result_of({constant(Boundary::displacement, TestGrid(50), 140.0),
+                 constant(Boundary::displacement, TestGrid(100), 130.0),
+                 extrapolated(Boundary::displacement, 120.0, 6.0), constant(Boundary::traction, TestGrid(50), 110.0),
+                 constant(Boundary::traction, TestGrid(100), 105.0), extrapolated(Boundary::traction, 100.0, 2.0)}));
+  EXPECT_NEAR(*quality.loads.at(0).times.front().distance(), 0.2, 1e-12);
+  EXPECT_EQ(quality.loads.at(0).times.front().grid_half_band, 6.0);
+  EXPECT_THAT(quality.grids, ElementsAre(50, 100));
+  EXPECT_THAT(summary_of(quality), HasSubstr("grid: error up to 6 %;")) << "of the lower one, to be safe";
+}
+
+TEST(Quality, SaysWhatIsUnknown) {
+  auto stage = random_stage();
+  stage.filler->packing = RegularPacking{};
+  stage.matrix = EarlierStage{"fine"};
+  const auto upper = summary_of(quality_of(stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
+  EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
+  EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine come on top"));
+  EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
+  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("bounds: not tested"));
+  EXPECT_EQ(summary_of(quality_of(stage, result_of({}, 0))), "") << "without particles";
+}
+
+TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
+  const auto bounds = bounds_of_tests(result_of({constant(Boundary::displacement, TestGrid(100), 2.0, 10.0),
+                                                 constant(Boundary::traction, TestGrid(100), 1.0, 1.0)}));
+  EXPECT_EQ(bounds.at(0).times.back().time, 1.0);
+}
+
+TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
+  const auto stage = random_stage();
+  auto packed = result_of({}, 30).microstructure;
+  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
+  packed.microstructure.discs.resize(29);
+  EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
+  packed = result_of({}, 30).microstructure;
+  packed.fraction = 0.377;
+  EXPECT_THAT(warnings_on_packing(stage, packed),
+              ElementsAre(HasSubstr("fill 37.7 % of the box where 35 % were asked for")));
+  auto regular = stage;
+  regular.filler->packing = RegularPacking{};
+  packed = result_of({}, 4).microstructure;
+  EXPECT_THAT(warnings_on_packing(regular, packed), IsEmpty());
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,202 @@
+#include "breccia/homogenisation/stage_microstructure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using std::numbers::pi;
+using testing::AllOf;
+using testing::DoubleEq;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A box of 10 mm with 200 cells of 50 um.
+Stage box(std::optional<Filler> filler = std::nullopt) {
+  return {.name = "A", .matrix = {}, .side = 10e-3, .cells = 200, .filler = std::move(filler)};
+}
+
+Filler regular(double diameter, int columns, int rows) {
+  Filler filler;
+  filler.sizes = SingleSize{diameter};
+  filler.packing = RegularPacking{columns, rows};
+  return filler;
+}
+
+Filler listed(const std::vector<Disc>& discs) {
+  Filler filler;
+  filler.packing = ExplicitPacking{"discs.csv", discs};
+  return filler;
+}
+
+Filler random(Sizes sizes, std::optional<double> fraction, Walls walls = Walls::hard, std::uint64_t seed = 1) {
+  Filler filler;
+  filler.fraction = fraction;
+  filler.sizes = std::move(sizes);
+  filler.gap = 0.15e-3;
+  filler.packing = LubachevskyStillingerPacking{walls, seed};
+  return filler;
+}
+
+std::vector<double> diameters(const StageMicrostructure& packed) {
+  std::vector<double> all;
+  for (const auto& disc : packed.microstructure.discs) all.push_back(disc.diameter);
+  return all;
+}
+
+double largest_area_share(const StageMicrostructure& packed, double fraction) {
+  const double largest = std::ranges::max(diameters(packed));
+  return pi / 4.0 * largest * largest / (fraction * packed.microstructure.side * packed.microstructure.side);
+}
+
+TEST(MakeMicrostructure, EmptyBox) {
+  const auto packed = make_microstructure(box());
+  EXPECT_EQ(packed.microstructure.side, 10e-3);
+  EXPECT_THAT(packed.microstructure.discs, IsEmpty());
+  EXPECT_EQ(packed.fraction, 0.0);
+  EXPECT_EQ(packed.interface_per_area, 0.0);
+  EXPECT_EQ(packed.gap, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(packed.size_deviation);
+}
+
+TEST(MakeMicrostructure, RegularPacking) {
+  const auto packed = make_microstructure(box(regular(2e-3, 4, 2)));
+  EXPECT_EQ(packed.microstructure.discs.size(), 8U);
+  EXPECT_THAT(packed.microstructure.discs[1].centre, ElementsAre(DoubleEq(3.75e-3), DoubleEq(2.5e-3)));
+  EXPECT_NEAR(packed.fraction, 8.0 * pi / 100.0, 1e-12);
+  EXPECT_NEAR(packed.interface_per_area, 8.0 * pi * 2e-3 / 1e-4, 1e-9);
+  EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
+  EXPECT_EQ(packed.events, 0U);
+}
+
+TEST(MakeMicrostructure, ExplicitPackingIsTakenOver) {
+  const std::vector<Disc> discs{{{2e-3, 2e-3}, 2e-3}, {{5e-3, 2e-3}, 3e-3}};
+  const auto packed = make_microstructure(box(listed(discs)));
+  EXPECT_EQ(packed.microstructure.discs, discs);
+  EXPECT_EQ(packed.microstructure.walls, Walls::hard);
+  EXPECT_NEAR(packed.fraction, pi / 4.0 * (4.0 + 9.0) / 100.0, 1e-12);
+  EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
+}
+
+TEST(MakeMicrostructure, ExplicitDiscsMustNotOverlap) {
+  const auto stage = box(listed({{{2e-3, 2e-3}, 2e-3}, {{3e-3, 2e-3}, 2e-3}}));
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(make_microstructure(stage)); }),
+              HasSubstr("overlap by 0.001 m"));
+}
+
+TEST(MakeMicrostructure, ExplicitDiscsGoOnBeyondTheSidesOfAPeriodicBox) {
+  auto filler = listed({{{0.5e-3, 5e-3}, 2e-3}, {{8e-3, 5e-3}, 2e-3}});
+  std::get<ExplicitPacking>(filler.packing).walls = Walls::periodic;
+  const auto packed = make_microstructure(box(filler));
+  EXPECT_EQ(packed.microstructure.walls, Walls::periodic);
+  EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12) << "across the side";
+  EXPECT_NEAR(packed.fraction, 2.0 * pi / 100.0, 1e-12);
+  EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
+}
+
+TEST(MakeMicrostructure, ListedSizesArePackedAsTheyAre) {
+  const std::vector<double> sizes{3e-3, 1e-3, 2e-3, 1e-3};
+  const auto packed = make_microstructure(box(random(ListedSizes{sizes}, std::nullopt)));
+  EXPECT_THAT(diameters(packed), testing::UnorderedElementsAreArray(sizes));
+  EXPECT_NEAR(packed.fraction, pi / 4.0 * (9.0 + 1.0 + 4.0 + 1.0) / 100.0, 1e-12);
+  EXPECT_GE(packed.gap, 0.15e-3);
+  EXPECT_FALSE(packed.size_deviation);
+  EXPECT_GT(packed.events, 0U);
+}
+
+TEST(MakeMicrostructure, OneSizeFillsTheFractionWithinOneParticle) {
+  const auto packed = make_microstructure(box(random(SingleSize{1e-3}, 0.5)));
+  EXPECT_THAT(diameters(packed), testing::Each(1e-3));
+  EXPECT_NEAR(packed.fraction, 0.5, pi / 4.0 / 100.0);
+  EXPECT_NEAR(packed.size_deviation.value(), 0.0, 1e-12);
+}
+
+TEST(MakeMicrostructure, DistributionsAreMetWithinOneParticle) {
+  auto lognormal = random(LognormalSizes{{{0.7, 1e-3, 0.5}, {0.3, 0.5e-3, 0.3}}}, 0.5);
+  lognormal.smallest = 0.3e-3;
+  lognormal.largest = 2e-3;
+  auto table =
+      random(TabulatedSizes{"sizes.csv", {0.2e-3, 0.5e-3, 1e-3, 3e-3}, {0.0, 0.2, 0.6, 1.0}}, 0.5, Walls::periodic);
+  table.smallest = 0.3e-3;
+  table.largest = 2e-3;
+  for (const auto& filler : {lognormal, table}) {
+    const auto packed = make_microstructure(box(filler));
+    const double one_particle = largest_area_share(packed, 0.5);
+    EXPECT_THAT(diameters(packed), testing::Each(AllOf(testing::Ge(0.3e-3), testing::Le(2e-3))));
+    EXPECT_LE(packed.size_deviation.value(), one_particle);
+    EXPECT_NEAR(packed.fraction / 0.5, 1.0, one_particle);
+    EXPECT_GE(packed.gap, 0.15e-3);
+    EXPECT_EQ(packed.microstructure.walls, std::get<LubachevskyStillingerPacking>(filler.packing).walls);
+  }
+}
+
+TEST(MakeMicrostructure, TheSeedDecidesWhereParticlesAre) {
+  const auto first = make_microstructure(box(random(SingleSize{1e-3}, 0.4)));
+  EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).microstructure.discs, first.microstructure.discs);
+  EXPECT_NE(make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).microstructure.discs,
+            first.microstructure.discs);
+}
+
+TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
+  const auto message = test::message_of<NumericalError>(
+      [] { static_cast<void>(make_microstructure(box(random(SingleSize{1e-3}, 0.85)))); });
+  EXPECT_THAT(message,
+              AllOf(HasSubstr("A: 108 particles of 1 mm at a fraction of 0.85 with a gap of 150 um (3 cells of 50 um)"),
+                    HasSubstr("cannot be packed")));
+}
+
+/// As a run makes it that is cut off after every part of it. Counts the interruptions.
+StageMicrostructure make_bit_by_bit(const Stage& stage, int& interruptions) {
+  const test::TemporaryDirectory directory;
+  const CheckpointSchedule always_ending = {.stop = [] { return true; }};
+  for (interruptions = 0; interruptions < 1000; ++interruptions) {
+    Checkpoint checkpoint(directory.path() / "packing.checkpoint.h5", {"deck", "1.0"}, always_ending);
+    EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
+    try {
+      return make_microstructure(stage, {}, &checkpoint);
+    } catch (const Interrupted&) {
+      EXPECT_THROW(read_stage_microstructure(StateReader(directory.path() / "packing.checkpoint.h5")), FileError)
+          << "no discs before the packing is done";
+    }
+  }
+  ADD_FAILURE() << "never done";
+  return {};
+}
+
+TEST(MakeMicrostructure, GoesOnWhereItWasInterrupted) {
+  const auto stage = box(random(SingleSize{1e-3}, 0.5));
+  const auto whole = make_microstructure(stage);
+  int interruptions = 0;
+  const auto packed = make_bit_by_bit(stage, interruptions);
+  EXPECT_GT(interruptions, 3);
+  EXPECT_EQ(packed.microstructure.discs, whole.microstructure.discs);
+  EXPECT_EQ(packed.events, whole.events);
+  EXPECT_EQ(packed.size_deviation, whole.size_deviation);
+}
+
+TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
+  const test::TemporaryDirectory directory;
+  Checkpoint checkpoint(directory.path() / "packing.checkpoint.h5", {"deck", "1.0"}, {});
+  const auto stage = box(random(SingleSize{1e-3}, 0.5));
+  const auto packed = make_microstructure(stage, {}, &checkpoint);
+  EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
+  const auto again = make_microstructure(
+      stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
+  EXPECT_EQ(again.microstructure.discs, packed.microstructure.discs);
+  EXPECT_EQ(again.gap, packed.gap);
+}
+
+}  // namespace
+}  // namespace breccia

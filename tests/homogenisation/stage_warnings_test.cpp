@@ -1,0 +1,159 @@
+#include "breccia/homogenisation/stage_warnings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+const Material resin{.name = "resin", .density = 1.0, .bulk = PronySeries(4.0), .shear = PronySeries(1.0)};
+
+const Material glass{.name = "glass", .density = 2.0, .bulk = PronySeries(5.0), .shear = PronySeries(3.0)};
+
+/// A box of 10 mm with 200 cells of 50 um and two discs.
+Stage two_discs(double gap) {
+  Filler filler;
+  filler.material = glass;
+  filler.packing = ExplicitPacking{"discs.csv", {{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}};
+  return {.name = "A", .matrix = resin, .side = 10e-3, .cells = 200, .filler = std::move(filler)};
+}
+
+Study within(double first_time, double last_time) {
+  Study study;
+  study.tests.first_time = first_time;
+  study.tests.last_time = last_time;
+  return study;
+}
+
+std::vector<std::string> warnings(const Stage& stage, const Study& study = within(1.0, 2.0)) {
+  return warnings_on(study, stage, make_microstructure(stage));
+}
+
+TEST(StageWarnings, OfGapsBelowThreeCells) {
+  EXPECT_THAT(warnings(two_discs(0.15e-3)), IsEmpty()) << "three cells";
+  EXPECT_THAT(warnings(two_discs(0.1e-3)),
+              ElementsAre(AllOf(HasSubstr("A: the smallest gap between particles or to a wall, 100 um, is 2 cells"),
+                                HasSubstr("(cells = 300 would resolve it)"))));
+  EXPECT_THAT(warnings(two_discs(0.0)), ElementsAre(Not(HasSubstr("would resolve it")))) << "no number of cells does";
+}
+
+TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
+  auto stage = two_discs(0.15e-3);
+  auto& shear = std::get<Material>(stage.matrix).shear;
+  shear = PronySeries(0.0, {{1e-3, 1.0}, {1.0, 1.0}});
+  EXPECT_THAT(warnings(stage, within(1e-4, 10.0)), IsEmpty());
+  EXPECT_THAT(warnings(stage, within(1e-5, 1.0)),
+              ElementsAre(AllOf(HasSubstr("A: times reach from 10 us to 1 s"), HasSubstr("resin, from 1 ms to 1 s"))));
+  EXPECT_THAT(warnings(stage, within(1.0, 100.0)), ElementsAre(HasSubstr("times reach from 1 s to 100 s")));
+  shear = PronySeries(0.0, {{1e-3, 1.0}});
+  EXPECT_THAT(warnings(stage, within(1.0, 100.0)), IsEmpty()) << "a model with one term";
+}
+
+TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
+  auto study = within(1.0, 100.0);
+  study.stages = {two_discs(1e-3)};
+  study.stages[0].name = "small";
+  study.stages[0].filler.reset();
+  auto stage = two_discs(0.15e-3);
+  stage.matrix = EarlierStage{"small"};
+  EXPECT_THAT(warnings(stage, study), Each(Not(HasSubstr("times reach"))));
+}
+
+// In a study within which a stage of these discs is built on another.
+std::vector<std::string> warnings_on_second(const std::vector<Disc>& first, const std::vector<Disc>& second) {
+  auto study = within(1.0, 2.0);
+  study.stages = {two_discs(1e-3), two_discs(1e-3)};
+  study.stages[0].name = "small";
+  study.stages[1].matrix = EarlierStage{"small"};
+  std::get<ExplicitPacking>(study.stages[0].filler->packing).discs = first;
+  std::get<ExplicitPacking>(study.stages[1].filler->packing).discs = second;
+  return warnings(study.stages[1], study);
+}
+
+TEST(StageWarnings, OfSizesThatAreNotSeparate) {
+  const std::vector<Disc> small = {{{5e-3, 5e-3}, 0.4e-3}, {{7e-3, 5e-3}, 0.2e-3}};
+  EXPECT_THAT(warnings_on_second(small, {{{3e-3, 5e-3}, 2e-3}, {{7e-3, 5e-3}, 3e-3}}), IsEmpty()) << "five times";
+  EXPECT_THAT(
+      warnings_on_second(small, {{{3e-3, 5e-3}, 1.6e-3}, {{7e-3, 5e-3}, 3e-3}}),
+      ElementsAre(AllOf(HasSubstr("A: its smallest particles, 1.6 mm, are only 4 times as wide as the largest of "
+                                  "its matrix small, 400 um"),
+                        HasSubstr("Separation of sizes"), Not(HasSubstr("narrower")))));
+  EXPECT_THAT(warnings_on_second(small, {{{3e-3, 5e-3}, 2e-3}, {{5.3e-3, 5e-3}, 2e-3}}),
+              ElementsAre(AllOf(HasSubstr("A: its smallest gap, 300 um, is narrower than the largest of its matrix"),
+                                Not(HasSubstr("times as wide")))));
+  EXPECT_THAT(warnings_on_second(small, {{{5e-3, 5e-3}, 0.4e-3}}),
+              ElementsAre(HasSubstr("are no wider than the largest of its matrix small, 400 um")))
+      << "aluminium and ammonium perchlorate of one size";
+}
+
+TEST(StageWarnings, OfStagesInTheWrongOrder) {
+  EXPECT_THAT(
+      warnings_on_second({{{5e-3, 5e-3}, 2e-3}}, {{{5e-3, 5e-3}, 1e-3}}),
+      ElementsAre(AllOf(HasSubstr("A: its particles, up to 1 mm, are smaller than those of its matrix small, up "
+                                  "to 2 mm: the stages are in the wrong order"))));
+}
+
+// K = 2/3 G is a Poisson's ratio of zero.
+TEST(StageWarnings, OfPoissonsRatios) {
+  const auto warnings_of = [](const PronySeries& bulk, const PronySeries& shear) {
+    auto stage = two_discs(0.15e-3);
+    stage.matrix = Material{"resin", 1.0, bulk, shear};
+    stage.filler->material = {"glass", 1.0, PronySeries(1e6), PronySeries(1e6)};
+    return warnings(stage);
+  };
+  EXPECT_THAT(warnings_of(PronySeries(2.0), PronySeries(2.99)), IsEmpty());
+  EXPECT_THAT(warnings_of(PronySeries(2.0), PronySeries(3.01)),
+              ElementsAre(AllOf(HasSubstr("resin: Poisson's ratio is -0.00"), HasSubstr("bulk 2 Pa, shear 3.01 Pa"),
+                                HasSubstr("are the units right?"))));
+  EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(1.0)),
+              ElementsAre(HasSubstr("Poisson's ratio is 0.499995 before it relaxes")));
+  EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(1.0, {{0.1, 1e6}})), IsEmpty()) << "a binder that relaxes";
+  EXPECT_THAT(warnings_of(PronySeries(1e5), PronySeries(0.0, {{1e-6, 1e5}})), IsEmpty()) << "one that has relaxed";
+}
+
+TEST(StageWarnings, OfAMaterialStandOnce) {
+  auto study = within(1.0, 2.0);
+  study.stages = {two_discs(1e-3), two_discs(1e-3)};
+  study.stages[1].name = "B";
+  for (auto& stage : study.stages) stage.matrix = Material{"resin", 1.0, PronySeries(0.1), PronySeries(1.0)};
+  EXPECT_THAT(warnings(study.stages[0], study), ElementsAre(HasSubstr("resin: Poisson's ratio")));
+  EXPECT_THAT(warnings(study.stages[1], study), IsEmpty());
+}
+
+TEST(StageWarnings, OfAFillerSofterThanItsBinder) {
+  auto stage = two_discs(0.15e-3);
+  stage.filler->material.shear = PronySeries(0.9);
+  EXPECT_THAT(warnings(stage), ElementsAre(HasSubstr("A: the filler, glass, is softer than the binder, resin: shear "
+                                                     "modulus 900 mPa against 1 Pa at 1 s")));
+  stage.filler->material.shear = PronySeries(1.0);
+  stage.filler->material.bulk = PronySeries(3.9);
+  EXPECT_THAT(warnings(stage), ElementsAre(HasSubstr("bulk modulus 3.9 Pa against 4 Pa")));
+}
+
+TEST(StageWarnings, OfBoundsThatCutParticles) {
+  auto stage = two_discs(1e-3);
+  auto study = within(1.0, 2.0);
+  auto& packing = std::get<ExplicitPacking>(stage.filler->packing);
+  packing.walls = Walls::periodic;
+  EXPECT_THAT(warnings(stage, study), IsEmpty()) << "no disc crosses a side";
+  packing.discs[0].centre[1] = 0.9e-3;
+  EXPECT_THAT(warnings(stage, study), ElementsAre(HasSubstr("which cut the particles")));
+  study.tests.boundaries = {Boundary::periodic};
+  EXPECT_THAT(warnings(stage, study), IsEmpty());
+}
+
+TEST(StageWarnings, OfTheDeckComeWithTheOthers) {
+  auto stage = two_discs(0.15e-3);
+  stage.warnings = {"the gap follows the grid"};
+  EXPECT_THAT(warnings(stage), ElementsAre("A: the gap follows the grid"));
+}
+
+}  // namespace
+}  // namespace breccia

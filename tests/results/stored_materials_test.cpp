@@ -1,0 +1,72 @@
+#include "breccia/results/stored_materials.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string binder = R"({"name": "binder", "density_kg_per_m3": 1000.0,
+  "bulk": {"equilibrium_Pa": 2e9, "terms": []},
+  "shear": {"equilibrium_Pa": 0.0, "terms": [{"relaxation_time_s": 3.0, "modulus_Pa": 1e6}]})";
+const std::string law =
+    R"(, "temperature_shift": {"c1": 10.0, "c2_K": 100.0, "reference_K": 300.0, "temperature_K": 320.0})";
+
+class StoredMaterialsTest : public testing::Test {
+ protected:
+  [[nodiscard]] StoredMaterials read(const std::string& materials) const {
+    directory.write("study.json", R"({"hash": "0123", "materials": [)" + materials + "]}");
+    return read_stored_materials(directory.path());
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(StoredMaterialsTest, AreShiftedFromTheTemperatureOfTheStudy) {
+  const auto stored = read(binder + law + "}");
+  EXPECT_EQ(stored.deck_hash, "0123");
+  ASSERT_EQ(stored.materials.size(), 1U);
+  // log10 a_T is -10 x 20 / 120 at 320 K and 10 x 20 / 80 at 280 K.
+  const auto cold = at_temperature(stored.materials.front(), 280.0);
+  ASSERT_EQ(cold.shear.terms().size(), 1U);
+  EXPECT_NEAR(std::log10(cold.shear.terms().front().relaxation_time / 3.0), 200.0 / 80.0 + 200.0 / 120.0, 1e-12);
+  EXPECT_EQ(cold.shear.terms().front().modulus, 1e6);
+  EXPECT_EQ(at_temperature(stored.materials.front(), 320.0), stored.materials.front().material);
+}
+
+TEST_F(StoredMaterialsTest, NeedALawWhereTheyRelaxAndATemperatureWithinIt) {
+  const auto without = read(binder + "}").materials.front();
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(without, 280.0)); }),
+              HasSubstr("binder has no temperature_shift in the deck"));
+  const auto with = read(binder + law + "}").materials.front();
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(with, 200.0)); }),
+              HasSubstr("the WLF law has no meaning at or below"));
+  auto elastic = without;
+  elastic.material.shear = PronySeries(1e6);
+  EXPECT_EQ(at_temperature(elastic, 280.0), elastic.material);
+}
+
+TEST_F(StoredMaterialsTest, RefuseWhatTheProgramHasNotWritten) {
+  for (const auto* materials :
+       {"1", R"({"name": 1})",
+        R"({"name": "a", "density_kg_per_m3": 1, "bulk": {"equilibrium_Pa": -1, "terms": []}})"}) {
+    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read(materials)); }),
+                HasSubstr("not as `breccia run` writes it"))
+        << materials;
+  }
+  directory.write("study.json", "[");
+  EXPECT_THROW(static_cast<void>(read_stored_materials(directory.path())), FileError);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,102 @@
+// What an earlier run has left, damaged or not of this program.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/results/sweep_result.hpp"
+
+#include "messages.hpp"
+#include "results/report_data.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+
+class StoredResults : public testing::Test {
+ protected:
+  [[nodiscard]] std::string refusal_of_curve(const std::string& row) const {
+    directory.write("curves.csv", "stage,load,boundary,method,cells,time_s,modulus_Pa\n" + row + "\n");
+    return test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); });
+  }
+  [[nodiscard]] std::string refusal_of_study(const std::string& json) const {
+    directory.write("study.json", json);
+    return test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); });
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(StoredResults, CurvesAreOfGridsAndHaveNumbers) {
+  directory.write("curves.csv",
+                  "stage,load,boundary,method,cells,time_s,modulus_Pa\n"
+                  "A,shear,traction,quasistatic,12,1,2\nA,shear,traction,quasistatic,extrapolated,1,3\n");
+  EXPECT_EQ(read_curves(directory.path()).size(), 2U);
+  for (const auto* row : {"A,shear,traction,quasistatic,many,1,1", "A,shear,traction,quasistatic,99999999999,1,1",
+                          "A,shear,traction,quasistatic,12,0,1", "A,shear,traction,quasistatic,12,inf,1",
+                          "A,shear,traction,quasistatic,12,1,inf"}) {
+    EXPECT_THAT(refusal_of_curve(row), HasSubstr("curves.csv:2: not as `breccia run` writes it")) << row;
+  }
+}
+
+TEST_F(StoredResults, ARecordNamesGridsByIntegers) {
+  EXPECT_THAT(refusal_of_study(R"({"title": "", "hash": "", "stages": [{"name": "A", "tests": [
+                               {"load": "shear", "boundary": "traction", "cells": 1e300, "time_domains": [1]}]}]})"),
+              HasSubstr("study.json: not as `breccia run` writes it"));
+}
+
+TEST_F(StoredResults, ANameThatNoFileCanHaveIsOfNone) {
+  const std::string name(300, 'a');
+  directory.write("study.json", R"({"title": "t", "hash": "", "stages": [{"name": ")" + name + R"(", "tests": []}]})");
+  EXPECT_EQ(study_page_data(directory.path()).title, "t");
+}
+
+/// A study.json with one stage: its name and its one test.
+std::string study_of(const std::string& stage, const std::string& test) {
+  return R"({"title": "t", "hash": "", "stages": [{"name": ")" + stage + R"(", "tests": [)" + test + "]}]}";
+}
+
+// A study.json from elsewhere must not make the page embed what its reader alone may read.
+TEST_F(StoredResults, NamesThatLeadOutOfTheResultsAreRefused) {
+  directory.write("microstructure.svg", "secret");
+  directory.write("x-stress.svg", "secret");
+  for (const auto* name : {"../A", "/etc", "A/..", "..", ".", "", "-A", R"(A\\B)"}) {
+    EXPECT_THAT(refusal_of_study(study_of(name, "")), HasSubstr("is not a name that `breccia run` gives")) << name;
+  }
+  for (const auto* picture : {"/etc/passwd", "../x-stress.svg", "fields/../../x-stress.svg", "microstructure.svg"}) {
+    const auto test = R"({"fields": [{"stress_picture": ")" + std::string(picture) + R"(", "strain_picture": ""}]})";
+    EXPECT_THAT(refusal_of_study(study_of("A", test)), HasSubstr("is not a name that `breccia run` gives")) << picture;
+  }
+  EXPECT_THAT(refusal_of_study(study_of("A", R"({"load": "../x", "boundary": "b", "cells": 8, "time_domains": [1]})")),
+              HasSubstr("\"../x-b-dynamic-8-1.h5\" is not a name that `breccia run` gives"));
+  directory.write("sweep.json", R"({"title": "", "keys": [], "tasks": [{"state": "done", "name": "../other"}]})");
+  EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(sweep_page_data(directory.path())); }),
+              HasSubstr("sweep.json: \"../other\" is not a name that `breccia run` gives to a task"));
+}
+
+TEST_F(StoredResults, TablesReachThePageAsTheyAre) {
+  directory.write("study.json", R"({"title": "t", "hash": "", "stages": []})");
+  directory.write("comparison.csv",
+                  "measurement,stage,boundary,method,cells,time_s,modulus_Pa,measured_Pa,ratio\n"
+                  "\"Bennett et al., \"\"1998\"\" </script>\",A,displacement,quasistatic,12,0.1,2,4,0.5\n");
+  directory.write("prony.csv", "stage,load,boundary,relaxation_time_s,modulus_Pa\nA,shear,displacement,inf,3\n");
+  const auto tables = nlohmann::json::parse(study_page_data(directory.path()).json).at("tables");
+  const auto& comparison = tables.at("comparison.csv");
+  EXPECT_EQ(comparison.at("measurement"), nlohmann::json({"Bennett et al., \"1998\" </script>"}));
+  EXPECT_EQ(comparison.at("cells"), nlohmann::json({"12"}));
+  EXPECT_EQ(comparison.at("time_s"), nlohmann::json({0.1}));
+  EXPECT_EQ(tables.at("prony.csv").at("relaxation_time_s"), nlohmann::json({"inf"})) << "JSON has no infinity";
+  EXPECT_FALSE(tables.contains("curves.csv"));
+}
+
+TEST_F(StoredResults, ADamagedTableIsRefused) {
+  directory.write("study.json", R"({"title": "t", "hash": "", "stages": []})");
+  directory.write("prony.csv", "stage,load,boundary,relaxation_time_s,modulus_Pa\nA,shear,displacement,1\n");
+  EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); }),
+              HasSubstr("prony.csv:2: expected 5 values"));
+}
+
+}  // namespace
+}  // namespace breccia

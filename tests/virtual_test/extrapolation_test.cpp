@@ -1,0 +1,51 @@
+#include "breccia/virtual_test/extrapolation.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+Extrapolated extrapolated(const std::vector<double>& sides, const std::vector<double>& values) {
+  return extrapolate(sides, values);
+}
+
+TEST(Extrapolation, TakesOutAnErrorOfFirstOrder) {
+  const auto value = [](double h) { return 3.0 + 0.4 * h; };
+  const auto two = extrapolated({0.2, 0.1}, {value(0.2), value(0.1)});
+  EXPECT_NEAR(two.value, 3.0, 1e-14);
+  EXPECT_NEAR(two.half_band, 0.5 * 0.04, 1e-14);
+  const auto three = extrapolated({0.3, 0.2, 0.1}, {value(0.3), value(0.2), value(0.1)});
+  EXPECT_NEAR(three.value, 3.0, 1e-14);
+  // Grids that agree by chance are not believed beyond a quarter of the correction.
+  EXPECT_NEAR(three.half_band, 0.25 * 0.04, 1e-14);
+}
+
+TEST(Extrapolation, ThreeGridsMeasureWhatIsLeft) {
+  const auto value = [](double h) { return 3.0 + 0.4 * h + 0.5 * h * h; };
+  const auto three = extrapolated({0.4, 0.2, 0.1}, {value(0.4), value(0.2), value(0.1)});
+  // Linear through h and 2h: the limit is off by -2 h^2 / 2.
+  EXPECT_NEAR(three.value, 3.0 - 0.5 * 2.0 * 0.01, 1e-13);
+  EXPECT_NEAR(three.half_band, 0.5 * 2.0 * (0.04 - 0.01), 1e-13);
+}
+
+TEST(Extrapolation, ModelComposite) {
+  // Averaged points right after the step [MPa]; grids of 100 and 200 cells, the limit known to be about 0.8746.
+  const auto limit = extrapolated({6.0 / 100, 6.0 / 200}, {0.90167, 0.88841});
+  EXPECT_NEAR(limit.value, 0.87515, 1e-5);
+  EXPECT_LT(std::abs(limit.value - 0.8746), limit.half_band);
+}
+
+TEST(Extrapolation, RefusesOtherNumbersOfGrids) {
+  EXPECT_THROW(extrapolated({0.1}, {1.0}), InputError);
+  EXPECT_THROW(extrapolated({0.1, 0.2}, {1.0, 1.0}), InputError);
+  EXPECT_THROW(extrapolated({0.4, 0.3, 0.2, 0.1}, {1.0, 1.0, 1.0, 1.0}), InputError);
+  EXPECT_THROW(extrapolated({0.2, 0.1}, {1.0}), InputError);
+}
+
+}  // namespace
+}  // namespace breccia
