@@ -33,13 +33,13 @@ SizeDistribution lognormal(double from, double to) {
 
 Case sized(std::string name, const SizeDistribution& sizes, double fraction, double side, double gap,
            Walls walls = Walls::hard) {
-  return {std::move(name), {side, walls, draw_diameters(sizes, fraction, side), gap}};
+  return {std::move(name), {side, walls, draw_diameters<2>(sizes, fraction, side), gap}};
 }
 
 /// A box for about `count` discs of these sizes, without a gap.
 Case counted(std::string name, const SizeDistribution& sizes, double fraction, std::size_t count, Walls walls) {
   constexpr double trial_side = 1e-3;
-  const double trial_count = static_cast<double>(draw_diameters(sizes, fraction, trial_side).size());
+  const double trial_count = static_cast<double>(draw_diameters<2>(sizes, fraction, trial_side).size());
   const double side = trial_side * std::sqrt(static_cast<double>(count) / trial_count);
   return sized(std::move(name), sizes, fraction, side, 0.0, walls);
 }

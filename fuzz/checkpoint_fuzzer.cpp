@@ -6,16 +6,17 @@
 #include <stdexcept>
 
 #include "breccia/checkpoint/state.hpp"
+#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 
 #include "homogenisation/packing_state.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "virtual_test/dynamic_state.hpp"
-#include "virtual_test/quasistatic_state.hpp"
 
 namespace {
 
@@ -51,7 +52,7 @@ void go_on_packing(const StateReader& state, Walls walls) {
   PackingRun<2> run({1e-3, walls, {1e-4, 2e-4}}, read_packing_state(state));
   try {
     for (int epoch = 0; epoch < 20 && !run.is_done(); ++epoch) run.advance();
-    if (run.is_done()) require_valid({1e-3, walls, run.packing().balls});
+    if (run.is_done()) require_valid<2>({1e-3, walls, run.packing().balls});
   } catch (const NumericalError&) {
     // They may jam.
   } catch (const InputError& error) {
@@ -60,7 +61,7 @@ void go_on_packing(const StateReader& state, Walls walls) {
 }
 
 void read_all(const StateReader& state) {
-  static const Discretisation two_cells({2, 1, 1e-3});
+  static const Discretisation<2> two_cells(Grid<2>{{2, 1}, 1e-3});
   const auto read = [](const auto& action) { fuzz::allow_refusal([&] { static_cast<void>(action()); }); };
   read([&] { return read_stage_microstructure(state); });
   read([&] { return read_quasistatic_result(state); });

@@ -65,8 +65,8 @@ class KernelRun {
 
   Clock clock_;
   KernelTiming timing_;
-  std::unique_ptr<DynamicSolver> solver_;
-  std::vector<Averages> averages_;
+  std::unique_ptr<DynamicSolver<2>> solver_;
+  std::vector<Averages<2>> averages_;
   int steps_ = 1;
 };
 

@@ -11,7 +11,7 @@ namespace breccia::benchmark {
 namespace {
 
 /// In a box of 1 m.
-Microstructure packed_box() {
+Microstructure<2> packed_box() {
   constexpr int discs = 200;
   PackingRequest request;
   request.side = 1.0;
@@ -22,14 +22,14 @@ Microstructure packed_box() {
 
 }  // namespace
 
-DynamicProblem model_problem(int cells, int terms) {
+DynamicProblem<2> model_problem(int cells, int terms) {
   static const auto box = packed_box();
   std::vector<MaxwellTerm> spectrum;
   spectrum.reserve(static_cast<std::size_t>(terms));
   for (int k = 0; k < terms; ++k) spectrum.push_back({1e-3 * std::pow(10.0, k), 1e8});
-  DynamicProblem problem{discretise(box, cells),
-                         {{"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)},
-                          {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}};
+  DynamicProblem<2> problem{discretise(box, cells, 0, 1),
+                            {{"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)},
+                             {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}};
   problem.load = {.xy = 0.5};
   problem.ramp = StrainRamp(1e-3);
   constexpr double courant = 0.9;

@@ -5,6 +5,6 @@
 namespace breccia::benchmark {
 
 /// 200 equal discs that fill 65 % of a box, whose matrix has so many Maxwell terms in shear, under a ramp of shear.
-DynamicProblem model_problem(int cells, int terms);
+DynamicProblem<2> model_problem(int cells, int terms);
 
 }  // namespace breccia::benchmark

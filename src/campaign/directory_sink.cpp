@@ -37,8 +37,8 @@ void DirectorySink::domain_finished(const Stage& stage, const TestId& test, std:
 }
 
 std::optional<std::vector<FieldRecord>> DirectorySink::fields(const Stage& stage, const TestId& test,
-                                                              const Discretisation& discretisation,
-                                                              const std::vector<TimedFields>& fields) {
+                                                              const Discretisation<2>& discretisation,
+                                                              const std::vector<TimedFields<2>>& fields) {
   std::vector<FieldRecord> records;
   write_once([&] { records = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields); });
   return records;

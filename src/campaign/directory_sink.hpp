@@ -23,8 +23,8 @@ class DirectorySink final : public StudySink {
   void packed(const Stage& stage, const StudyResult& result) override;
   void domain_finished(const Stage& stage, const TestId& test, std::size_t number, const TimeDomain& domain) override;
   std::optional<std::vector<FieldRecord>> fields(const Stage& stage, const TestId& test,
-                                                 const Discretisation& discretisation,
-                                                 const std::vector<TimedFields>& fields) override;
+                                                 const Discretisation<2>& discretisation,
+                                                 const std::vector<TimedFields<2>>& fields) override;
   void tested(const Stage& stage, const StudyResult& result) override;
   void all_loads_tested(const Stage& stage, const StudyResult& result) override;
   void stage_finished(const Stage& stage, const StudyResult& result) override;

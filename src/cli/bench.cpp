@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/benchmark/kernel_benchmark.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "bench_results.hpp"
@@ -67,7 +68,7 @@ std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
   std::vector<KernelCase> cases;
   const auto add = [&](Formulation formulation, InstructionSet instructions) {
     for (const double points : points_of(arguments, formulation)) {
-      const auto cells = static_cast<int>(std::lround(std::sqrt(points / points_per_cell)));
+      const auto cells = static_cast<int>(std::lround(std::sqrt(points / CellShape<2>::points)));
       for (const int terms : arguments.terms) {
         for (const int threads : threads_of(arguments))
           cases.push_back({formulation, instructions, cells, terms, threads});
@@ -107,32 +108,36 @@ void add_bench(CLI::App& application) {
   auto arguments = std::make_shared<BenchArguments>();
   command
       ->add_option("--points", arguments->points,
-                   "material points, about (default: 1e5 1e6; of the classical formulation 1e5)")
+                   "approximate number of material points (default: 1e5 1e6; classical formulation: 1e5)")
       ->type_name("N ...")
       ->check(CLI::Range(64.0, 1e9).description(""));
-  command->add_option("--terms", arguments->terms, "Prony terms of the matrix (default: 0 1 5 10)")
+  command->add_option("--terms", arguments->terms, "number of Prony terms of the matrix (default: 0 1 5 10)")
       ->type_name("N ...")
       ->check(CLI::Range(0, 100).description(""));
-  command->add_option("--threads", arguments->threads, "threads (default: 1 and one for each core; under mpirun 1)")
+  command
+      ->add_option("--threads", arguments->threads,
+                   "number of threads (default: 1 and one for each core; under mpirun 1)")
       ->type_name("N ...")
       ->check(CLI::Range(1, 1024).description(""));
   command
       ->add_option("--instructions", arguments->instructions,
-                   "instruction sets of the total-lagrangian formulation (default: what a run takes)")
+                   "instruction sets of the total-lagrangian formulation (default: the one that a run uses)")
       ->type_name("NAME ...")
       ->check(CLI::IsMember(names_of(supported_instruction_sets())));
-  command->add_option("--formulation", arguments->formulations, "formulations (default: both)")
+  command->add_option("--formulation", arguments->formulations, "formulations to measure (default: both)")
       ->type_name("NAME ...")
       ->check(CLI::IsMember(known_formulations()).description(""));
-  command->add_option("--seconds", arguments->seconds, "time for all measurements together, about (default: 10)")
+  command
+      ->add_option("--seconds", arguments->seconds, "approximate time of all measurements together, in s (default: 10)")
       ->type_name("S")
       ->check(CLI::Range(0.01, 1e5).description(""));
   command
-      ->add_option("--rounds", arguments->rounds, "measurements of each case, of which the median counts (default: 7)")
+      ->add_option("--rounds", arguments->rounds,
+                   "number of measurements of each case, whose median is printed (default: 7)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));
   command->add_flag("--processor-time", arguments->processor_time,
-                    "count the time that the threads got, for a machine that others use, too");
+                    "measure processor time instead of wall time, for a machine that is shared");
   command->add_flag("--json", arguments->json, "print JSON with every measurement instead of a table");
   command->callback([arguments] { run_bench(*arguments); });
 }

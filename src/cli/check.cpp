@@ -12,6 +12,7 @@
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/phases.hpp"
 
 #include "command.hpp"
 #include "filler_summary.hpp"
@@ -38,7 +39,7 @@ std::string memory(double bytes) {
   return display(bytes, "B");
 }
 
-Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation& discretisation, Boundary boundary,
+Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation<2>& discretisation, Boundary boundary,
                   Load load) {
   const auto test = make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
   const auto plan = plan_dynamic_test(test);
@@ -92,7 +93,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
     }
-    const auto discretisation = discretise(packed.microstructure, cells);
+    const auto discretisation = discretise(packed.microstructure, cells, matrix_phase, filler_phase);
     for (const auto load : loads_of(study, stage)) plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
   }
   return plan;
@@ -135,7 +136,7 @@ void print_plan(const Study& study) {
 
 void add_check(CLI::App& application) {
   auto* command =
-      application.add_subcommand("check", "read a deck, report every mistake in it, show what it will take");
+      application.add_subcommand("check", "check a deck: report every mistake in it, estimate time and memory");
   auto arguments = std::make_shared<DeckArguments>();
   add_deck_arguments(*command, *arguments);
   command->callback([arguments] {

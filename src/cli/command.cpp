@@ -42,33 +42,35 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments) {
       ->type_name("KEY.PATH=VALUE")
       ->allow_extra_args(false);
   command
-      .add_option("--sweep", arguments.swept,
-                  "run the deck for each of some values, as in 'stages.*.packing.seed=[1, 2, 3]'; may be repeated, for "
-                  "all combinations")
+      .add_option(
+          "--sweep", arguments.swept,
+          "run the deck for each of several values, as in 'stages.*.packing.seed=[1, 2, 3]'; may be repeated, for "
+          "all combinations")
       ->type_name("KEY.PATH=[VALUE, ...]")
       ->allow_extra_args(false);
   constexpr int most_seeds = 1000;
   command
-      .add_option("--seeds", arguments.seeds,
-                  "run the deck with N seeds for its random packings, 1 to N: mean and spread of the moduli; short for "
-                  "--sweep 'stages.*.packing.seed={ from = 1, to = N }'")
+      .add_option(
+          "--seeds", arguments.seeds,
+          "run the deck with the seeds 1 to N for its random packings: mean and spread of the moduli; short for "
+          "--sweep 'stages.*.packing.seed={ from = 1, to = N }'")
       ->type_name("N")
       ->check(CLI::Range(2, most_seeds).description(""));
 }
 
 void add_run_arguments(CLI::App& command, RunArguments& arguments) {
   add_deck_arguments(command, arguments.deck);
-  command.add_option("--out", arguments.directory, "where the results go (default: results/<name of the deck>)")
+  command.add_option("--out", arguments.directory, "directory for the results (default: results/<name of the deck>)")
       ->type_name("DIR");
-  command.add_option("--threads", arguments.threads, "threads to use (default: one for each core)")
+  command.add_option("--threads", arguments.threads, "number of threads (default: one for each core)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
   command.add_flag("--resume", arguments.resume,
-                   "go on where an earlier run was interrupted, killed or cut off; what is complete is left alone");
+                   "continue a run that was interrupted or killed; complete results are kept");
   command
       .add_option("--time-limit", arguments.time_limit,
-                  "leave a checkpoint and end with exit code 130 after this time, as in \"11 h\"")
+                  "write a checkpoint after this time and end with exit code 130, as in \"11 h\"")
       ->type_name("TIME");
   command
       .add_option("--checkpoint-interval", arguments.checkpoint_interval,

@@ -46,6 +46,15 @@ std::vector<fs::path> decks_below(const fs::path& directory) {
   return decks;
 }
 
+constexpr auto pages = R"(  README.md               an overview of all pages
+  tutorial.md             the first half hour
+  glossary.md             the words and symbols
+  boundary-conditions.md  which boundary condition, and how large a box
+  decks.md                every key of a deck
+  results.md              every file that a run writes
+  fitting.md              from measured data to a Prony series
+)";
+
 void print_examples() {
   const auto examples = installed(BRECCIA_EXAMPLES_FROM_PROGRAM);
   const auto documentation = installed(BRECCIA_DOCUMENTATION_FROM_PROGRAM);
@@ -54,8 +63,7 @@ void print_examples() {
     fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));
   }
   fmt::print("\nDocumentation in {}:\n", (documentation / "docs").string());
-  fmt::print("  tutorial.md  the first half hour\n  decks.md     every key of a deck\n");
-  fmt::print("  results.md   every file that a run writes\n  fitting.md   from measured data to a Prony series\n");
+  fmt::print("{}", pages);
 }
 
 }  // namespace

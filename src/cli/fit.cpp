@@ -248,29 +248,31 @@ void add_fit(CLI::App& application) {
   command->add_option("FILE", arguments->file, "measured data or a Prony series, a CSV file")
       ->required()
       ->type_name("");
-  command->add_option("--to", arguments->to, "the curve wanted (default: of the kind of the data)")
+  command->add_option("--to", arguments->to, "kind of curve to write (default: that of the data)")
       ->check(CLI::IsMember(kinds).description(""))
       ->type_name("relaxation|creep|dynamic");
   command
-      ->add_option("--modulus", arguments->modulus, "what was measured, where the names of the columns do not say it")
+      ->add_option("--modulus", arguments->modulus,
+                   "kind of modulus that was measured, if the names of the columns do not say it")
       ->check(CLI::IsMember(modulus_kinds).description(""))
       ->type_name("shear|young|bulk");
   command
       ->add_option("--times-per-decade", arguments->times_per_decade,
-                   "relaxation times among which the fit chooses (default: 10)")
+                   "relaxation times per decade that are offered to the fit (default: 10)")
       ->type_name("X")
       ->check(CLI::Range(0.5, 50.0).description(""));
   command
       ->add_option("--ramp", arguments->ramp,
-                   "how long the load rose at a constant rate, times counted from its beginning, as in \"1 ms\"")
+                   "duration of the ramp of the load, from whose beginning times are counted, as in \"1 ms\"")
       ->type_name("TIME");
   command
       ->add_option("--reference-temperature", arguments->reference_temperature,
-                   "of the master curve, as in \"19 degC\": the temperature of one sweep")
+                   "reference temperature of the master curve, that of one sweep, as in \"19 degC\"")
       ->type_name("TEMPERATURE");
-  command->add_option("--out", arguments->directory, "where the results go (default: results/<name of the file>-fit)")
+  command
+      ->add_option("--out", arguments->directory, "directory for the results (default: results/<name of the file>-fit)")
       ->type_name("DIR");
-  command->add_flag("--overwrite", arguments->overwrite, "replace the fit of another file that is in the directory");
+  command->add_flag("--overwrite", arguments->overwrite, "replace the fit of another file in the directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments] { fit(*arguments); });
 }

@@ -24,9 +24,9 @@ std::string where_to_begin() {
 }
 
 void add_help(CLI::App& application) {
-  auto* command = application.add_subcommand("help", "show how a command is used, as breccia COMMAND --help does");
+  auto* command = application.add_subcommand("help", "show the help of a command, as breccia COMMAND --help does");
   auto name = std::make_shared<std::string>();
-  command->add_option("COMMAND", *name, "the command (default: all of them, in short)")->type_name("");
+  command->add_option("COMMAND", *name, "the command (default: an overview of all commands)")->type_name("");
   command->callback([&application, name] {
     if (name->empty()) {
       fmt::print("{}", help_of(application, application.get_name()));

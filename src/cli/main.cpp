@@ -17,6 +17,15 @@
 
 namespace {
 
+constexpr auto what_breccia_does =
+    R"(Predicts the relaxation modulus of a highly filled composite from its constituents.
+
+- Input: the spectrum of the binder, the moduli of the filler, and the sizes of its particles, in a deck.
+- Output: upper and lower bound of G(t), the apparent moduli under prescribed displacements (KUBC) and tractions (SUBC).
+- Two solvers: a quasi-static one (reduced basis, seconds) and an explicit material point method that checks it.
+- Multiscale chain: small particles and binder first; the mixture is the matrix of the larger particles.
+)";
+
 /// What was printed may still be on its way, to a disk that is full.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw breccia::FileError("standard output: cannot write");
@@ -48,7 +57,7 @@ void add_commands(CLI::App& application) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App application("Relaxation moduli of highly filled composites, from their constituents.", "breccia");
+  CLI::App application(what_breccia_does, "breccia");
   name_parts_of_help(application);
   application.set_version_flag("--version", "breccia " BRECCIA_VERSION, "print the version");
   application.require_subcommand(0, 1);

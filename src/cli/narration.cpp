@@ -15,8 +15,8 @@ namespace {
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   auto text = fmt::format("{}: {} particles fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
-                          packed.microstructure.discs.size(), 100.0 * packed.fraction, 100.0 * result.point_fraction,
-                          result.points);
+                          packed.microstructure.particles.size(), 100.0 * packed.fraction,
+                          100.0 * result.point_fraction, result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gap_in_words(stage), packed.seconds);
   for (const auto& warning : result.warnings) text += "\nwarning: " + warning;
   return text;

@@ -25,10 +25,12 @@ void write_starter_deck(const std::filesystem::path& deck) {
 }  // namespace
 
 void add_new(CLI::App& application) {
-  auto* command = application.add_subcommand("new", "write a deck to begin with, which explains itself");
+  auto* command = application.add_subcommand("new", "write a deck to begin with, in which every line is explained");
   command->footer(where_to_begin());
   auto deck = std::make_shared<std::filesystem::path>();
-  command->add_option("NAME.toml", *deck, "the new deck; nothing is overwritten")->required()->type_name("");
+  command->add_option("NAME.toml", *deck, "the new deck; an existing file is not overwritten")
+      ->required()
+      ->type_name("");
   command->callback([deck] { write_starter_deck(*deck); });
 }
 

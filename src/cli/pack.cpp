@@ -15,7 +15,8 @@
 namespace breccia::cli {
 
 void add_pack(CLI::App& application) {
-  auto* command = application.add_subcommand("pack", "make the microstructures of a study alone");
+  auto* command =
+      application.add_subcommand("pack", "pack the particles of a study and write the microstructures alone");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
   command->callback([arguments] {

@@ -10,7 +10,7 @@ namespace breccia::cli {
 
 void add_report(CLI::App& application) {
   auto* command = application.add_subcommand(
-      "report", "write report.html anew, from the results of a run or a sweep: one page, for a browser");
+      "report", "write report.html, a page for the browser, anew from the results of a run or a sweep");
   auto results = std::make_shared<std::filesystem::path>();
   command->add_option("DIR", *results, "the results of `breccia run`")->required()->type_name("");
   command->callback([results] {

@@ -262,29 +262,30 @@ void run_respond(const RespondArguments& arguments) {
 }  // namespace
 
 void add_respond(CLI::App& application) {
-  auto* command =
-      application.add_subcommand("respond", "the same microstructures with another matrix, from the results of a run");
+  auto* command = application.add_subcommand(
+      "respond", "compute the curves of a run with another matrix or at another temperature, from its results");
   auto arguments = std::make_shared<RespondArguments>();
   command->add_option("DIR", arguments->results, "the results of `breccia run`")->required()->type_name("");
   command->add_option("--material", arguments->material, "the new matrix: a TOML file with the keys of a material")
       ->type_name("FILE.toml");
   command
       ->add_option("--temperature", arguments->temperatures,
-                   R"(the matrix of the run at another temperature, such as "40 degC"; may be given several times)")
+                   R"(another temperature of the matrix, such as "40 degC"; may be repeated)")
       ->expected(1)
       ->take_all()
       ->type_name("TEMPERATURE");
   command
       ->add_option("--stage", arguments->stage,
-                   "one stage alone, with the material as its own matrix; with a temperature also those that it "
-                   "builds on (default: all, each on what it builds on)")
+                   "compute this stage alone, with the material as its matrix; with --temperature also the stages "
+                   "that it builds on (default: all stages)")
       ->type_name("NAME");
   command
       ->add_option("--times", arguments->times,
                    R"(first and last time, such as "1 us" "1 s" (default: those of the run))")
       ->expected(2)
       ->type_name("BEGIN END");
-  command->add_option("--out", arguments->out, "where the curves go (default: DIR/respond-<material or temperature>)")
+  command
+      ->add_option("--out", arguments->out, "directory for the curves (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
   command->add_flag("--overwrite", arguments->overwrite, "replace the curves of another matrix in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");

@@ -85,15 +85,17 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions
 }  // namespace
 
 void add_run(CLI::App& application) {
-  auto* command = application.add_subcommand("run", "run a study: pack, test, and write the results");
+  auto* command =
+      application.add_subcommand("run", "run a study: pack the particles, run the virtual tests, write the results");
   auto arguments = std::make_shared<RunArguments>();
   add_run_arguments(*command, *arguments);
   command->add_flag("--overwrite", arguments->overwrite,
-                    "replace results of other studies that are in the directory, once the new ones are whole");
-  command->add_flag("--no-memory-check", arguments->ignore_memory, "begin even what will hardly fit into the memory");
+                    "replace results of other studies in the directory when the new ones are complete");
+  command->add_flag("--no-memory-check", arguments->ignore_memory,
+                    "start even if the study may not fit into the memory");
   command
       ->add_option("--processes-per-task", arguments->processes_per_task,
-                   "of a sweep under mpirun: so many processes share a task, the others do other tasks beside")
+                   "for a sweep under mpirun: N processes share a task, and the tasks run side by side")
       ->check(CLI::Range(1, 1 << 20).description(""))
       ->type_name("N");
   command

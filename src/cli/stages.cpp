@@ -76,10 +76,15 @@ void run_stages(const StagesArguments& arguments) {
 }  // namespace
 
 void add_stages(CLI::App& application) {
-  auto* command = application.add_subcommand("stages", "the fractions of stages that divide a table of sizes");
+  auto* command =
+      application.add_subcommand("stages", "divide a table of sizes into stages and print the fraction of each");
   auto arguments = std::make_shared<StagesArguments>();
-  command->add_option("SIZES", arguments->sizes, "a table of sizes, as `sizes` of a filler")->required()->type_name("");
-  command->add_option("--fraction", arguments->fraction, R"(filler of the whole by volume, such as 0.94 or "94 %")")
+  command->add_option("SIZES", arguments->sizes, "a table of sizes, as for `sizes` of a filler")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--fraction", arguments->fraction,
+                   R"(volume fraction of all filler in the whole, such as 0.94 or "94 %")")
       ->required()
       ->type_name("SHARE");
   command->add_option("--at", arguments->cuts, R"(diameters between the stages, such as "14 um" "100 um")")

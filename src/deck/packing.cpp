@@ -47,7 +47,7 @@ std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
 /// Throws InputError where discs overlap or cross a wall.
 void require_room(const ExplicitPacking& listed, double side) {
   try {
-    require_valid({side, listed.walls, listed.discs});
+    require_valid<2>({side, listed.walls, listed.discs});
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
   }

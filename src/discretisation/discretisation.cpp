@@ -5,60 +5,94 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 
 namespace breccia {
 
-Discretisation::Discretisation(const Grid& grid, MaterialIndex matrix) : grid_(grid) {
-  if (grid.columns < 1 || grid.rows < 1 || !(grid.cell_side > 0.0)) {
-    throw InputError(
-        fmt::format("discretisation: expected at least one cell of positive side, got {} x {} cells of {} m",
-                    grid.columns, grid.rows, grid.cell_side));
+template <int dim>
+Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase) : grid_(grid) {
+  if (std::ranges::min(grid.cells) < 1 || !(grid.cell_side > 0.0)) {
+    throw InputError(fmt::format("discretisation: expected at least one cell of positive side, got {} cells of {} m",
+                                 fmt::join(grid.cells, " x "), grid.cell_side));
   }
-  cells_.assign(grid.cells(), {matrix, matrix, matrix, matrix});
+  CellPhases<dim> cell{};
+  cell.fill(phase);
+  cells_.assign(grid.cell_count(), cell);
 }
 
-Vector<2> Discretisation::position(int column, int row, int point) const noexcept {
-  const auto& offset = point_offsets[static_cast<std::size_t>(point)];
-  return {(column + 0.5 + offset[0]) * grid_.cell_side, (row + 0.5 + offset[1]) * grid_.cell_side};
+template <int dim>
+Vector<dim> Discretisation<dim>::position(const Index<dim>& cell, int point) const noexcept {
+  auto position = CellShape<dim>::offset(point);
+  for (std::size_t axis = 0; axis < position.size(); ++axis) {
+    position[axis] = (cell[axis] + 0.5 + position[axis]) * grid_.cell_side;
+  }
+  return position;
 }
 
-void Discretisation::paint(const Disc& disc, MaterialIndex material) {
-  const auto cells_touched = [&](double centre, int count) -> Range {
-    const double first = std::floor((centre - 0.5 * disc.diameter) / grid_.cell_side);
-    const double last = std::floor((centre + 0.5 * disc.diameter) / grid_.cell_side);
-    return {static_cast<int>(std::clamp(first, 0.0, static_cast<double>(count))),
-            static_cast<int>(std::clamp(last + 1.0, 0.0, static_cast<double>(count)))};
+template <int dim>
+void Discretisation<dim>::paint(const Ball<dim>& ball, PhaseIndex phase) {
+  const auto cell_of = [&](double x, int count) {
+    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(count)));
   };
+  Index<dim> begin{}, end{};
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+    const double centre = ball.centre[axis], radius = 0.5 * ball.diameter;
+    begin[axis] = cell_of(std::floor((centre - radius) / grid_.cell_side), grid_.cells[axis]);
+    end[axis] = cell_of(std::floor((centre + radius) / grid_.cell_side) + 1.0, grid_.cells[axis]);
+  }
   paint_range(
-      cells_touched(disc.centre[0], grid_.columns), cells_touched(disc.centre[1], grid_.rows),
-      [&](const Vector<2>& point) { return disc.contains(point); }, material);
+      begin, end, [&](const Vector<dim>& point) { return ball.contains(point); }, phase);
 }
 
-std::vector<double> Discretisation::fractions(std::size_t count) const {
+template <int dim>
+std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
   std::vector<double> fractions(count, 0.0);
   for (const auto& cell : cells_) {
-    for (const auto material : cell) {
-      if (material != no_material) fractions.at(material) += 1.0;
+    for (const auto phase : cell) {
+      if (phase != no_phase) fractions.at(phase) += 1.0;
     }
   }
   for (auto& fraction : fractions) fraction /= static_cast<double>(points());
   return fractions;
 }
 
-Discretisation discretise(const Microstructure& microstructure, int cells, MaterialIndex matrix, MaterialIndex filler) {
-  Discretisation discretisation({cells, cells, microstructure.side / cells}, matrix);
+template <int dim>
+Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                               std::span<const PhaseIndex> particles) {
+  const auto count = microstructure.particles.size();
+  if (particles.size() != count) {
+    throw InputError(
+        fmt::format("discretisation: expected a phase for each of {} particles, got {}", count, particles.size()));
+  }
+  Grid<dim> grid{.cell_side = microstructure.side / cells};
+  grid.cells.fill(cells);
+  Discretisation<dim> discretisation(grid, matrix);
   const int images = microstructure.walls == Walls::periodic ? 1 : 0;
-  for (const auto& disc : microstructure.discs) {
-    for (int i = -images; i <= images; ++i) {
-      for (int j = -images; j <= images; ++j) {
-        discretisation.paint(
-            Disc{{disc.centre[0] + i * microstructure.side, disc.centre[1] + j * microstructure.side}, disc.diameter},
-            filler);
-      }
-    }
+  Index<dim> first{}, end{};
+  first.fill(-images);
+  end.fill(images + 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    for_each_index(first, end, [&](const Index<dim>& image) {
+      auto ball = microstructure.particles[k];
+      for (std::size_t axis = 0; axis < image.size(); ++axis) ball.centre[axis] += image[axis] * microstructure.side;
+      discretisation.paint(ball, particles[k]);
+    });
   }
   return discretisation;
 }
+
+template <int dim>
+Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                               PhaseIndex particles) {
+  return discretise(microstructure, cells, matrix, std::vector<PhaseIndex>(microstructure.particles.size(), particles));
+}
+
+template class Discretisation<2>;
+template class Discretisation<3>;
+template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
+template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
+template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);
+template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, PhaseIndex);
 
 }  // namespace breccia

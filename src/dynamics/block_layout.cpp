@@ -4,13 +4,15 @@
 #include <array>
 #include <cstddef>
 
+#include "breccia/discretisation/cell_shape.hpp"
+
 #include "maxwell_step.hpp"
 
 namespace breccia::dynamics {
 
-BlockLayout::BlockLayout(const DynamicProblem& problem, int first_row, int end_row)
+BlockLayout::BlockLayout(const DynamicProblem<2>& problem, int first_row, int end_row)
     : first_row_(first_row),
-      blocks_per_row_((problem.discretisation.grid().columns + lanes - 1) / lanes),
+      blocks_per_row_((problem.discretisation.grid().columns() + lanes - 1) / lanes),
       bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard) {
   terms_.reserve(2 * problem.materials.size());
   for (const auto& material : problem.materials) {
@@ -43,16 +45,16 @@ BlockLayout::BlockLayout(const DynamicProblem& problem, int first_row, int end_r
   }
 }
 
-void BlockLayout::add_block(const DynamicProblem& problem, int row, int first_column) {
+void BlockLayout::add_block(const DynamicProblem<2>& problem, int row, int first_column) {
   const auto& discretisation = problem.discretisation;
-  const int columns = std::min(lanes, discretisation.grid().columns - first_column);
+  const int columns = std::min(lanes, discretisation.grid().columns() - first_column);
   Block block = {nullptr, 0, false, false};
   for (std::size_t m = 0; m < materials_.size(); ++m) {
     Share share = {&materials_[m], nullptr, {}};
     int points = 0;
     for (int lane = 0; lane < columns; ++lane) {
-      const auto& cell = discretisation.cell(first_column + lane, row);
-      for (std::size_t p = 0; p < points_per_cell; ++p) {
+      const auto& cell = discretisation.cell({first_column + lane, row});
+      for (std::size_t p = 0; p < CellShape<2>::points; ++p) {
         if (cell[p] != m) continue;
         share.points[lane] = static_cast<std::uint8_t>(share.points[lane] | (1U << p));
         ++points;
@@ -61,13 +63,13 @@ void BlockLayout::add_block(const DynamicProblem& problem, int row, int first_co
     if (points == 0) continue;
     shares_.push_back(share);
     ++block.share_count;
-    block.uniform = points == lanes * points_per_cell;
+    block.uniform = points == lanes * CellShape<2>::points;
     block.relaxes = block.relaxes || share.material->shear_term_count + share.material->bulk_term_count > 0;
   }
   blocks_.push_back(block);
 }
 
-BlockLayout::Histories BlockLayout::histories(int column, int row, MaterialIndex material) const {
+BlockLayout::Histories BlockLayout::histories(int column, int row, PhaseIndex material) const {
   const Block& block = this->row(row)[column / lanes];
   const int lane = column % lanes;
   Histories sums;

@@ -14,7 +14,7 @@ namespace breccia::dynamics {
 /// Maxwell terms need and nothing for elastic points. Rows are filled up with cells without points.
 class BlockLayout {
  public:
-  BlockLayout(const DynamicProblem& problem, int first_row, int end_row);
+  BlockLayout(const DynamicProblem<2>& problem, int first_row, int end_row);
 
   [[nodiscard]] int blocks_per_row() const noexcept { return blocks_per_row_; }
   [[nodiscard]] const Block* row(int cell_row) const noexcept {
@@ -26,7 +26,7 @@ class BlockLayout {
     std::array<double, shear_modes> shear{};
     std::array<double, bulk_modes_standard> bulk{};
   };
-  [[nodiscard]] Histories histories(int column, int row, MaterialIndex material) const;
+  [[nodiscard]] Histories histories(int column, int row, PhaseIndex material) const;
 
   /// All histories, row by row.
   [[nodiscard]] std::span<const double> history() const noexcept { return {history_.data(), history_.size() - lanes}; }
@@ -39,7 +39,7 @@ class BlockLayout {
   [[nodiscard]] std::size_t history_bytes() const noexcept { return history_.size() * sizeof(double); }
 
  private:
-  void add_block(const DynamicProblem& problem, int row, int first_column);
+  void add_block(const DynamicProblem<2>& problem, int row, int first_column);
 
   int first_row_;
   int blocks_per_row_;

@@ -1,5 +1,7 @@
 #include "boundary_nodes.hpp"
 
+#include <cstddef>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
@@ -7,19 +9,38 @@
 #include "nodal_masses.hpp"
 
 namespace breccia::dynamics {
+namespace {
 
-bool is_prescribed(const DynamicProblem& problem, int column, int row) noexcept {
-  const auto& grid = problem.discretisation.grid();
-  return problem.boundary == Boundary::displacement &&
-         (column == 0 || row == 0 || column == grid.columns || row == grid.rows);
+template <int dim>
+bool is_on_upper_side(const Grid<dim>& grid, const Index<dim>& node) noexcept {
+  for (std::size_t axis = 0; axis < node.size(); ++axis) {
+    if (node[axis] == grid.cells[axis]) return true;
+  }
+  return false;
 }
 
-bool is_image(const DynamicProblem& problem, int column, int row) noexcept {
-  const auto& grid = problem.discretisation.grid();
-  return problem.boundary == Boundary::periodic && (column == grid.columns || row == grid.rows);
+template <int dim>
+bool is_on_boundary(const Grid<dim>& grid, const Index<dim>& node) noexcept {
+  for (const int place : node) {
+    if (place == 0) return true;
+  }
+  return is_on_upper_side(grid, node);
 }
 
-bool follows_affinely(const DynamicProblem& problem) noexcept {
+}  // namespace
+
+template <int dim>
+bool is_prescribed(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept {
+  return problem.boundary == Boundary::displacement && is_on_boundary(problem.discretisation.grid(), node);
+}
+
+template <int dim>
+bool is_image(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept {
+  return problem.boundary == Boundary::periodic && is_on_upper_side(problem.discretisation.grid(), node);
+}
+
+template <int dim>
+bool follows_affinely(const DynamicProblem<dim>& problem) noexcept {
   switch (problem.boundary) {
     case Boundary::displacement:
       return problem.start == Start::affine;
@@ -31,42 +52,66 @@ bool follows_affinely(const DynamicProblem& problem) noexcept {
   return false;
 }
 
-Vector<2> affine_motion(const DynamicProblem& problem, int column, int row) noexcept {
-  if (problem.boundary != Boundary::displacement) return affine_difference(problem, column, row);
-  const auto& grid = problem.discretisation.grid();
-  return affine_difference(problem, column - 0.5 * grid.columns, row - 0.5 * grid.rows);
+template <int dim>
+Vector<dim> affine_motion(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept {
+  const auto& cells = problem.discretisation.grid().cells;
+  const double at_rest = problem.boundary == Boundary::displacement ? 0.5 : 0.0;
+  Vector<dim> from_rest{};
+  for (std::size_t axis = 0; axis < node.size(); ++axis) from_rest[axis] = node[axis] - at_rest * cells[axis];
+  return affine_difference(problem, from_rest);
 }
 
-Vector<2> affine_difference(const DynamicProblem& problem, double columns, double rows) noexcept {
-  const double h = problem.discretisation.grid().cell_side;
-  const auto& load = problem.load;
-  const double x = columns * h, y = rows * h;
-  return {load.xx * x + load.xy * y, load.xy * x + load.yy * y};
+template <int dim>
+Vector<dim> affine_difference(const DynamicProblem<dim>& problem, const Vector<dim>& cells) noexcept {
+  auto x = cells;
+  for (double& along : x) along *= problem.discretisation.grid().cell_side;
+  return product(problem.load, x);
 }
 
-Vector<2> outward_side(const Grid& grid, int column, int row) noexcept {
-  const auto normal = [](int place, int last) { return place == 0 ? -1.0 : place == last ? 1.0 : 0.0; };
-  const auto length = [&](int place, int last) { return grid.cell_side * (place == 0 || place == last ? 0.5 : 1.0); };
-  return {normal(column, grid.columns) * length(row, grid.rows), normal(row, grid.rows) * length(column, grid.columns)};
+template <int dim>
+Vector<dim> outward_area(const Grid<dim>& grid, const Index<dim>& node) noexcept {
+  Vector<dim> area{};
+  for (std::size_t axis = 0; axis < node.size(); ++axis) {
+    area[axis] = node[axis] == 0 ? -1.0 : node[axis] == grid.cells[axis] ? 1.0 : 0.0;
+    for (std::size_t other = 0; other < node.size(); ++other) {
+      if (other == axis) continue;
+      const bool at_end = node[other] == 0 || node[other] == grid.cells[other];
+      area[axis] *= grid.cell_side * (at_end ? 0.5 : 1.0);
+    }
+  }
+  return area;
 }
 
-Vector<2> traction_force(const DynamicProblem& problem, int column, int row) noexcept {
-  const auto side = outward_side(problem.discretisation.grid(), column, row);
-  const auto& half = problem.load;
-  return {2.0 * (half.xx * side[0] + half.xy * side[1]), 2.0 * (half.xy * side[0] + half.yy * side[1])};
+template <int dim>
+Vector<dim> traction_force(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept {
+  return product(problem.traction, outward_area(problem.discretisation.grid(), node));
 }
 
-void require_points_under_traction(const DynamicProblem& problem) {
-  if (problem.boundary != Boundary::traction || problem.load == PlaneStrain{}) return;
+template <int dim>
+void require_points_under_traction(const DynamicProblem<dim>& problem) {
+  if (problem.boundary != Boundary::traction || problem.traction == Stress<dim>{}) return;
   const auto& grid = problem.discretisation.grid();
   const auto masses = nodal_masses(problem);
-  for (int row = 0; row <= grid.rows; ++row) {
-    for_boundary_nodes(grid, row, [&](int column) {
-      if (masses[grid.node_index(column, row)] > 0.0) return;
-      throw InputError(fmt::format("dynamic run: a traction acts at ({:.4g}, {:.4g}) m, where the box has no points",
-                                   column * grid.cell_side, row * grid.cell_side));
-    });
-  }
+  grid.for_each_node([&](const Index<dim>& node) {
+    if (!is_on_boundary(grid, node) || masses[grid.node_index(node)] > 0.0) return;
+    Vector<dim> position{};
+    for (std::size_t axis = 0; axis < node.size(); ++axis) position[axis] = node[axis] * grid.cell_side;
+    throw InputError(fmt::format("dynamic run: a traction acts at ({:.4g}) m, where the box has no points",
+                                 fmt::join(position, ", ")));
+  });
 }
+
+#define BRECCIA_INSTANTIATE(dim)                                                                   \
+  template bool is_prescribed(const DynamicProblem<dim>&, const Index<dim>&) noexcept;             \
+  template bool is_image(const DynamicProblem<dim>&, const Index<dim>&) noexcept;                  \
+  template bool follows_affinely(const DynamicProblem<dim>&) noexcept;                             \
+  template Vector<dim> affine_motion(const DynamicProblem<dim>&, const Index<dim>&) noexcept;      \
+  template Vector<dim> affine_difference(const DynamicProblem<dim>&, const Vector<dim>&) noexcept; \
+  template Vector<dim> outward_area(const Grid<dim>&, const Index<dim>&) noexcept;                 \
+  template Vector<dim> traction_force(const DynamicProblem<dim>&, const Index<dim>&) noexcept;     \
+  template void require_points_under_traction(const DynamicProblem<dim>&);
+BRECCIA_INSTANTIATE(2)
+BRECCIA_INSTANTIATE(3)
+#undef BRECCIA_INSTANTIATE
 
 }  // namespace breccia::dynamics

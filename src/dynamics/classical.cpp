@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/discretisation/shape_function.hpp"
 #include "breccia/error.hpp"
 
 #include "boundary_nodes.hpp"
@@ -14,73 +16,88 @@
 namespace breccia::dynamics {
 namespace {
 
-struct Shape {
-  double weight;
-  double dx;  ///< gradient times the cell side
-  double dy;
-};
-
-/// Bilinear shape function of one node of a cell at a point of it (theory, Eq. 2).
-Shape shape(std::size_t node, const Vector<2>& local) {
-  const double sx = (node & 1U) != 0 ? 1.0 : -1.0;
-  const double sy = (node & 2U) != 0 ? 1.0 : -1.0;
-  const double wx = 0.5 + sx * local[0];
-  const double wy = 0.5 + sy * local[1];
-  return {wx * wy, sx * wy, wx * sy};
-}
-
 /// With fewer points than this a thread would mostly wait for the others.
 int useful_threads(int threads, std::size_t points) {
   constexpr std::size_t points_per_thread = 4096;
   return std::clamp(static_cast<int>(points / points_per_thread), 1, threads);
 }
 
+/// Sum of the normal components.
+template <int dim, class Components>
+double trace(const Components& tensor) {
+  double sum = tensor[0];
+  for (std::size_t axis = 1; axis < dim; ++axis) sum += tensor[axis];
+  return sum;
+}
+
+/// Adds the same to all normal components.
+template <int dim, class Components>
+void add_to_normal(Components& tensor, double value) {
+  for (std::size_t axis = 0; axis < dim; ++axis) tensor[axis] += value;
+}
+
+/// Twice the deviator of a strain with engineering shears; in plane strain its out-of-plane component is left out.
+template <int dim, class Components>
+Components deviator(const Components& strain) {
+  auto result = strain;
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    result[axis] = 4.0 / 3.0 * strain[axis];
+    for (std::size_t other = 0; other < dim; ++other) {
+      if (other != axis) result[axis] -= 2.0 / 3.0 * strain[other];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
-Classical::Classical(DynamicProblem given, int threads)
-    : DynamicSolver(std::move(given)), threads_(useful_threads(threads, problem().discretisation.points())) {
+template <int dim>
+Classical<dim>::Classical(DynamicProblem<dim> given, int threads)
+    : DynamicSolver<dim>(std::move(given)), threads_(useful_threads(threads, problem().discretisation.points())) {
   const double half_step = 0.5 * problem().time_step;
   for (const auto& material : problem().materials) {
     materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(),
                           maxwell_steps(material.bulk, half_step), maxwell_steps(material.shear, half_step)});
   }
-  const auto& discretisation = problem().discretisation;
-  const auto& grid = discretisation.grid();
-  const double point_area = 0.25 * grid.cell_side * grid.cell_side;
-  std::size_t history = 0;
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      for (int p = 0; p < points_per_cell; ++p) {
-        const auto material = discretisation.cell(column, row)[static_cast<std::size_t>(p)];
-        if (material == no_material) continue;
-        const auto position = discretisation.position(column, row, p);
-        Point point{};
-        point.position = position;
-        point.mass = problem().density_factor * problem().materials[material].density * point_area;
-        point.material = material;
-        point.cell = row * grid.columns + column;
-        point.history = history;
-        point.lattice = grid.point_index(column, row, p);
-        history += 3 * materials_[material].shear_terms.size() + materials_[material].bulk_terms.size();
-        points_.push_back(point);
-      }
-    }
-  }
-  initial_area_ = point_area * static_cast<double>(points_.size());
-  history_.assign(history, 0.0);
-  nodes_.resize(grid.nodes());
-  mean_stress_.resize(grid.cells());
+  const auto& grid = problem().discretisation.grid();
+  grid.for_each_cell([&](const Index<dim>& cell) { add_points(cell); });
+  nodes_.resize(grid.node_count());
+  mean_stress_.resize(grid.cell_count());
   sort_points();
 }
 
-void Classical::set_velocities(const VelocityField& velocity) {
+template <int dim>
+void Classical<dim>::add_points(const Index<dim>& cell) {
+  const auto& discretisation = problem().discretisation;
+  const auto& grid = discretisation.grid();
+  const double volume = times_power<dim>(CellShape<dim>::point_volume, grid.cell_side);
+  for (int p = 0; p < CellShape<dim>::points; ++p) {
+    const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
+    if (phase == no_phase) continue;
+    Point point{};
+    point.position = discretisation.position(cell, p);
+    point.mass = problem().density_factor * problem().materials[phase].density * volume;
+    point.phase = phase;
+    point.cell = static_cast<int>(grid.cell_index(cell));
+    point.history = history_.size();
+    point.lattice = grid.point_index(cell, p);
+    const auto& [bulk, shear, bulk_terms, shear_terms] = materials_[phase];
+    history_.resize(history_.size() + components * shear_terms.size() + bulk_terms.size(), 0.0);
+    points_.push_back(point);
+  }
+  initial_volume_ = volume * static_cast<double>(points_.size());
+}
+
+template <int dim>
+void Classical<dim>::set_velocities(const VelocityField& velocity) {
   for (auto& point : points_) {
-    const auto v = velocity(point.position);
-    point.velocity = {problem().amplitude * v[0], problem().amplitude * v[1]};
+    point.velocity = velocity(point.position);
+    for (double& v : point.velocity) v *= problem().amplitude;
   }
 }
 
-void Classical::take_steps(std::int64_t first, int steps, Averages* averages) {
+template <int dim>
+void Classical<dim>::take_steps(std::int64_t first, int steps, Averages<dim>* averages) {
   for (int i = 0; i < steps; ++i) {
     const auto step = first + i;
     locate_points(step);
@@ -96,142 +113,178 @@ void Classical::take_steps(std::int64_t first, int steps, Averages* averages) {
 }
 
 /// Lets a point that has left a periodic box enter it on the opposite side.
-void Classical::bring_back(Point& point, std::int64_t step) const {
+template <int dim>
+void Classical<dim>::bring_back(Point& point, std::int64_t step) const {
   const auto& grid = problem().discretisation.grid();
-  const auto periods = [&](double x, int cells) {
-    return cells * static_cast<int>(std::floor(x / (cells * grid.cell_side)));
-  };
-  const int columns = periods(point.position[0], grid.columns), rows = periods(point.position[1], grid.rows);
-  if (columns == 0 && rows == 0) return;
-  const auto velocity = load_velocity(columns, rows, step - 1);
-  point.position[0] -= columns * grid.cell_side;
-  point.position[1] -= rows * grid.cell_side;
-  point.velocity[0] -= velocity[0];
-  point.velocity[1] -= velocity[1];
+  Index<dim> away{};
+  for (std::size_t axis = 0; axis < away.size(); ++axis) {
+    const int cells = grid.cells[axis];
+    away[axis] = cells * static_cast<int>(std::floor(point.position[axis] / (cells * grid.cell_side)));
+  }
+  if (away == Index<dim>{}) return;
+  const auto velocity = load_velocity(away, step - 1);
+  for (std::size_t axis = 0; axis < away.size(); ++axis) {
+    point.position[axis] -= away[axis] * grid.cell_side;
+    point.velocity[axis] -= velocity[axis];
+  }
 }
 
-void Classical::locate_points(std::int64_t step) {
+template <int dim>
+void Classical<dim>::locate_points(std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
   const bool wraps = problem().boundary == Boundary::periodic;
   bool sorted = true;
 #pragma omp parallel for num_threads(threads_) reduction(&& : sorted)
   for (auto& point : points_) {  // NOLINT(modernize-loop-convert)
     if (wraps) bring_back(point, step);
-    const double x = point.position[0] / grid.cell_side, y = point.position[1] / grid.cell_side;
-    const double column = std::floor(x), row = std::floor(y);
-    const bool inside = column >= 0.0 && row >= 0.0 && column < grid.columns && row < grid.rows;
-    const int cell = inside ? static_cast<int>(row) * grid.columns + static_cast<int>(column) : -1;
-    sorted = sorted && cell == point.cell;
-    point.cell = cell;
-    point.local = {x - column - 0.5, y - row - 0.5};
+    Index<dim> cell{};
+    bool inside = true;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const double x = point.position[axis] / grid.cell_side, below = std::floor(x);
+      point.local[axis] = x - below - 0.5;
+      inside = inside && below >= 0.0 && below < grid.cells[axis];
+      if (inside) cell[axis] = static_cast<int>(below);
+    }
+    const int place = inside ? static_cast<int>(grid.cell_index(cell)) : -1;
+    sorted = sorted && place == point.cell;
+    point.cell = place;
   }
   if (!sorted) sort_points();
 }
 
-void Classical::sort_points() {
+template <int dim>
+void Classical<dim>::sort_points() {
   const auto& grid = problem().discretisation.grid();
   const auto lost = std::ranges::find(points_, -1, &Point::cell);
   if (lost != points_.end()) {
+    auto start = lost->position;
+    for (std::size_t axis = 0; axis < start.size(); ++axis) start[axis] -= lost->displacement[axis];
     throw NumericalError(fmt::format(
-        "dynamic run: the point that started at ({:.4g}, {:.4g}) m left the grid at step {}; "
-        "likely cause: too large a time step or too large an amplitude",
-        lost->position[0] - lost->displacement[0], lost->position[1] - lost->displacement[1], steps_taken()));
+        "dynamic run: the point that started at ({:.4g}) m left the grid at step {}; likely cause: too large "
+        "a time step or too large an amplitude",
+        fmt::join(start, ", "), steps_taken()));
   }
   std::ranges::stable_sort(points_, {}, &Point::cell);
-  cell_begin_.assign(grid.cells() + 1, 0);
+  cell_begin_.assign(grid.cell_count() + 1, 0);
   for (const auto& point : points_) ++cell_begin_[static_cast<std::size_t>(point.cell) + 1];
-  for (std::size_t cell = 0; cell < grid.cells(); ++cell) cell_begin_[cell + 1] += cell_begin_[cell];
+  for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) cell_begin_[cell + 1] += cell_begin_[cell];
 }
 
+template <int dim>
 template <class Action>
-void Classical::for_nodes(Action&& action) {
+void Classical<dim>::for_nodes(Action&& action) {
   const auto& grid = problem().discretisation.grid();
+  constexpr std::size_t last_axis = dim - 1;
 #pragma omp parallel for num_threads(threads_)
-  for (int row = 0; row <= grid.rows; ++row) {
-    for (int column = 0; column <= grid.columns; ++column) {
-      action(nodes_[grid.node_index(column, row)], column, row);
-    }
+  for (int slice = 0; slice <= grid.cells[last_axis]; ++slice) {
+    Index<dim> begin{};
+    auto end = grid.nodes();
+    begin[last_axis] = slice;
+    end[last_axis] = slice + 1;
+    for_each_index(begin, end, [&](const Index<dim>& node) { action(nodes_[grid.node_index(node)], node); });
   }
 }
 
+/// Calls visit(point, shape function of the node at the point, cells between the node's own surroundings and those
+/// where the point is) for the points around a node. They are that far away where the node is on the side of a periodic
+/// box and the cell on the opposite one.
+template <int dim>
 template <class Visit>
-void Classical::for_points_around(int node_column, int node_row, Visit&& visit) const {
+void Classical<dim>::for_points_around(const Index<dim>& node, Visit&& visit) const {
   const auto& grid = problem().discretisation.grid();
   const bool wraps = problem().boundary == Boundary::periodic;
-  for (int node = 3; node >= 0; --node) {
-    const int column = node_column - (node & 1), row = node_row - (node >> 1);
-    const int first = wraps ? (column + grid.columns) % grid.columns : column;
-    const int lowest = wraps ? (row + grid.rows) % grid.rows : row;
-    if (first < 0 || lowest < 0 || first >= grid.columns || lowest >= grid.rows) continue;
-    const auto cell = grid.cell_index(first, lowest);
-    for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
-      visit(points_[p], shape(static_cast<std::size_t>(node), points_[p].local), column - first, row - lowest);
+  for (int corner = CellShape<dim>::nodes - 1; corner >= 0; --corner) {
+    const auto offset = CellShape<dim>::corner(corner);
+    Index<dim> cell{}, away{};
+    bool exists = true;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const int place = node[axis] - offset[axis], count = grid.cells[axis];
+      cell[axis] = wraps ? (place + count) % count : place;
+      away[axis] = place - cell[axis];
+      exists = exists && cell[axis] >= 0 && cell[axis] < count;
+    }
+    if (!exists) continue;
+    const auto c = grid.cell_index(cell);
+    for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
+      visit(points_[p], shape_function<dim>(static_cast<std::size_t>(corner), points_[p].local), away);
     }
   }
 }
 
 /// Velocity of the affine motion of the load between a step and the next.
-Vector<2> Classical::load_velocity(int node_column, int node_row, std::int64_t step) const {
+template <int dim>
+Vector<dim> Classical<dim>::load_velocity(const Index<dim>& node, std::int64_t step) const {
   const double rate = problem().amplitude * (load_at(step + 1) - load_at(step)) / problem().time_step;
-  const auto affine = affine_motion(problem(), node_column, node_row);
-  return {rate * affine[0], rate * affine[1]};
+  auto velocity = affine_motion(problem(), node);
+  for (double& v : velocity) v *= rate;
+  return velocity;
 }
 
-void Classical::extrapolate_momenta(std::int64_t step) {
-  for_nodes([&](Node& node, int column, int row) {
+template <int dim>
+void Classical<dim>::extrapolate_momenta(std::int64_t step) {
+  for_nodes([&](Node& node, const Index<dim>& place) {
     node.mass = 0.0;
-    node.momentum = {0.0, 0.0};
-    for_points_around(column, row, [&](const Point& point, const Shape& s, int columns_away, int rows_away) {
+    node.momentum = {};
+    const auto add = [&node](double mass, const Vector<dim>& velocity) {
+      for (std::size_t i = 0; i < velocity.size(); ++i) node.momentum[i] += mass * velocity[i];
+    };
+    for_points_around(place, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>& away) {
       const double mass = s.weight * point.mass;
       node.mass += mass;
-      node.momentum[0] += mass * point.velocity[0];
-      node.momentum[1] += mass * point.velocity[1];
-      if (columns_away == 0 && rows_away == 0) return;
-      const auto velocity = load_velocity(columns_away, rows_away, step);
-      node.momentum[0] += mass * velocity[0];
-      node.momentum[1] += mass * velocity[1];
+      add(mass, point.velocity);
+      if (away != Index<dim>{}) add(mass, load_velocity(away, step));
     });
-    if (is_prescribed(problem(), column, row)) {
-      const auto velocity = load_velocity(column, row, step);
-      node.momentum = {node.mass * velocity[0], node.mass * velocity[1]};
+    if (is_prescribed(problem(), place)) {
+      node.momentum = load_velocity(place, step);
+      for (double& p : node.momentum) p *= node.mass;
     }
-    node.velocity = {0.0, 0.0};
-    if (node.mass > 0.0) node.velocity = {node.momentum[0] / node.mass, node.momentum[1] / node.mass};
+    node.velocity = {};
+    if (node.mass == 0.0) return;
+    for (std::size_t i = 0; i < node.velocity.size(); ++i) node.velocity[i] = node.momentum[i] / node.mass;
   });
 }
 
-std::array<std::size_t, 4> Classical::nodes_of(int cell) const noexcept {
-  const auto columns = static_cast<std::size_t>(problem().discretisation.grid().columns);
-  const auto c = static_cast<std::size_t>(cell);
-  const auto corner = c / columns * (columns + 1) + c % columns;
-  return {corner, corner + 1, corner + columns + 1, corner + columns + 2};
+template <int dim>
+std::array<std::size_t, Classical<dim>::nodes_per_cell> Classical<dim>::nodes_of(int cell) const noexcept {
+  const auto& grid = problem().discretisation.grid();
+  const auto lowest = grid.node_index(grid.cell_at(static_cast<std::size_t>(cell)));
+  std::array<std::size_t, nodes_per_cell> nodes{};
+  for (int node = 0; node < CellShape<dim>::nodes; ++node) {
+    nodes[static_cast<std::size_t>(node)] = lowest + grid.node_index(CellShape<dim>::corner(node));
+  }
+  return nodes;
 }
 
-std::array<double, 3> Classical::strain_step(const Point& point) const {
+/// Strain of half a step at a point.
+template <int dim>
+typename Classical<dim>::Components Classical<dim>::strain_step(const Point& point) const {
   const double scale = 0.5 * problem().time_step / problem().discretisation.grid().cell_side;
   const auto nodes = nodes_of(point.cell);
-  std::array<double, 3> step = {0.0, 0.0, 0.0};
-  for (std::size_t node = 0; node < 4; ++node) {
-    const auto s = shape(node, point.local);
+  Components step{};
+  for (std::size_t node = 0; node < nodes.size(); ++node) {
+    const auto gradient = shape_function<dim>(node, point.local).gradient;
     const auto& v = nodes_[nodes[node]].velocity;
-    step[0] += scale * s.dx * v[0];
-    step[1] += scale * s.dy * v[1];
-    step[2] += scale * (s.dy * v[0] + s.dx * v[1]);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      step[i] += scale * gradient[i] * v[i];
+      for (std::size_t j = i + 1; j < v.size(); ++j) {
+        const auto shear = component_index<dim>(static_cast<int>(i), static_cast<int>(j));
+        step[static_cast<std::size_t>(shear)] += scale * (gradient[j] * v[i] + gradient[i] * v[j]);
+      }
+    }
   }
   return step;
 }
 
-double Classical::mean_volumetric_step(int cell) const {
+template <int dim>
+double Classical<dim>::mean_volumetric_step(int cell) const {
   const auto c = static_cast<std::size_t>(cell);
   double sum = 0.0;
-  for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
-    const auto step = strain_step(points_[p]);
-    sum += step[0] + step[1];
-  }
+  for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) sum += trace<dim>(strain_step(points_[p]));
   return sum / static_cast<double>(cell_begin_[c + 1] - cell_begin_[c]);
 }
 
-void Classical::update_strains() {
+template <int dim>
+void Classical<dim>::update_strains() {
   const bool averaged = problem().volumetric == Volumetric::averaged;
   const auto cells = static_cast<int>(mean_stress_.size());
 #pragma omp parallel for num_threads(threads_)
@@ -241,29 +294,23 @@ void Classical::update_strains() {
     const double mean = averaged ? mean_volumetric_step(cell) : 0.0;
     for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
       auto step = strain_step(points_[p]);
-      if (averaged) {
-        const double missing = mean - (step[0] + step[1]);
-        step[0] += 0.5 * missing;
-        step[1] += 0.5 * missing;
-      }
+      if (averaged) add_to_normal<dim>(step, (mean - trace<dim>(step)) / dim);
       update_stress(points_[p], step);
     }
   }
 }
 
-void Classical::update_stress(Point& point, const std::array<double, 3>& strain_step) {
-  const auto& material = materials_[point.material];
-  const double volumetric_step = strain_step[0] + strain_step[1];
-  for (std::size_t i = 0; i < 3; ++i) point.strain[i] += strain_step[i];
-  const auto deviator = [](const std::array<double, 3>& e) -> std::array<double, 3> {
-    return {4.0 / 3.0 * e[0] - 2.0 / 3.0 * e[1], 4.0 / 3.0 * e[1] - 2.0 / 3.0 * e[0], e[2]};
-  };
-  const auto total = deviator(point.strain), step = deviator(strain_step);
-  for (std::size_t i = 0; i < 3; ++i) point.deviator[i] = material.shear * total[i];
-  point.pressure = material.bulk * (point.strain[0] + point.strain[1]);
+template <int dim>
+void Classical<dim>::update_stress(Point& point, const Components& strain_step) {
+  const auto& material = materials_[point.phase];
+  const double volumetric_step = trace<dim>(strain_step);
+  for (std::size_t i = 0; i < components; ++i) point.strain[i] += strain_step[i];
+  const auto total = deviator<dim>(point.strain), step = deviator<dim>(strain_step);
+  for (std::size_t i = 0; i < components; ++i) point.deviator[i] = material.shear * total[i];
+  point.pressure = material.bulk * trace<dim>(point.strain);
   double* history = history_.data() + point.history;
   for (const auto& [decay, gain] : material.shear_terms) {
-    for (std::size_t i = 0; i < 3; ++i, ++history) {
+    for (std::size_t i = 0; i < components; ++i, ++history) {
       *history = decay * *history + gain * step[i];
       point.deviator[i] += *history;
     }
@@ -274,48 +321,60 @@ void Classical::update_stress(Point& point, const std::array<double, 3>& strain_
   }
 }
 
-void Classical::find_forces(std::int64_t step) {
-  const double h = problem().discretisation.grid().cell_side;
-  const bool averaged = problem().volumetric == Volumetric::averaged;
-  if (averaged) {
-    for (std::size_t cell = 0; cell < mean_stress_.size(); ++cell) {
-      double sum = 0.0;
-      for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
-        sum += points_[p].pressure + 0.5 * (points_[p].deviator[0] + points_[p].deviator[1]);
-      }
-      const auto count = cell_begin_[cell + 1] - cell_begin_[cell];
-      mean_stress_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
+template <int dim>
+void Classical<dim>::update_mean_stresses() {
+  for (std::size_t cell = 0; cell < mean_stress_.size(); ++cell) {
+    double sum = 0.0;
+    for (std::size_t p = cell_begin_[cell]; p < cell_begin_[cell + 1]; ++p) {
+      sum += points_[p].pressure + trace<dim>(points_[p].deviator) / dim;
     }
+    const auto count = cell_begin_[cell + 1] - cell_begin_[cell];
+    mean_stress_[cell] = count > 0 ? sum / static_cast<double>(count) : 0.0;
   }
+}
+
+template <int dim>
+void Classical<dim>::find_forces(std::int64_t step) {
+  const double volume_over_side =
+      times_power<dim - 1>(CellShape<dim>::point_volume, problem().discretisation.grid().cell_side);
+  const bool averaged = problem().volumetric == Volumetric::averaged;
+  if (averaged) update_mean_stresses();
   const bool is_pulled = problem().boundary == Boundary::traction;
   const double pull = problem().amplitude * load_at(step);
-  for_nodes([&](Node& node, int column, int row) {
-    node.force = {0.0, 0.0};
+  for_nodes([&](Node& node, const Index<dim>& place) {
+    node.force = {};
     if (is_pulled) {
-      const auto force = traction_force(problem(), column, row);
-      node.force = {pull * force[0], pull * force[1]};
+      node.force = traction_force(problem(), place);
+      for (double& f : node.force) f *= pull;
     }
-    for_points_around(column, row, [&](const Point& point, const Shape& s, int, int) {
-      const auto& [sxx, syy, sxy] = point.deviator;
-      // The mean in-plane stress of averaged points works on the mean volumetric strain of the cell.
-      const double pressure =
-          averaged ? mean_stress_[static_cast<std::size_t>(point.cell)] - 0.5 * (sxx + syy) : point.pressure;
-      const double volume_over_side = 0.25 * h;
-      node.force[0] -= volume_over_side * ((pressure + sxx) * s.dx + sxy * s.dy);
-      node.force[1] -= volume_over_side * (sxy * s.dx + (pressure + syy) * s.dy);
+    for_points_around(place, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>&) {
+      auto stress = point.deviator;
+      // The mean normal stress of averaged points works on the mean volumetric strain of the cell.
+      add_to_normal<dim>(
+          stress, averaged ? mean_stress_[static_cast<std::size_t>(point.cell)] - trace<dim>(point.deviator) / dim
+                           : point.pressure);
+      for (int i = 0; i < dim; ++i) {
+        const auto term = [&](int j) {
+          return stress[static_cast<std::size_t>(component_index<dim>(i, j))] * s.gradient[static_cast<std::size_t>(j)];
+        };
+        double sum = term(0);
+        for (int j = 1; j < dim; ++j) sum += term(j);
+        node.force[static_cast<std::size_t>(i)] -= volume_over_side * sum;
+      }
     });
   });
 }
 
-void Classical::update_momenta(std::int64_t step) {
+template <int dim>
+void Classical<dim>::update_momenta(std::int64_t step) {
   const double dt = problem().time_step;
   const bool follows = follows_affinely(problem());
-  for_nodes([&](Node& node, int column, int row) {
-    node.acceleration = {0.0, 0.0};
+  for_nodes([&](Node& node, const Index<dim>& place) {
+    node.acceleration = {};
     if (node.mass == 0.0) return;
-    const auto before = load_velocity(column, row, step - 1), after = load_velocity(column, row, step);
-    const bool prescribed = is_prescribed(problem(), column, row);
-    for (std::size_t i = 0; i < 2; ++i) {
+    const auto before = load_velocity(place, step - 1), after = load_velocity(place, step);
+    const bool prescribed = is_prescribed(problem(), place);
+    for (std::size_t i = 0; i < before.size(); ++i) {
       double acceleration = node.force[i] / node.mass;
       if (prescribed) {
         acceleration = (after[i] - before[i]) / dt;
@@ -328,14 +387,15 @@ void Classical::update_momenta(std::int64_t step) {
   });
 }
 
-void Classical::update_points() {
+template <int dim>
+void Classical<dim>::update_points() {
   const double dt = problem().time_step;
 #pragma omp parallel for num_threads(threads_)
   for (auto& point : points_) {  // NOLINT(modernize-loop-convert)
     const auto nodes = nodes_of(point.cell);
-    for (std::size_t node = 0; node < 4; ++node) {
-      const double weight = shape(node, point.local).weight;
-      for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+      const double weight = shape_function<dim>(node, point.local).weight;
+      for (std::size_t i = 0; i < point.velocity.size(); ++i) {
         point.velocity[i] += dt * weight * nodes_[nodes[node]].acceleration[i];
         const double step = dt * weight * nodes_[nodes[node]].velocity[i];
         point.position[i] += step;
@@ -345,21 +405,24 @@ void Classical::update_points() {
   }
 }
 
-Averages Classical::averages() const {
+template <int dim>
+Averages<dim> Classical<dim>::averages() const {
   const auto& grid = problem().discretisation.grid();
-  PlaneStress stress;
-  PlaneStrain strain;
+  Averages<dim> sum;
   for (const auto& point : points_) {
-    stress.xx += point.pressure + point.deviator[0];
-    stress.yy += point.pressure + point.deviator[1];
-    stress.xy += point.deviator[2];
-    strain.xx += point.strain[0];
-    strain.yy += point.strain[1];
-    strain.xy += 0.5 * point.strain[2];
+    for (int i = 0; i < tensor_components<dim>; ++i) {
+      const auto c = static_cast<std::size_t>(i);
+      const bool is_normal = i < dim;
+      component(sum.stress, i) += is_normal ? point.pressure + point.deviator[c] : point.deviator[c];
+      component(sum.strain, i) += is_normal ? point.strain[c] : 0.5 * point.strain[c];
+    }
   }
-  const double scale = 1.0 / (static_cast<double>(grid.cells() * points_per_cell) * problem().amplitude);
-  return {{scale * stress.xx, scale * stress.yy, scale * stress.xy},
-          {scale * strain.xx, scale * strain.yy, scale * strain.xy}};
+  const auto points = static_cast<double>(grid.cell_count() * CellShape<dim>::points);
+  const double scale = 1.0 / (points * problem().amplitude);
+  return {scaled(scale, sum.stress), scaled(scale, sum.strain)};
 }
+
+template class Classical<2>;
+template class Classical<3>;
 
 }  // namespace breccia::dynamics

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/discretisation/tensor.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 
 #include "cell_row_kernel.hpp"
@@ -20,37 +21,50 @@ namespace breccia::dynamics {
 /// Nodes gather from the points of the cells around them in a fixed order: no result depends on the number of threads.
 /// Around the boundary nodes of a periodic box lie the cells of the opposite side, whose points differ in velocity by
 /// the affine motion of the load.
-class Classical final : public DynamicSolver {
+template <int dim>
+class Classical final : public DynamicSolver<dim> {
  public:
-  Classical(DynamicProblem problem, int threads);
+  using typename DynamicSolver<dim>::VelocityField;
+
+  Classical(DynamicProblem<dim> problem, int threads);
 
   void set_velocities(const VelocityField& velocity) override;
-  [[nodiscard]] Vector<2> momentum() const override;
+  [[nodiscard]] Vector<dim> momentum() const override;
   [[nodiscard]] Energy energy() const override;
-  [[nodiscard]] PointFields fields() const override;
+  [[nodiscard]] PointFields<dim> fields() const override;
   [[nodiscard]] Footprint footprint() const override;
 
  private:
+  using DynamicSolver<dim>::load_at;
+  using DynamicSolver<dim>::problem;
+  using DynamicSolver<dim>::require_elastic;
+  using DynamicSolver<dim>::steps_taken;
+
+  static constexpr std::size_t components = tensor_components<dim>;
+  /// Components of a symmetric tensor in Voigt's order.
+  using Components = std::array<double, components>;
+  static constexpr std::size_t nodes_per_cell = std::size_t{1} << dim;
+
   struct Point {
-    Vector<2> position;
-    Vector<2> velocity;
-    Vector<2> displacement;          ///< [m], summed up apart from the position, which would round it off
-    Vector<2> local;                 ///< position relative to the centre of its cell, in cell sides
-    std::array<double, 3> strain;    ///< as the stress sees it: xx, yy, engineering xy
-    std::array<double, 3> deviator;  ///< stress deviator xx, yy, xy [Pa]
-    double pressure;                 ///< tension positive [Pa]
-    double mass;                     ///< per unit thickness [kg/m]
-    std::size_t history;             ///< first value in `history_`
-    std::size_t lattice;             ///< place in PointFields
-    int cell;
-    MaterialIndex material;
+    Vector<dim> position;
+    Vector<dim> velocity;
+    Vector<dim> displacement;  ///< [m]; summed up apart from the position, which would round it off
+    Vector<dim> local;         ///< position relative to the centre of its cell, in cell sides
+    Components strain;         ///< as the stress depends on it, with engineering shears
+    Components deviator;       ///< of the stress [Pa]
+    double pressure;           ///< tension positive [Pa]
+    double mass;               ///< [kg], in 2D per unit thickness [kg/m]
+    std::size_t history;       ///< first value in `history_`
+    std::size_t lattice;       ///< place in PointFields
+    int cell;                  ///< place in lists of cells; -1 outside the box
+    PhaseIndex phase;
   };
   struct Node {
     double mass;
-    Vector<2> momentum;
-    Vector<2> force;
-    Vector<2> velocity;
-    Vector<2> acceleration;
+    Vector<dim> momentum;
+    Vector<dim> force;
+    Vector<dim> velocity;
+    Vector<dim> acceleration;
   };
   /// A material over half a step.
   struct MaterialHalfStep {
@@ -60,8 +74,8 @@ class Classical final : public DynamicSolver {
     std::vector<TermStep> shear_terms;
   };
 
-  void take_steps(std::int64_t first, int steps, Averages* averages) override;
-  [[nodiscard]] Vector<2> most_moved() const override;
+  void take_steps(std::int64_t first, int steps, Averages<dim>* averages) override;
+  [[nodiscard]] Vector<dim> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
 
@@ -73,16 +87,18 @@ class Classical final : public DynamicSolver {
   void update_momenta(std::int64_t step);
   void update_points();
 
+  void add_points(const Index<dim>& cell);
   void sort_points();
-  void update_stress(Point& point, const std::array<double, 3>& strain_step);
+  void update_stress(Point& point, const Components& strain_step);
+  void update_mean_stresses();
   [[nodiscard]] double mean_volumetric_step(int cell) const;
-  [[nodiscard]] std::array<double, 3> strain_step(const Point& point) const;
+  [[nodiscard]] Components strain_step(const Point& point) const;
   void bring_back(Point& point, std::int64_t step) const;
-  [[nodiscard]] Vector<2> load_velocity(int node_column, int node_row, std::int64_t step) const;
-  [[nodiscard]] Averages averages() const;
-  [[nodiscard]] std::array<std::size_t, 4> nodes_of(int cell) const noexcept;
+  [[nodiscard]] Vector<dim> load_velocity(const Index<dim>& node, std::int64_t step) const;
+  [[nodiscard]] Averages<dim> averages() const;
+  [[nodiscard]] std::array<std::size_t, nodes_per_cell> nodes_of(int cell) const noexcept;
   template <class Visit>
-  void for_points_around(int node_column, int node_row, Visit&& visit) const;
+  void for_points_around(const Index<dim>& node, Visit&& visit) const;
   template <class Action>
   void for_nodes(Action&& action);
 
@@ -90,10 +106,14 @@ class Classical final : public DynamicSolver {
   std::vector<MaterialHalfStep> materials_;
   std::vector<Point> points_;            ///< sorted by cell
   std::vector<std::size_t> cell_begin_;  ///< first point of each cell, and the end
-  std::vector<double> mean_stress_;      ///< mean in-plane stress of the points of the cell [Pa]
+  std::vector<double> mean_stress_;      ///< mean of the normal stresses (in 2D of those in the plane) of the points of
+                                         ///< each cell [Pa]
   std::vector<Node> nodes_;
   std::vector<double> history_;
-  double initial_area_ = 0.0;
+  double initial_volume_ = 0.0;  ///< of all points [m^dim]
 };
+
+extern template class Classical<2>;
+extern template class Classical<3>;
 
 }  // namespace breccia::dynamics

@@ -1,9 +1,9 @@
-// What a run tells of its state: memory, momentum, energy and fields, and what it goes on from. The steps are in
-// classical.cpp.
+// The state of a run: memory, momentum, energy, fields and checkpoints. The steps are in classical.cpp.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/error.hpp"
 
 #include "classical.hpp"
@@ -14,71 +14,88 @@ namespace {
 /// Visits, in a fixed order, the numbers of a point that change during a run.
 template <class Point, class Visit>
 void visit_numbers(Point& point, const Visit& visit) {
-  for (auto* pair : {&point.position, &point.velocity, &point.displacement, &point.local}) {
-    for (auto& value : *pair) visit(value);
+  for (auto* vector : {&point.position, &point.velocity, &point.displacement, &point.local}) {
+    for (auto& value : *vector) visit(value);
   }
-  for (auto* triple : {&point.strain, &point.deviator}) {
-    for (auto& value : *triple) visit(value);
+  for (auto* tensor : {&point.strain, &point.deviator}) {
+    for (auto& value : *tensor) visit(value);
   }
   visit(point.pressure);
 }
-constexpr std::size_t numbers_per_point = 15;
+template <int dim>
+constexpr std::size_t numbers_per_point = 4 * dim + 2 * tensor_components<dim> + 1;
 
 }  // namespace
 
-Vector<2> Classical::momentum() const {
-  Vector<2> sum = {0.0, 0.0};
+template <int dim>
+Vector<dim> Classical<dim>::momentum() const {
+  Vector<dim> sum{};
   for (const auto& point : points_) {
-    sum[0] += point.mass * point.velocity[0] / problem().amplitude;
-    sum[1] += point.mass * point.velocity[1] / problem().amplitude;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += point.mass * point.velocity[i] / problem().amplitude;
   }
   return sum;
 }
 
-Energy Classical::energy() const {
+template <int dim>
+Energy Classical<dim>::energy() const {
   require_elastic();
-  const double area = initial_area_ / static_cast<double>(points_.size());
+  const double volume = initial_volume_ / static_cast<double>(points_.size());
   Energy energy;
   for (const auto& point : points_) {
-    const auto& v = point.velocity;
-    const auto& e = point.strain;
-    const auto& s = point.deviator;
-    energy.kinetic += 0.5 * point.mass * (v[0] * v[0] + v[1] * v[1]);
-    energy.strain += 0.5 * area * (point.pressure * (e[0] + e[1]) + s[0] * e[0] + s[1] * e[1] + s[2] * e[2]);
+    double squared_velocity = 0.0, trace = 0.0;
+    for (const double v : point.velocity) squared_velocity += v * v;
+    for (std::size_t axis = 0; axis < dim; ++axis) trace += point.strain[axis];
+    double work = point.pressure * trace;
+    for (std::size_t i = 0; i < components; ++i) work += point.deviator[i] * point.strain[i];
+    energy.kinetic += 0.5 * point.mass * squared_velocity;
+    energy.strain += 0.5 * volume * work;
   }
   const double squared = problem().amplitude * problem().amplitude;
   return {energy.kinetic / squared, energy.strain / squared};
 }
 
-Footprint Classical::footprint() const {
+template <int dim>
+Footprint Classical<dim>::footprint() const {
   // A step reads the points nine times and writes them four times, the nodes seven and four times, the history twice.
   const auto points = points_.size() * sizeof(Point);
   const auto nodes = nodes_.size() * sizeof(Node);
   const auto history = history_.size() * sizeof(double);
   const auto cells = cell_begin_.size() * sizeof(std::size_t) + mean_stress_.size() * sizeof(double);
-  return {.held = problem().discretisation.cells().size() * sizeof(CellMaterials) + points + nodes + history + cells,
+  return {.held = problem().discretisation.cells().size() * sizeof(CellPhases<dim>) + points + nodes + history + cells,
           .moved_per_step = 13 * points + 11 * nodes + 4 * history};
 }
 
-PointFields Classical::fields() const {
+template <int dim>
+PointFields<dim> Classical<dim>::fields() const {
   const double scale = 1.0 / problem().amplitude;
   auto fields = zero_fields(problem().discretisation);
   for (const auto& point : points_) {
-    const auto i = point.lattice;
-    const auto& [sxx, syy, sxy] = point.deviator;
-    fields.displacement[i] = {scale * point.displacement[0], scale * point.displacement[1]};
-    fields.strain[i] = {scale * point.strain[0], scale * point.strain[1], 0.5 * scale * point.strain[2]};
-    fields.stress[i] = {scale * (point.pressure + sxx), scale * (point.pressure + syy),
-                        scale * (point.pressure - sxx - syy), scale * sxy};
+    auto& displacement = fields.displacement[point.lattice];
+    auto& strain = fields.strain[point.lattice];
+    auto& stress = fields.stress[point.lattice];
+    for (std::size_t i = 0; i < dim; ++i) {
+      displacement[i] = scale * point.displacement[i];
+      strain[i] = scale * point.strain[i];
+      stress[i] = scale * (point.pressure + point.deviator[i]);
+    }
+    // The deviator has no trace.
+    stress[2] = scale * (point.pressure - point.deviator[0] - point.deviator[1]);
+    for (std::size_t i = dim; i < components; ++i) {
+      strain[i] = 0.5 * scale * point.strain[i];
+      stress[i + 3 - dim] = scale * point.deviator[i];
+    }
   }
   return fields;
 }
 
-Vector<2> Classical::most_moved() const {
-  Vector<2> place = {0.0, 0.0};
+template <int dim>
+Vector<dim> Classical<dim>::most_moved() const {
+  Vector<dim> place{};
   double most = 0.0;
   for (const auto& point : points_) {
-    const double moved = std::hypot(point.velocity[0], point.velocity[1]);
+    double squared = 0.0;
+    for (const double v : point.velocity) squared += v * v;
+    const double moved = std::sqrt(squared);
     if (moved <= most) continue;
     most = moved;
     place = point.position;
@@ -87,10 +104,11 @@ Vector<2> Classical::most_moved() const {
   return place;
 }
 
-void Classical::save_arrays(StateWriter& state, const std::string& group) const {
+template <int dim>
+void Classical<dim>::save_arrays(StateWriter& state, const std::string& group) const {
   std::vector<double> numbers, places, cells;
-  numbers.reserve(numbers_per_point * points_.size());
-  // The order within a cell tells in which points came, and sums are taken in it.
+  numbers.reserve(numbers_per_point<dim> * points_.size());
+  // The order of the points in a cell is part of the state, since sums are taken in it.
   for (const auto& point : points_) {
     visit_numbers(point, [&](double value) { numbers.push_back(value); });
     places.push_back(static_cast<double>(point.lattice));
@@ -102,8 +120,9 @@ void Classical::save_arrays(StateWriter& state, const std::string& group) const 
   state.write(group + "/history", history_);
 }
 
-void Classical::restore_arrays(const StateReader& state, const std::string& group) {
-  const auto numbers = state.numbers(group + "/points", numbers_per_point * points_.size());
+template <int dim>
+void Classical<dim>::restore_arrays(const StateReader& state, const std::string& group) {
+  const auto numbers = state.numbers(group + "/points", numbers_per_point<dim> * points_.size());
   const auto places = state.numbers(group + "/places", points_.size());
   const auto cells = state.numbers(group + "/cells", points_.size());
   history_ = state.numbers(group + "/history", history_.size());
@@ -122,5 +141,20 @@ void Classical::restore_arrays(const StateReader& state, const std::string& grou
   points_ = std::move(restored);
   sort_points();
 }
+
+template Vector<2> Classical<2>::momentum() const;
+template Energy Classical<2>::energy() const;
+template Footprint Classical<2>::footprint() const;
+template PointFields<2> Classical<2>::fields() const;
+template Vector<2> Classical<2>::most_moved() const;
+template void Classical<2>::save_arrays(StateWriter&, const std::string&) const;
+template void Classical<2>::restore_arrays(const StateReader&, const std::string&);
+template Vector<3> Classical<3>::momentum() const;
+template Energy Classical<3>::energy() const;
+template Footprint Classical<3>::footprint() const;
+template PointFields<3> Classical<3>::fields() const;
+template Vector<3> Classical<3>::most_moved() const;
+template void Classical<3>::save_arrays(StateWriter&, const std::string&) const;
+template void Classical<3>::restore_arrays(const StateReader&, const std::string&);
 
 }  // namespace breccia::dynamics

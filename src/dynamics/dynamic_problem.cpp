@@ -6,9 +6,10 @@
 #include <numbers>
 #include <set>
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 
 namespace breccia {
@@ -26,33 +27,40 @@ double StrainRamp::at(double t) const noexcept {
 
 namespace {
 
-constexpr CellMaterials empty_cell = {no_material, no_material, no_material, no_material};
-
-/// Largest eigenvalue of M^-1 K of a single cell, times the squared cell side [m^2/s^2].
-double largest_cell_eigenvalue(const CellMaterials& cell, const std::vector<Material>& materials,
+/// Largest eigenvalue of M^-1 K of a single cell, times the squared cell side [m^2/s^2]: the side leaves the masses
+/// with its power dim and the stiffness with its power dim - 2.
+template <int dim>
+double largest_cell_eigenvalue(const CellPhases<dim>& cell, const std::vector<Material>& materials,
                                Volumetric volumetric) {
-  std::array<Moduli, points_per_cell> moduli{};
-  CellVector mass = CellVector::Zero();
-  for (int p = 0; p < points_per_cell; ++p) {
-    if (cell[static_cast<std::size_t>(p)] == no_material) continue;
-    const auto& material = materials[cell[static_cast<std::size_t>(p)]];
+  using Shape = CellShape<dim>;
+  typename Shape::PointModuli moduli{};
+  typename Shape::Values mass = Shape::Values::Zero();
+  for (int p = 0; p < Shape::points; ++p) {
+    const auto phase = cell[static_cast<std::size_t>(p)];
+    if (phase == no_phase) continue;
+    const auto& material = materials[phase];
     moduli[static_cast<std::size_t>(p)] = {material.bulk.unrelaxed(), material.shear.unrelaxed()};
-    const auto weights = node_weights(p);
-    for (Eigen::Index node = 0; node < 4; ++node) {
-      mass.segment<2>(2 * node).array() += 0.25 * material.density * weights[static_cast<std::size_t>(node)];
+    const auto weights = Shape::weights(p);
+    for (int node = 0; node < Shape::nodes; ++node) {
+      mass.template segment<dim>(dim * node).array() +=
+          Shape::point_volume * material.density * weights[static_cast<std::size_t>(node)];
     }
   }
-  const CellVector scale = mass.cwiseSqrt().cwiseInverse();
-  const CellMatrix scaled = scale.asDiagonal() * cell_stiffness(moduli, volumetric) * scale.asDiagonal();
-  return Eigen::SelfAdjointEigenSolver<CellMatrix>(scaled, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+  const typename Shape::Values scale = mass.cwiseSqrt().cwiseInverse();
+  const typename Shape::Stiffness scaled =
+      scale.asDiagonal() * Shape::stiffness(moduli, volumetric) * scale.asDiagonal();
+  return Eigen::SelfAdjointEigenSolver<typename Shape::Stiffness>(scaled, Eigen::EigenvaluesOnly)
+      .eigenvalues()
+      .maxCoeff();
 }
 
-void require_complete(const Discretisation& discretisation, const std::vector<Material>& materials) {
+template <int dim>
+void require_complete(const Discretisation<dim>& discretisation, const std::vector<Material>& materials) {
   for (const auto& cell : discretisation.cells()) {
-    for (const auto material : cell) {
-      if (material != no_material && material >= materials.size()) {
+    for (const auto phase : cell) {
+      if (phase != no_phase && phase >= materials.size()) {
         throw InputError(
-            fmt::format("dynamic run: a point has material {}, but only {} are given", material, materials.size()));
+            fmt::format("dynamic run: a point has material {}, but only {} are given", phase, materials.size()));
       }
     }
   }
@@ -65,20 +73,22 @@ void require_complete(const Discretisation& discretisation, const std::vector<Ma
 
 }  // namespace
 
-double stable_time_step(const Discretisation& discretisation, const std::vector<Material>& materials,
+template <int dim>
+double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
                         Volumetric volumetric, double density_factor) {
   require_complete(discretisation, materials);
-  const std::set<CellMaterials> kinds(discretisation.cells().begin(), discretisation.cells().end());
+  const std::set<CellPhases<dim>> kinds(discretisation.cells().begin(), discretisation.cells().end());
   double largest = 0.0;
   for (const auto& kind : kinds) {
-    if (kind == empty_cell) continue;
-    largest = std::max(largest, largest_cell_eigenvalue(kind, materials, volumetric));
+    if (std::ranges::all_of(kind, [](PhaseIndex phase) { return phase == no_phase; })) continue;
+    largest = std::max(largest, largest_cell_eigenvalue<dim>(kind, materials, volumetric));
   }
   if (!(largest > 0.0)) throw InputError("dynamic run: no cell has a point");
   return 2.0 * discretisation.grid().cell_side * std::sqrt(density_factor / largest);
 }
 
-void require_stable(const DynamicProblem& problem) {
+template <int dim>
+void require_stable(const DynamicProblem<dim>& problem) {
   const double limit =
       stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   if (!(problem.time_step > 0.0) || problem.time_step > limit) {
@@ -87,5 +97,10 @@ void require_stable(const DynamicProblem& problem) {
                     problem.time_step, limit));
   }
 }
+
+template double stable_time_step(const Discretisation<2>&, const std::vector<Material>&, Volumetric, double);
+template void require_stable(const DynamicProblem<2>&);
+template double stable_time_step(const Discretisation<3>&, const std::vector<Material>&, Volumetric, double);
+template void require_stable(const DynamicProblem<3>&);
 
 }  // namespace breccia

@@ -11,6 +11,8 @@
 #include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/session.hpp"
 
+#include "node_rows.hpp"
+
 namespace breccia::dynamics {
 namespace {
 
@@ -30,13 +32,8 @@ void unpack(const std::vector<double>& message, const RowForces& forces) {
 
 }  // namespace
 
-RowExchange::RowExchange(const Grid& grid, bool wraps, std::size_t length)
-    : rows_(grid.rows),
-      wraps_(wraps),
-      up_(2 * length),
-      down_(2 * length),
-      from_below_(2 * length),
-      from_above_(2 * length) {
+RowExchange::RowExchange(const Grid<2>& grid, bool wraps) : rows_(grid.rows()), wraps_(wraps) {
+  for (auto* message : {&up_, &down_, &from_below_, &from_above_}) message->resize(2 * NodeRows::length_of_row(grid));
   if (!parallel::is_under_mpirun()) return;
   parallel::start();
   rank_ = parallel::rank();

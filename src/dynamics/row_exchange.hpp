@@ -7,41 +7,42 @@
 
 #include <mpi.h>
 
-#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/grid.hpp"
 
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
-/// The rows of cells of this process, where mpirun has started several, and what these tell each other. A process
-/// alone has all rows, and MPI is not started for it.
+/// The rows of cells of this process, if mpirun has started several, and the messages between processes. A process that
+/// runs alone has all rows, and MPI is not started for it.
 class RowExchange {
  public:
-  /// Deals the rows in order. In a box that wraps, the first and the last process are neighbours. Rows of forces have
-  /// so many values. Throws InputError when there are more processes than rows.
-  RowExchange(const Grid& grid, bool wraps, std::size_t length);
+  /// Deals the rows to the processes in order. In a box that wraps, the first and the last process are neighbours.
+  /// Throws InputError when there are more processes than rows.
+  RowExchange(const Grid<2>& grid, bool wraps);
 
   /// Rows of cells [first, end).
   [[nodiscard]] int first() const noexcept { return first_of(rank_); }
   [[nodiscard]] int end() const noexcept { return first_of(rank_ + 1); }
   [[nodiscard]] bool has_neighbours() const noexcept { return wraps_ || ranks_ > 1; }
 
-  /// Begins to hand the forces on the lowest nodes to the process below and to take those of both neighbours.
+  /// Starts to send the forces on the lowest nodes to the process below, and to receive those of both neighbours.
   void begin(const RowForces& lowest);
-  /// Hands the forces on the highest nodes to the process above and waits for those of the neighbours. Leaves alone
-  /// what no neighbour would send. Those of the left and the right cells come as one sum, in the place of the left
-  /// ones, and what is in the place of the right ones must be -0, with which a sum keeps its bits.
+  /// Sends the forces on the highest nodes to the process above, and waits until the forces from both neighbours are
+  /// there. They are sums of the forces of the left and the right cell of each node. The sums are written in the place
+  /// of the left forces; the caller must keep -0 in the place of the right ones, so that adding both changes no bit.
+  /// On a side where there is no neighbour nothing is written.
   void finish(const RowForces& highest, const RowForces& from_below, const RowForces& from_above);
 
-  /// Completes a list that holds so many values for each row of cells, or of nodes, of which this process knows its
-  /// own.
+  /// Completes a list that has the same number of values for each row of cells, or of nodes, on every process. Before
+  /// the call each process has the values of its own rows.
   void gather_cell_rows(std::span<double> values) const;
   void gather_node_rows(std::span<double> values) const;
 
-  /// What all processes have of something that each knows for its own rows, in their order; on the first process, where
-  /// it is put into `all`. A process alone gets its own back.
+  /// Joins lists of any lengths, one from each process, in the order of the processes. The first process gets the
+  /// joined list, which is stored in `all`; the others get nothing. A process that runs alone gets its own list back.
   [[nodiscard]] std::span<const double> collect(std::span<const double> own, std::vector<double>& all) const;
-  /// Where the share of this process begins in it, and how long the whole is.
+  /// Where the list of this process begins in the joined one, and the length of that.
   struct Place {
     std::size_t begin;
     std::size_t size;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/moduli.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/study.hpp"
 

@@ -10,6 +10,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/phases.hpp"
 
 namespace breccia {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// no way through the times, about which the run itself knows better.
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Where the particles are does not matter.
-  const auto discretisation = discretise({stage.side, Walls::hard, {}}, cells);
+  const auto discretisation = discretise<2>({stage.side, Walls::hard, {}}, cells, matrix_phase, filler_phase);
   double most = 0.0;
   try {
     for (const auto boundary : study.tests.boundaries) {

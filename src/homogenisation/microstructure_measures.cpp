@@ -5,8 +5,8 @@
 namespace breccia {
 
 void measure(StageMicrostructure& result) {
-  result.fraction = area_fraction(result.microstructure);
-  result.interface_per_area = interface_per_area(result.microstructure);
+  result.fraction = volume_fraction(result.microstructure);
+  result.interface_per_area = specific_surface(result.microstructure);
   result.gap = smallest_gap(result.microstructure);
   result.wall_gap = smallest_wall_gap(result.microstructure);
 }

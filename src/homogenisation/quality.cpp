@@ -122,7 +122,7 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
 StageQuality quality_of(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   StageQuality quality{.matrix_stage = {},
-                       .particles = packed.microstructure.discs.size(),
+                       .particles = packed.microstructure.particles.size(),
                        .fraction = packed.fraction,
                        .fraction_asked = {},
                        .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
@@ -154,7 +154,7 @@ std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicr
   std::vector<std::string> warnings;
   if (!stage.filler) return warnings;
   constexpr std::size_t enough_particles = 30;
-  const auto particles = packed.microstructure.discs.size();
+  const auto particles = packed.microstructure.particles.size();
   const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing);
   if (is_random && particles < enough_particles) {
     warnings.push_back(fmt::format(

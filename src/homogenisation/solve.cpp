@@ -11,6 +11,7 @@
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/phases.hpp"
 
 #include "comparison.hpp"
 #include "matrix_moduli.hpp"
@@ -29,7 +30,8 @@ class StageSolution {
 
   void run(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_, discretise(done_.microstructure.microstructure, cells), threads};
+      const StageGrid grid{&study_, &stage_,
+                           discretise(done_.microstructure.microstructure, cells, matrix_phase, filler_phase), threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);
       }

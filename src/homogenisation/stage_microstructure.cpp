@@ -86,8 +86,8 @@ Packing<2> in_words_of_the_deck(const Stage& stage, const PackingRequest& reques
   }
 }
 
-Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
-                              StageMicrostructure& result) {
+Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
+                                 StageMicrostructure& result) {
   const auto& filler = *stage.filler;
   PackingRequest request;
   // Particles keep the whole gap to a wall, too: the boundary there is as rigid as a particle.
@@ -97,8 +97,8 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   request.minimum_gap = filler.gap;
   request.seed = method.seed;
   if (const auto distribution = distribution_of(filler)) {
-    request.diameters = draw_diameters(*distribution, filler.fraction.value(), stage.side);
-    result.size_deviation = largest_deviation(*distribution, request.diameters);
+    request.diameters = draw_diameters<2>(*distribution, filler.fraction.value(), stage.side);
+    result.size_deviation = largest_deviation<2>(*distribution, request.diameters);
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
   }
@@ -110,17 +110,17 @@ Microstructure pack_at_random(const Stage& stage, const LubachevskyStillingerPac
   return {stage.side, method.walls, std::move(packed.balls)};
 }
 
-Microstructure place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
   if (!stage.filler) return {stage.side, Walls::hard, {}};
   return std::visit(Overloaded{[&](const LubachevskyStillingerPacking& method) {
                                  return pack_at_random(stage, method, packing, result);
                                },
                                [&](const RegularPacking& array) {
                                  const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
-                                 return regular_array(stage.side, array.columns, array.rows, size.diameter);
+                                 return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
                                },
                                [&](const ExplicitPacking& listed) {
-                                 Microstructure microstructure = {stage.side, listed.walls, listed.discs};
+                                 Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs};
                                  require_valid(microstructure);
                                  return microstructure;
                                }},

@@ -7,6 +7,8 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/virtual_test/dynamic_test_state.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
 #include "field_records_state.hpp"
@@ -16,7 +18,7 @@ namespace breccia {
 namespace {
 
 TestGrid grid_of(const StageGrid& grid) {
-  return TestGrid(grid.discretisation.grid().columns);
+  return TestGrid(grid.discretisation.grid().columns());
 }
 
 Checkpoint* pointer_to(std::optional<Checkpoint>& checkpoint) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/homogenisation/study_observer.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
@@ -15,7 +15,7 @@ namespace breccia {
 struct StageGrid {
   const Study* study;
   const Stage* stage;
-  Discretisation discretisation;
+  Discretisation<2> discretisation;
   int threads;
 };
 

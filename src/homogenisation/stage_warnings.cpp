@@ -31,9 +31,9 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
       needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
 }
 
-bool has_particles_across_sides(const Microstructure& microstructure) {
+bool has_particles_across_sides(const Microstructure<2>& microstructure) {
   if (microstructure.walls != Walls::periodic) return false;
-  return std::ranges::any_of(microstructure.discs, [side = microstructure.side](const Disc& disc) {
+  return std::ranges::any_of(microstructure.particles, [side = microstructure.side](const Disc& disc) {
     const double radius = 0.5 * disc.diameter;
     return std::ranges::any_of(disc.centre, [&](double x) { return x < radius || side - x < radius; });
   });

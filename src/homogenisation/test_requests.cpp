@@ -16,16 +16,16 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
 }
 
 /// Times [s] at which a test of a stage finds its fields: of the first load, on the finest grid.
-std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation& discretisation,
+std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation<2>& discretisation,
                                    Load load) {
-  const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns == stage.cells;
+  const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns() == stage.cells;
   return has_fields ? study.tests.field_times : std::vector<double>();
 }
 
 }  // namespace
 
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
-                              const Discretisation& discretisation, Boundary boundary, Load load, int threads) {
+                              const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads) {
   return {.discretisation = discretisation,
           .materials = materials_of(stage, matrix),
           .boundary = boundary,
@@ -38,7 +38,7 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
 }
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation& discretisation, Boundary boundary, int threads) {
+                                      const Discretisation<2>& discretisation, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
   return {.discretisation = discretisation,

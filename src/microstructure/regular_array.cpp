@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include <fmt/format.h>
 
@@ -9,28 +10,34 @@
 
 namespace breccia {
 
-Microstructure regular_array(double side, int columns, int rows, double diameter, Walls walls) {
+template <int dim>
+Microstructure<dim> regular_array(double side, const Index<dim>& counts, double diameter, Walls walls) {
   if (!(side > 0.0) || !std::isfinite(side)) {
     throw InputError(fmt::format("regular array: the side of the box must be positive, got {} m", side));
   }
-  if (columns < 1 || rows < 1) {
-    throw InputError(fmt::format("regular array: needs at least one column and one row, got {} x {}", columns, rows));
-  }
-  const double width = side / columns;
-  const double height = side / rows;
-  if (!(diameter > 0.0) || !(diameter < std::min(width, height))) {
+  if (std::ranges::min(counts) < 1) {
     throw InputError(
-        fmt::format("regular array: {} x {} discs in a box of side {} m must have a positive diameter below {} m, or "
+        fmt::format("regular array: needs at least one particle along each axis, got {}", fmt::join(counts, " x ")));
+  }
+  Vector<dim> spacing{};
+  std::ranges::transform(counts, spacing.begin(), [side](int count) { return side / count; });
+  const double closest = std::ranges::min(spacing);
+  if (!(diameter > 0.0) || !(diameter < closest)) {
+    throw InputError(
+        fmt::format("regular array: {} particles in a box of side {} m must have a positive diameter below {} m, or "
                     "they touch; got {} m",
-                    columns, rows, side, std::min(width, height), diameter));
+                    fmt::join(counts, " x "), side, closest, diameter));
   }
-  Microstructure microstructure{side, walls, {}};
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      microstructure.discs.push_back({{(column + 0.5) * width, (row + 0.5) * height}, diameter});
-    }
-  }
+  Microstructure<dim> microstructure{side, walls, {}};
+  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& place) {
+    Vector<dim> centre{};
+    for (std::size_t axis = 0; axis < centre.size(); ++axis) centre[axis] = (place[axis] + 0.5) * spacing[axis];
+    microstructure.particles.push_back({centre, diameter});
+  });
   return microstructure;
 }
+
+template Microstructure<2> regular_array<2>(double, const Index<2>&, double, Walls);
+template Microstructure<3> regular_array<3>(double, const Index<3>&, double, Walls);
 
 }  // namespace breccia

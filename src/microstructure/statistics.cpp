@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -13,51 +12,68 @@
 
 namespace breccia {
 
-double area_fraction(const Microstructure& microstructure) {
-  double area = 0.0;
-  for (const Disc& disc : microstructure.discs) area += std::numbers::pi / 4.0 * disc.diameter * disc.diameter;
-  return area / (microstructure.side * microstructure.side);
+template <int dim>
+double volume_fraction(const Microstructure<dim>& microstructure) {
+  double volume = 0.0;
+  for (const auto& ball : microstructure.particles) volume += ball_volume<dim>(ball.diameter);
+  return volume / times_power<dim>(1.0, microstructure.side);
 }
 
-double interface_per_area(const Microstructure& microstructure) {
-  double length = 0.0;
-  for (const Disc& disc : microstructure.discs) length += std::numbers::pi * disc.diameter;
-  return length / (microstructure.side * microstructure.side);
+template <int dim>
+double specific_surface(const Microstructure<dim>& microstructure) {
+  double surface = 0.0;
+  for (const auto& ball : microstructure.particles) surface += ball_surface<dim>(ball.diameter);
+  return surface / times_power<dim>(1.0, microstructure.side);
 }
 
-double smallest_gap(const Microstructure& microstructure) {
-  return smallest_gap<2>(microstructure.side, microstructure.walls, microstructure.discs);
+template <int dim>
+double smallest_gap(const Microstructure<dim>& microstructure) {
+  return smallest_gap<dim>(microstructure.side, microstructure.walls, microstructure.particles);
 }
 
-double smallest_wall_gap(const Microstructure& microstructure) {
+template <int dim>
+double smallest_wall_gap(const Microstructure<dim>& microstructure) {
   double smallest = std::numeric_limits<double>::infinity();
   if (microstructure.walls == Walls::periodic) return smallest;
-  for (const Disc& disc : microstructure.discs) {
-    for (const double x : disc.centre) {
-      smallest = std::min(smallest, std::min(x, microstructure.side - x) - 0.5 * disc.diameter);
+  for (const auto& ball : microstructure.particles) {
+    for (const double x : ball.centre) {
+      smallest = std::min(smallest, std::min(x, microstructure.side - x) - 0.5 * ball.diameter);
     }
   }
   return smallest;
 }
 
-std::vector<double> size_histogram(const Microstructure& microstructure, std::span<const double> edges) {
+template <int dim>
+std::vector<double> size_histogram(const Microstructure<dim>& microstructure, std::span<const double> edges) {
   if (edges.size() < 2 || !std::ranges::is_sorted(edges, std::ranges::less_equal{})) {
     throw InputError(
         fmt::format("size histogram: needs two or more bin edges that rise strictly, got {}", edges.size()));
   }
   std::vector<double> shares(edges.size() - 1, 0.0);
   double total = 0.0;
-  for (const Disc& disc : microstructure.discs) {
-    const double squared = disc.diameter * disc.diameter;
-    total += squared;
-    if (disc.diameter < edges.front() || disc.diameter > edges.back()) continue;
-    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(edges, disc.diameter) - edges.begin());
-    shares[std::min(above, shares.size()) - 1] += squared;
+  for (const auto& ball : microstructure.particles) {
+    const double diameter = ball.diameter;
+    const double power = times_power<dim>(1.0, diameter);
+    total += power;
+    if (diameter < edges.front() || diameter > edges.back()) continue;
+    const auto above = static_cast<std::size_t>(std::ranges::upper_bound(edges, diameter) - edges.begin());
+    shares[std::min(above, shares.size()) - 1] += power;
   }
   if (total > 0.0) {
     for (double& share : shares) share /= total;
   }
   return shares;
 }
+
+template double volume_fraction(const Microstructure<2>&);
+template double specific_surface(const Microstructure<2>&);
+template double smallest_gap(const Microstructure<2>&);
+template double smallest_wall_gap(const Microstructure<2>&);
+template std::vector<double> size_histogram(const Microstructure<2>&, std::span<const double>);
+template double volume_fraction(const Microstructure<3>&);
+template double specific_surface(const Microstructure<3>&);
+template double smallest_gap(const Microstructure<3>&);
+template double smallest_wall_gap(const Microstructure<3>&);
+template std::vector<double> size_histogram(const Microstructure<3>&, std::span<const double>);
 
 }  // namespace breccia

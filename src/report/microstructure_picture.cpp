@@ -30,10 +30,10 @@ bool shows_in_box(const Disc& disc, double side) {
 }
 
 /// The discs to draw: those of the box and, in a periodic box, their images that show in it.
-std::vector<Disc> visible_discs(const Microstructure& microstructure) {
+std::vector<Disc> visible_discs(const Microstructure<2>& microstructure) {
   const double side = microstructure.side;
   std::vector<Disc> visible;
-  for (const auto& disc : microstructure.discs) {
+  for (const auto& disc : microstructure.particles) {
     visible.push_back(disc);
     if (microstructure.walls == Walls::hard) continue;
     for (const double dx : {-side, 0.0, side}) {
@@ -63,7 +63,7 @@ std::string with_micro_sign(double length) {
 
 }  // namespace
 
-std::string microstructure_picture(const Microstructure& microstructure) {
+std::string microstructure_picture(const Microstructure<2>& microstructure) {
   const double side = microstructure.side;
   if (!(side > 0.0) || !std::isfinite(side)) {
     throw InputError(fmt::format("picture of a microstructure: the side of the box must be positive, got {} m", side));
@@ -82,7 +82,7 @@ std::string microstructure_picture(const Microstructure& microstructure) {
 <rect width="{5}" height="{5}" fill="#f3e9d8"/>
 <g clip-path="url(#box)" fill="#5b7f95" stroke="#2f4858" stroke-width="1">
 )svg",
-      -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.discs.size(),
+      -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.particles.size(),
       with_micro_sign(side), drawn_side);
   for (const auto& disc : visible_discs(microstructure)) {
     fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"/>\n", disc.centre[0] * scale,

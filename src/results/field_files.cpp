@@ -17,11 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_vtkhdf(const fs::path& path, const Grid& grid, const TimedFields& timed) {
+void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2>& timed) {
   const auto& [time, fields] = timed;
   // A square for each material point, a quarter of a cell: integrals over the squares are those of the solver.
   const double spacing = 0.5 * grid.cell_side;
-  const auto columns = 2 * static_cast<std::size_t>(grid.columns), rows = 2 * static_cast<std::size_t>(grid.rows);
+  const auto columns = 2 * static_cast<std::size_t>(grid.columns()), rows = 2 * static_cast<std::size_t>(grid.rows());
   std::vector<float> displacement, strain, stress;
   const auto append = [](std::vector<float>& values, std::initializer_list<double> components) {
     for (const double component : components) values.push_back(static_cast<float>(component));
@@ -30,7 +30,7 @@ void write_vtkhdf(const fs::path& path, const Grid& grid, const TimedFields& tim
   for (const auto& e : fields.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
   for (const auto& s : fields.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
   breccia::write_vtkhdf(path, {columns, rows, {0.0, 0.0}, spacing},
-                        {{"material", 1, fields.material},
+                        {{"material", 1, fields.phase},
                          {"displacement_m", 3, std::move(displacement)},
                          {"strain", 6, std::move(strain)},
                          {"stress_Pa", 6, std::move(stress)}},
@@ -48,11 +48,11 @@ std::string in_seconds(double time) {
 }
 
 /// The stress that a load raises, over the strain that it gives or the stress that it applies.
-FieldPicture stress_map(const PointFields& fields, Boundary boundary, Load load) {
+FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load load) {
   FieldPicture map;
   double sum = 0.0;
   for (const auto& s : fields.stress) {
-    map.values.push_back(modulus_of(load, {.xx = s[0], .yy = s[1], .xy = s[3]}));
+    map.values.push_back(modulus_of<2>(load, {.xx = s[0], .yy = s[1], .xy = s[3]}));
     sum += map.values.back();
   }
   const std::string stress = load == Load::bulk ? "Mean in-plane stress" : "Shear stress";
@@ -68,12 +68,12 @@ FieldPicture stress_map(const PointFields& fields, Boundary boundary, Load load)
 }
 
 /// The largest shear strain of each point over the mean strain of the load's kind.
-FieldPicture strain_map(const PointFields& fields, Load load) {
+FieldPicture strain_map(const PointFields<2>& fields, Load load) {
   FieldPicture map{.scale = ColourScale::logarithmic};
   double sum = 0.0;
   for (const auto& [xx, yy, xy] : fields.strain) {
     map.values.push_back(std::hypot(xx - yy, 2.0 * xy));
-    sum += compliance_of(load, {.xx = xx, .yy = yy, .xy = xy});
+    sum += compliance_of<2>(load, {.xx = xx, .yy = yy, .xy = xy});
   }
   map.unit_size = sum / static_cast<double>(fields.strain.size());
   map.quantity = fmt::format("Largest shear strain over mean {}", load == Load::bulk ? "dilatation" : "shear strain");
@@ -83,8 +83,8 @@ FieldPicture strain_map(const PointFields& fields, Load load) {
 }  // namespace
 
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const Discretisation& discretisation,
-                                      const std::vector<TimedFields>& fields) {
+                                      const TestId& test, const Discretisation<2>& discretisation,
+                                      const std::vector<TimedFields<2>>& fields) {
   const auto& tests = study.tests;
   const auto& [load, boundary, method, grid] = test;
   const bool is_first = boundary == tests.boundaries.front() && method == tests.methods.front();
@@ -98,7 +98,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
     const FieldRecord record = {time, numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"};
     write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
     const auto draw = [&, at = in_seconds(time)](const std::string& file, FieldPicture picture) {
-      picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns);
+      picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns());
       picture.title = fmt::format("{}, {}", title, at);
       write_text(directory / file, field_picture(picture));
     };

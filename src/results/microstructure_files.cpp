@@ -16,7 +16,7 @@ namespace breccia {
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
   std::vector<double> x, y, diameters;
-  for (const auto& [centre, diameter] : microstructure.microstructure.discs) {
+  for (const auto& [centre, diameter] : microstructure.microstructure.particles) {
     x.push_back(centre[0]);
     y.push_back(centre[1]);
     diameters.push_back(diameter);

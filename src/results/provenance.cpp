@@ -174,15 +174,15 @@ Json json_of(const StageQuality& quality) {
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
   const auto& packing = result.microstructure;
-  Json microstructure = {{"particles", packing.microstructure.discs.size()},
+  Json microstructure = {{"particles", packing.microstructure.particles.size()},
                          {"fraction", packing.fraction},
                          {"interface_per_area_1_per_m", packing.interface_per_area},
                          {"smallest_gap_m", finite_or_null(packing.gap)},
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
-  if (!packing.microstructure.discs.empty()) {
-    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.discs, {}, &Disc::diameter);
+  if (!packing.microstructure.particles.empty()) {
+    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.particles, {}, &Disc::diameter);
     microstructure["smallest_diameter_m"] = smallest.diameter;
     microstructure["largest_diameter_m"] = largest.diameter;
   }

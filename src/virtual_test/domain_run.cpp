@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
 
 #include "dynamic_state.hpp"
@@ -22,7 +23,7 @@ int steps_to_average(double time, double time_step, std::size_t points) {
 }
 
 /// What the mean of a few steps tells: the modulus, or under a traction boundary 1 / J.
-Sample averaged_sample(const DynamicTest& test, const std::vector<Averages>& steps, double first_time,
+Sample averaged_sample(const DynamicTest& test, const std::vector<Averages<2>>& steps, double first_time,
                        double time_step) {
   const bool creeps = test.boundary == Boundary::traction;
   double sum = 0.0;
@@ -44,7 +45,7 @@ double ramps_to_wait(Boundary boundary) {
 DomainRules rules_of(const DynamicTest& test) {
   const auto& grid = test.discretisation.grid();
   DomainRules rules;
-  rules.side = grid.cell_side * std::max(grid.columns, grid.rows);
+  rules.side = grid.cell_side * std::ranges::max(grid.cells);
   rules.density = mean_density(test.discretisation, test.materials);
   rules.times = test.times;
   rules.density_factors = test.options.density_factors;
@@ -85,15 +86,16 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
                     "waves hardly cross the box; give an earlier last time",
                     end, end / domain.time_step, domain.time_step));
   }
-  DynamicProblem problem = {.discretisation = test.discretisation,
-                            .materials = std::move(materials),
-                            .volumetric = test.options.volumetric,
-                            .density_factor = domain.density_factor,
-                            .time_step = domain.time_step,
-                            .boundary = test.boundary,
-                            .load = unit_strain(test.load),
-                            .ramp = StrainRamp(domain.ramp),
-                            .start = test.options.start};
+  DynamicProblem<2> problem = {.discretisation = test.discretisation,
+                               .materials = std::move(materials),
+                               .volumetric = test.options.volumetric,
+                               .density_factor = domain.density_factor,
+                               .time_step = domain.time_step,
+                               .boundary = test.boundary,
+                               .load = unit_strain<2>(test.load),
+                               .traction = unit_stress<2>(test.load),
+                               .ramp = StrainRamp(domain.ramp),
+                               .start = test.options.start};
   return {std::move(problem), std::move(domain)};
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "breccia/checkpoint/state.hpp"
 #include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/modulus_bounds.hpp"
 #include "breccia/virtual_test/time_domains.hpp"
@@ -16,7 +17,7 @@ DomainRules rules_of(const DynamicTest& test);
 
 /// A problem for one time domain, and what is told of it.
 struct PreparedDomain {
-  DynamicProblem problem;
+  DynamicProblem<2> problem;
   TimeDomain domain;
 };
 
@@ -39,7 +40,7 @@ class DomainRun {
   Sample take_sample(double expected_begin);
 
   [[nodiscard]] TimeDomain& domain() noexcept { return domain_; }
-  [[nodiscard]] std::vector<TimedFields>& fields() noexcept { return fields_; }
+  [[nodiscard]] std::vector<TimedFields<2>>& fields() noexcept { return fields_; }
 
   void save(StateWriter& state) const;
   void restore(const StateReader& state);
@@ -47,10 +48,10 @@ class DomainRun {
  private:
   const DynamicTest* test_;
   TimeDomain domain_;
-  std::unique_ptr<DynamicSolver> solver_;
+  std::unique_ptr<DynamicSolver<2>> solver_;
   std::span<const double> field_times_;
-  std::vector<TimedFields> fields_;
-  std::vector<Averages> steps_;
+  std::vector<TimedFields<2>> fields_;
+  std::vector<Averages<2>> steps_;
   double seconds_before_ = 0.0;  ///< of the runs that this one goes on from [s]
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

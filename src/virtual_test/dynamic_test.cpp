@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
@@ -29,7 +31,7 @@ void require_complete(const DynamicTest& test) {
 /// Bytes of one run, about.
 std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
   const auto points = test.discretisation.points();
-  const auto nodes = test.discretisation.grid().nodes();
+  const auto nodes = test.discretisation.grid().node_count();
   const std::size_t results = points * sizeof(double) * 9;
   if (test.options.formulation == Formulation::classical) return results + points * (180 + 24 * terms) + nodes * 72;
   return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
@@ -47,7 +49,7 @@ TimeWindow window_wanted(const DomainSequence& sequence) {
 
 }  // namespace
 
-double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials) {
+double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials) {
   const auto fractions = discretisation.fractions(materials.size());
   double density = 0.0;
   for (std::size_t m = 0; m < materials.size(); ++m) density += fractions[m] * materials[m].density;
@@ -81,7 +83,7 @@ double trial_speed(const DynamicTest& test) {
   const DomainSequence sequence(rules, bounds.lower(test.times.begin));
   auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   // A given amount of work, the same on all processes, that takes a few tenths of a second.
   const double points_x_steps = test.options.formulation == Formulation::classical ? 3e6 : 1e8;
   const auto steps = static_cast<int>(points_x_steps / static_cast<double>(test.discretisation.points()));
@@ -217,11 +219,6 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
-}
-
-void save_result(StateWriter& state, const DynamicTestResult& result) {
-  save_domains(state, result.domains);
-  save(state, "/fields", std::span<const TimedFields>());
 }
 
 }  // namespace breccia

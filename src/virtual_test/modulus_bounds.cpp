@@ -6,7 +6,8 @@
 
 namespace breccia {
 
-ShearModulusBounds::ShearModulusBounds(const Discretisation& discretisation, const std::vector<Material>& materials) {
+ShearModulusBounds::ShearModulusBounds(const Discretisation<2>& discretisation,
+                                       const std::vector<Material>& materials) {
   const auto fractions = discretisation.fractions(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (fractions[m] > 0.0) phases_.push_back({fractions[m], materials[m].bulk, materials[m].shear});

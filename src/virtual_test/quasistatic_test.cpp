@@ -8,13 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "quasistatic_state.hpp"
 #include "test_times.hpp"
 
 namespace breccia {

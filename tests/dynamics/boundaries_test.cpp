@@ -22,7 +22,7 @@ using testing_materials::relaxing;
 using testing_materials::soft;
 using testing_materials::stiff;
 
-DynamicProblem with_step(DynamicProblem problem, double courant = 0.9) {
+DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
   problem.time_step =
       courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   return problem;
@@ -34,15 +34,15 @@ std::string title_of(Formulation formulation) {
 
 class Boundaries : public testing::TestWithParam<std::tuple<Formulation, Volumetric>> {
  protected:
-  [[nodiscard]] std::unique_ptr<DynamicSolver> solver(DynamicProblem problem, double courant = 0.9) const {
+  [[nodiscard]] std::unique_ptr<DynamicSolver<2>> solver(DynamicProblem<2> problem, double courant = 0.9) const {
     problem.volumetric = std::get<Volumetric>(GetParam());
     return make_dynamic_solver(std::get<Formulation>(GetParam()), with_step(std::move(problem), courant));
   }
 
   /// Averages at a time [s], when all has long come to rest.
-  [[nodiscard]] Averages at_rest(const DynamicProblem& problem, double time) const {
+  [[nodiscard]] Averages<2> at_rest(const DynamicProblem<2>& problem, double time) const {
     const auto run = solver(problem);
-    std::vector<Averages> averages;
+    std::vector<Averages<2>> averages;
     while (run->time() < time) run->advance(100, averages);
     return averages.back();
   }
@@ -57,12 +57,12 @@ constexpr std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
 
 TEST_P(Boundaries, AHomogeneousPeriodicBoxStrainsUniformly) {
   for (const auto load : loads) {
-    DynamicProblem problem{Discretisation({5, 3, 1e-3}), {soft}};
+    DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{5, 3}, 1e-3}), {soft}};
     problem.boundary = Boundary::periodic;
-    problem.load = unit_strain(load);
+    problem.load = unit_strain<2>(load);
     problem.ramp = StrainRamp(1e-4);
     const auto run = solver(problem);
-    std::vector<Averages> averages;
+    std::vector<Averages<2>> averages;
     while (run->time() < 1e-3) run->advance(10, averages);
     const double expected = load == Load::bulk ? 3e6 + 1e6 / 3.0 : 1e6;
     EXPECT_NEAR(modulus_of(load, averages.back().stress) / expected, 1.0, 1e-9);
@@ -76,21 +76,21 @@ TEST_P(Boundaries, AHomogeneousPeriodicBoxStrainsUniformly) {
 
 TEST_P(Boundaries, APeriodicLaminateHasTheModuliOfAnEndlessOne) {
   const std::vector<Material> materials = {damped(2e6, 0.3e6), damped(5e6, 3e6)};
-  DynamicProblem problem{Discretisation({5, 8, 0.125}), materials};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{5, 8}, 0.125}), materials};
   problem.discretisation.paint([](const Vector<2>& x) { return x[1] > 0.25 && x[1] < 0.5; }, 1);
   problem.boundary = Boundary::periodic;
   problem.ramp = StrainRamp(0.1);
   const std::array<double, 2> share = {0.75, 0.25};
 
   // In shear along the layers the stress is the same in all of them.
-  problem.load = unit_strain(Load::shear);
+  problem.load = unit_strain<2>(Load::shear);
   const double series = 1.0 / (share[0] / 0.3e6 + share[1] / 3e6);
   EXPECT_NEAR(modulus_of(Load::shear, at_rest(problem, 4.0).stress) / series, 1.0, 1e-5);
 
   // Stretched along the layers by e, their strain along x and their stress along y are the same:
   // s = lambda e + m strain_y in each, m = lambda + 2 G, and the mean of strain_y is given.
   for (const auto load : {Load::diagonal_shear, Load::bulk}) {
-    problem.load = unit_strain(load);
+    problem.load = unit_strain<2>(load);
     const double e = problem.load.xx;
     double strain = problem.load.yy, inverse = 0.0;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -98,7 +98,7 @@ TEST_P(Boundaries, APeriodicLaminateHasTheModuliOfAnEndlessOne) {
       strain += share[i] * lambda * e / (lambda + 2.0 * shear);
       inverse += share[i] / (lambda + 2.0 * shear);
     }
-    PlaneStress exact{.yy = strain / inverse};
+    Stress<2> exact{.yy = strain / inverse};
     for (std::size_t i = 0; i < 2; ++i) {
       const double shear = materials[i].shear.equilibrium(), lambda = materials[i].bulk.equilibrium() - shear / 1.5;
       const double strain_y = (exact.yy - lambda * e) / (lambda + 2.0 * shear);
@@ -110,9 +110,9 @@ TEST_P(Boundaries, APeriodicLaminateHasTheModuliOfAnEndlessOne) {
 
 TEST_P(Boundaries, TractionDeformsAHomogeneousBoxByItsCompliance) {
   for (const auto load : loads) {
-    DynamicProblem problem{Discretisation({5, 3, 0.1}), {damped(2e6, 0.3e6)}};
+    DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{5, 3}, 0.1}), {damped(2e6, 0.3e6)}};
     problem.boundary = Boundary::traction;
-    problem.load = unit_strain(load);
+    problem.traction = unit_stress<2>(load);
     problem.ramp = StrainRamp(0.1);
     const auto averages = at_rest(problem, 4.0);
     const double modulus = load == Load::bulk ? 2e6 + 0.1e6 : 0.3e6;
@@ -122,10 +122,10 @@ TEST_P(Boundaries, TractionDeformsAHomogeneousBoxByItsCompliance) {
 }
 
 TEST_P(Boundaries, TractionShearsALaminateByTheMeanCompliance) {
-  DynamicProblem problem{Discretisation({5, 8, 0.125}), {damped(2e6, 0.3e6), damped(5e6, 3e6)}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{5, 8}, 0.125}), {damped(2e6, 0.3e6), damped(5e6, 3e6)}};
   problem.discretisation.paint([](const Vector<2>& x) { return x[1] > 0.25 && x[1] < 0.5; }, 1);
   problem.boundary = Boundary::traction;
-  problem.load = unit_strain(Load::shear);
+  problem.traction = unit_stress<2>(Load::shear);
   problem.ramp = StrainRamp(0.1);
   const double compliance = compliance_of(Load::shear, at_rest(problem, 6.0).strain);
   EXPECT_NEAR(compliance / (0.75 / 0.3e6 + 0.25 / 3e6), 1.0, 1e-5);
@@ -135,14 +135,14 @@ TEST_P(Boundaries, CreepsAsAStandardLinearSolid) {
   // J(t) = 1/G_inf - (1/G_inf - 1/G_0) exp(-t / lambda), lambda = tau G_0 / G_inf.
   const double slow = 0.5, relaxed = 0.2e6, unrelaxed = 1e6;
   const double retardation = slow * unrelaxed / relaxed;
-  DynamicProblem problem{Discretisation({4, 4, 1e-3}),
-                         {{"solid", 1000.0, PronySeries(3e6), PronySeries(relaxed, {{slow, unrelaxed - relaxed}})}}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{4, 4}, 1e-3}),
+                            {{"solid", 1000.0, PronySeries(3e6), PronySeries(relaxed, {{slow, unrelaxed - relaxed}})}}};
   problem.boundary = Boundary::traction;
-  problem.load = unit_strain(Load::shear);
+  problem.traction = unit_stress<2>(Load::shear);
   problem.density_factor = 400.0;
   problem.ramp = StrainRamp(0.05);
   const auto run = solver(problem);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 3.0) {
     averages.clear();
     const double time = run->time();
@@ -156,12 +156,12 @@ TEST_P(Boundaries, CreepsAsAStandardLinearSolid) {
 TEST_P(Boundaries, ABodyUnderTractionNeitherDriftsNorTurns) {
   const bool lagrangian = std::get<Formulation>(GetParam()) == Formulation::total_lagrangian;
   for (const auto load : loads) {
-    DynamicProblem problem{testing_materials::disc_in_box(8), {relaxing, stiff}};
+    DynamicProblem<2> problem{testing_materials::disc_in_box(8), {relaxing, stiff}};
     problem.boundary = Boundary::traction;
-    problem.load = unit_strain(load);
+    problem.traction = unit_stress<2>(load);
     problem.ramp = StrainRamp(0.05);
     const auto run = solver(problem);
-    std::vector<Averages> averages;
+    std::vector<Averages<2>> averages;
     run->advance(lagrangian ? 100000 : 10000, averages);
     const auto fields = run->fields();
     double largest = 0.0, turn = 0.0, weight = 0.0;
@@ -169,7 +169,7 @@ TEST_P(Boundaries, ABodyUnderTractionNeitherDriftsNorTurns) {
     for (int i = 0; i < 256; ++i) {
       const int column = i % 16, row = i / 16;
       const double x = (column - 7.5) / 16.0, y = (row - 7.5) / 16.0;
-      const double mass = fields.material[static_cast<std::size_t>(i)] == 0 ? relaxing.density : stiff.density;
+      const double mass = fields.phase[static_cast<std::size_t>(i)] == 0 ? relaxing.density : stiff.density;
       const auto& [u, v] = fields.displacement[static_cast<std::size_t>(i)];
       largest = std::max({largest, std::abs(u), std::abs(v)});
       drift[0] += mass * u;
@@ -185,12 +185,12 @@ TEST_P(Boundaries, ABodyUnderTractionNeitherDriftsNorTurns) {
 }
 
 TEST_P(Boundaries, APeriodicBoxConservesMomentum) {
-  DynamicProblem problem{testing_materials::disc_in_box(12), {relaxing, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(12), {relaxing, stiff}};
   problem.boundary = Boundary::periodic;
   const auto run = solver(problem);
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{1.0 + std::sin(40.0 * x[0]), std::cos(30.0 * x[1])}; });
   const auto before = run->momentum();
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   run->advance(500, averages);
   EXPECT_NEAR(run->momentum()[0], before[0], 1e-8);
   EXPECT_NEAR(run->momentum()[1], before[1], 1e-8);
@@ -201,15 +201,16 @@ TEST_P(Boundaries, GiveTheSameBitsForAnyNumberOfThreads) {
   for (const auto boundary : {Boundary::displacement, Boundary::traction, Boundary::periodic}) {
     // Enough points for five threads.
     const int cells = formulation == Formulation::classical ? 72 : 131;
-    DynamicProblem problem{testing_materials::disc_in_box(cells), {relaxing, stiff}};
+    DynamicProblem<2> problem{testing_materials::disc_in_box(cells), {relaxing, stiff}};
     problem.volumetric = volumetric;
     problem.boundary = boundary;
     problem.load = {.xx = 0.1, .yy = -0.2, .xy = 0.5};
+    problem.traction = {.xx = 0.2, .yy = -0.4, .xy = 1.0};
     problem.ramp = StrainRamp(1e-3);
-    std::vector<Averages> alone;
+    std::vector<Averages<2>> alone;
     make_dynamic_solver(formulation, with_step(problem), 1)->advance(20, alone);
     for (const int threads : {2, 3, 5}) {
-      std::vector<Averages> together;
+      std::vector<Averages<2>> together;
       const auto run = make_dynamic_solver(formulation, with_step(problem), threads);
       run->advance(13, together);
       run->advance(7, together);
@@ -230,12 +231,13 @@ class EveryBoundary : public testing::TestWithParam<Boundary> {};
 
 TEST_P(EveryBoundary, GivesTheSameBitsOnEveryInstructionSet) {
   for (const int cells : {37, 40}) {  // 40 fill whole blocks
-    DynamicProblem problem{testing_materials::disc_in_box(cells), {relaxing, stiff}};
+    DynamicProblem<2> problem{testing_materials::disc_in_box(cells), {relaxing, stiff}};
     problem.boundary = GetParam();
     problem.load = {.xx = 0.5, .yy = 0.5};
+    problem.traction = {.xx = 1.0, .yy = 1.0};
     problem.ramp = StrainRamp(1e-3);
     const auto run = [&](InstructionSet instructions) {
-      std::vector<Averages> averages;
+      std::vector<Averages<2>> averages;
       make_dynamic_solver(Formulation::total_lagrangian, with_step(problem), 0, instructions)->advance(300, averages);
       return averages;
     };
@@ -245,13 +247,14 @@ TEST_P(EveryBoundary, GivesTheSameBitsOnEveryInstructionSet) {
 }
 
 TEST_P(EveryBoundary, BothFormulationsAgree) {
-  DynamicProblem problem{testing_materials::disc_in_box(16), {relaxing, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(16), {relaxing, stiff}};
   problem.boundary = GetParam();
   problem.load = {.xx = 0.2, .yy = -0.1, .xy = 0.5};
+  problem.traction = {.xx = 0.4, .yy = -0.2, .xy = 1.0};
   problem.density_factor = 1e-5;
   problem.ramp = StrainRamp(6e-4);
   problem = with_step(problem, 0.5);
-  std::vector<Averages> lagrangian, classical;
+  std::vector<Averages<2>> lagrangian, classical;
   const auto steps = static_cast<int>(5e-3 / problem.time_step);
   make_dynamic_solver(Formulation::total_lagrangian, problem)->advance(steps, lagrangian);
   make_dynamic_solver(Formulation::classical, problem)->advance(steps, classical);
@@ -273,7 +276,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryBoundary,
 TEST(PeriodicBox, WhereItsEdgeLiesMakesNoDifference) {
   // The same laminate of two directions, shifted by a few cells across both edges.
   const auto stress = [](int shift) {
-    DynamicProblem problem{Discretisation({12, 12, 1.0 / 12}), {relaxing, stiff}};
+    DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{12, 12}, 1.0 / 12}), {relaxing, stiff}};
     problem.discretisation.paint(
         [&](const Vector<2>& x) {
           const auto place = [&](double along) { return std::fmod(along + shift / 12.0, 1.0); };
@@ -282,8 +285,9 @@ TEST(PeriodicBox, WhereItsEdgeLiesMakesNoDifference) {
         1);
     problem.boundary = Boundary::periodic;
     problem.load = {.xx = 0.1, .yy = -0.2, .xy = 0.5};
+    problem.traction = {.xx = 0.2, .yy = -0.4, .xy = 1.0};
     problem.ramp = StrainRamp(1e-3);
-    std::vector<Averages> averages;
+    std::vector<Averages<2>> averages;
     make_dynamic_solver(Formulation::total_lagrangian, with_step(problem))->advance(600, averages);
     return averages.back().stress;
   };
@@ -294,11 +298,11 @@ TEST(PeriodicBox, WhereItsEdgeLiesMakesNoDifference) {
 }
 
 TEST(PeriodicBox, AnElasticOneConservesItsEnergy) {
-  DynamicProblem problem{testing_materials::disc_in_box(12), {soft, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(12), {soft, stiff}};
   problem.boundary = Boundary::periodic;
   const auto run = make_dynamic_solver(Formulation::total_lagrangian, with_step(problem, 0.99));
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{std::sin(40.0 * x[0]), std::cos(30.0 * x[1])}; });
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   run->advance(1, averages);
   const auto total = [&] { return run->energy().kinetic + run->energy().strain; };
   const double before = total();
@@ -307,13 +311,13 @@ TEST(PeriodicBox, AnElasticOneConservesItsEnergy) {
 }
 
 TEST(PeriodicBox, MovingPointsThatLeaveItComeBack) {
-  DynamicProblem problem{Discretisation({8, 8, 0.125}), {soft}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{8, 8}, 0.125}), {soft}};
   problem.boundary = Boundary::periodic;
   problem.amplitude = 1.0;
   const auto run = make_dynamic_solver(Formulation::classical, with_step(problem, 0.3));
   run->set_velocities([](const Vector<2>&) { return Vector<2>{6.0, -4.0}; });
   const auto momentum = run->momentum();
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 0.3) run->advance(1, averages);  // nearly twice through the box
   for (const auto& [stress, strain] : averages) EXPECT_NEAR(stress.xx, 0.0, 1e-6);
   EXPECT_NEAR(run->momentum()[0], momentum[0], 1e-9 * momentum[0]);
@@ -325,11 +329,11 @@ TEST(PeriodicBox, MovingPointsThatLeaveItComeBack) {
 }
 
 TEST(TractionBoundary, RefusesALoadWhereThereAreNoPoints) {
-  DynamicProblem problem{Discretisation({8, 8, 0.125}, no_material), {soft}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{8, 8}, 0.125}, no_phase), {soft}};
   problem.discretisation.paint([](const Vector<2>& x) { return x[0] < 0.7; }, 0);
   problem.boundary = Boundary::traction;
   EXPECT_NO_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step(problem)));
-  problem.load = unit_strain(Load::shear);
+  problem.traction = unit_stress<2>(Load::shear);
   EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step(problem)), InputError);
 }
 

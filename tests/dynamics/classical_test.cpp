@@ -1,3 +1,5 @@
+#include "classical.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -16,8 +18,9 @@ namespace {
 using testing_materials::soft;
 
 /// A square body of side 0.5 m in the lower left of an otherwise empty box of side 1 m, whose points really move.
-std::unique_ptr<DynamicSolver> travelling_body(const DynamicSolver::VelocityField& velocity, double courant = 0.2) {
-  DynamicProblem problem{Discretisation({20, 20, 0.05}, no_material), {soft}};
+std::unique_ptr<DynamicSolver<2>> travelling_body(const DynamicSolver<2>::VelocityField& velocity,
+                                                  double courant = 0.2) {
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{20, 20}, 0.05}, no_phase), {soft}};
   problem.discretisation.paint([](const Vector<2>& x) { return x[0] > 0.1 && x[0] < 0.6 && x[1] > 0.1 && x[1] < 0.6; },
                                0);
   problem.boundary = Boundary::traction;
@@ -33,14 +36,14 @@ TEST(MovingPoints, ARigidBodyCrossesCellsWithoutStress) {
   const Vector<2> velocity = {6.0, 4.0};
   const auto run = travelling_body([&](const Vector<2>&) { return velocity; });
   const auto momentum = run->momentum();
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 0.03) run->advance(1, averages);  // 3.6 and 2.4 cells
   for (const auto& [stress, strain] : averages) EXPECT_NEAR(stress.xx, 0.0, 1e-6);
   EXPECT_NEAR(run->momentum()[0], momentum[0], 1e-10 * momentum[0]);
   EXPECT_NEAR(run->momentum()[1], momentum[1], 1e-10 * momentum[1]);
   const auto fields = run->fields();
-  for (std::size_t p = 0; p < fields.material.size(); ++p) {
-    if (fields.material[p] == no_material) continue;
+  for (std::size_t p = 0; p < fields.phase.size(); ++p) {
+    if (fields.phase[p] == no_phase) continue;
     EXPECT_NEAR(fields.displacement[p][0], velocity[0] * run->time(), 1e-9);
     EXPECT_NEAR(fields.displacement[p][1], velocity[1] * run->time(), 1e-9);
   }
@@ -51,7 +54,7 @@ double largest_breathing_stress(const Vector<2>& drift) {
   const auto run = travelling_body([&](const Vector<2>& x) {
     return Vector<2>{drift[0] + 0.02 * (x[0] - 0.35), drift[1] + 0.02 * (x[1] - 0.35)};
   });
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 0.02) run->advance(1, averages);
   double largest = 0.0;
   for (const auto& [stress, strain] : averages) largest = std::max(largest, stress.xx);
@@ -65,8 +68,38 @@ TEST(MovingPoints, ABreathingBodyHardlyNoticesThatItCrossesCells) {
 
 TEST(MovingPoints, LeavingTheGridStopsTheRun) {
   const auto run = travelling_body([](const Vector<2>&) { return Vector<2>{-100.0, 0.0}; });
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   EXPECT_THROW(run->advance(200, averages), NumericalError);
+}
+
+/// A homogeneous cube that is strained at once as a whole shows the modulus of the load, and has no momentum.
+TEST(ClassicalInThreeDimensions, HomogeneousCubeShowsItsModuli) {
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
+      DynamicProblem<3> problem{Discretisation<3>(Grid<3>{{3, 4, 2}, 1e-3}), {soft}};
+      problem.volumetric = volumetric;
+      problem.boundary = Boundary::periodic;
+      problem.load = unit_strain<3>(load);
+      problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
+      problem.ramp = StrainRamp(20.0 * problem.time_step);
+      dynamics::Classical<3> run(problem, 1);
+      std::vector<Averages<3>> averages;
+      run.advance(40, averages);
+      const double modulus = (load == Load::bulk ? soft.bulk : soft.shear).equilibrium();
+      EXPECT_NEAR(modulus_of(load, averages.back().stress) / modulus, 1.0, 1e-5);
+      for (int place = 0; place < 6; ++place) {
+        EXPECT_NEAR(component(averages.back().strain, place), component(problem.load, place), 1e-5);
+      }
+      const auto energy = run.energy();
+      const double volume = problem.discretisation.grid().volume();
+      EXPECT_NEAR(energy.strain / (0.5 * modulus * volume), 1.0, 1e-5);
+      const auto fields = run.fields();
+      const double pressure = load == Load::bulk ? modulus : 0.0;
+      for (const auto& [xx, yy, zz, yz, zx, xy] : fields.stress) {
+        EXPECT_NEAR(xx + yy + zz, 3.0 * pressure, 1e-4 * modulus);
+      }
+    }
+  }
 }
 
 class Agreement : public testing::TestWithParam<Volumetric> {};
@@ -74,13 +107,13 @@ class Agreement : public testing::TestWithParam<Volumetric> {};
 TEST_P(Agreement, BothFormulationsGiveTheSameModulus) {
   using testing_materials::relaxing;
   using testing_materials::stiff;
-  DynamicProblem problem{testing_materials::disc_in_box(20), {relaxing, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(20), {relaxing, stiff}};
   problem.volumetric = GetParam();
   problem.load = {.xy = 0.5};
   problem.density_factor = 1e-5;
   problem.ramp = StrainRamp(2e-4);
   problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, 1e-5);
-  std::vector<Averages> lagrangian, classical;
+  std::vector<Averages<2>> lagrangian, classical;
   const auto steps = static_cast<int>(5e-3 / problem.time_step);
   make_dynamic_solver(Formulation::total_lagrangian, problem)->advance(steps, lagrangian);
   make_dynamic_solver(Formulation::classical, problem)->advance(steps, classical);

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/discretisation/cell.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
 
 #include "block_layout.hpp"
 #include "kernels.hpp"
@@ -28,13 +28,13 @@ class CellRowKernel : public testing::TestWithParam<Case> {
  protected:
   static constexpr int columns = 21, length = 32;
 
-  CellRowKernel() : problem_{Discretisation({columns, 1, 1.0}), {soft, stiff}} {
+  CellRowKernel() : problem_{Discretisation<2>(Grid<2>{{columns, 1}, 1.0}), {soft, stiff}} {
     auto& random = random_;
     problem_.volumetric = GetParam().volumetric;
     problem_.time_step = 1e-6;
     problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.0; }, 1);
     problem_.discretisation.paint([&](const Vector<2>& point) { return point[0] > 8.0 && uniform(random) > 0.6; },
-                                  no_material);
+                                  no_phase);
     for (auto& row : values_) {
       row.assign(length, 0.0);
       for (int node = 0; node <= columns; ++node) row[static_cast<std::size_t>(node)] = uniform(random);
@@ -57,16 +57,16 @@ class CellRowKernel : public testing::TestWithParam<Case> {
     (problem_.volumetric == Volumetric::averaged ? table.cell_row_averaged : table.cell_row_standard)(row);
   }
 
-  [[nodiscard]] CellVector displacement(std::size_t column) const {
+  [[nodiscard]] CellShape<2>::Values displacement(std::size_t column) const {
     const auto& v = values_;
-    CellVector u;
+    CellShape<2>::Values u;
     u << v[0][column], v[1][column], v[0][column + 1], v[1][column + 1], v[2][column], v[3][column], v[2][column + 1],
         v[3][column + 1];
     return u;
   }
-  [[nodiscard]] CellVector force(std::size_t column) const {
+  [[nodiscard]] CellShape<2>::Values force(std::size_t column) const {
     const auto& f = forces_;
-    CellVector force;
+    CellShape<2>::Values force;
     force << f[0][column], f[1][column], f[2][column + 1], f[3][column + 1], f[4][column], f[5][column],
         f[6][column + 1], f[7][column + 1];
     return force;
@@ -75,7 +75,7 @@ class CellRowKernel : public testing::TestWithParam<Case> {
   static double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; }
 
   std::mt19937_64 random_{7};
-  DynamicProblem problem_;
+  DynamicProblem<2> problem_;
   std::array<std::vector<double>, 4> values_;
   std::array<std::vector<double>, 8> forces_;
   std::array<double, 3> stress_{};
@@ -85,20 +85,20 @@ TEST_P(CellRowKernel, GivesTheForcesOfTheCellStiffness) {
   run(GetParam().set);
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
   for (int column = 0; column < columns; ++column) {
-    std::array<Moduli, points_per_cell> moduli{};
-    for (int p = 0; p < points_per_cell; ++p) {
-      const auto material = problem_.discretisation.cell(column, 0)[static_cast<std::size_t>(p)];
-      if (material == no_material) continue;
+    CellShape<2>::PointModuli moduli{};
+    for (int p = 0; p < CellShape<2>::points; ++p) {
+      const auto material = problem_.discretisation.cell({column, 0})[static_cast<std::size_t>(p)];
+      if (material == no_phase) continue;
       const auto& [bulk, shear] = moduli[static_cast<std::size_t>(p)] = {
           problem_.materials[material].bulk.equilibrium(), problem_.materials[material].shear.equilibrium()};
-      const CellVector u = displacement(static_cast<std::size_t>(column));
-      const Eigen::Vector3d e = strain_matrix(p, problem_.volumetric) * u;
+      const CellShape<2>::Values u = displacement(static_cast<std::size_t>(column));
+      const Eigen::Vector3d e = CellShape<2>::strain_matrix(p, problem_.volumetric) * u;
       const double pressure = bulk * (e[0] + e[1]);
       stress += Eigen::Vector3d(pressure + shear * (4 * e[0] - 2 * e[1]) / 3,
                                 pressure + shear * (4 * e[1] - 2 * e[0]) / 3, shear * e[2]);
     }
     const auto c = static_cast<std::size_t>(column);
-    const CellVector expected = -cell_stiffness(moduli, problem_.volumetric) * displacement(c);
+    const CellShape<2>::Values expected = -CellShape<2>::stiffness(moduli, problem_.volumetric) * displacement(c);
     EXPECT_LT((force(c) - expected).norm(), 1e-13 * 1e8) << "in column " << column;
   }
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(stress_[static_cast<std::size_t>(i)], stress[i], 1e-13 * 1e9);

@@ -13,8 +13,8 @@ inline const Material relaxing = {"relaxing", 1200.0, PronySeries(2e6, {{3e-3, 4
                                   PronySeries(0.1e6, {{1e-3, 2e6}, {2e-2, 1e6}})};
 
 /// A disc of material 1 in a box of material 0 with side 1 m.
-inline Discretisation disc_in_box(int cells) {
-  return discretise({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells);
+inline Discretisation<2> disc_in_box(int cells) {
+  return discretise<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells, 0, 1);
 }
 
 }  // namespace breccia::testing_materials

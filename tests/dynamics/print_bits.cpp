@@ -18,14 +18,15 @@ namespace {
 std::string bits_of(Boundary boundary, Volumetric volumetric) {
   using testing_materials::relaxing;
   using testing_materials::stiff;
-  DynamicProblem problem{testing_materials::disc_in_box(21), {relaxing, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(21), {relaxing, stiff}};
   problem.boundary = boundary;
   problem.volumetric = volumetric;
   problem.load = {.xx = 0.1, .yy = -0.2, .xy = 0.5};
+  problem.traction = {.xx = 0.2, .yy = -0.4, .xy = 1.0};
   problem.ramp = StrainRamp(1e-3);
   problem.time_step = 0.9 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
   const auto run = make_dynamic_solver(Formulation::total_lagrangian, problem);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   run->advance(150, averages);
   run->advance(50, averages);
   const auto momentum = run->momentum();
@@ -36,7 +37,7 @@ std::string bits_of(Boundary boundary, Volumetric volumetric) {
   }
   const auto fields = run->fields();
   for (std::size_t p = 0; p < fields.stress.size(); ++p) {
-    bits += fmt::format("{} {:a} {:a} {:a} {:a}\n", fields.material[p], fields.displacement[p][0],
+    bits += fmt::format("{} {:a} {:a} {:a} {:a}\n", fields.phase[p], fields.displacement[p][0],
                         fields.displacement[p][1], fields.strain[p][2], fields.stress[p][3]);
   }
   return bits;

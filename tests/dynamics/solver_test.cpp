@@ -19,7 +19,7 @@ using testing_materials::soft;
 using testing_materials::stiff;
 
 /// A problem at a share of its stable time step.
-DynamicProblem with_step(DynamicProblem problem, double courant = 0.9) {
+DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
   problem.time_step =
       courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   return problem;
@@ -33,7 +33,7 @@ Vector<2> scattered(const Vector<2>& position) {
 
 class BothFormulations : public testing::TestWithParam<std::tuple<Formulation, Volumetric>> {
  protected:
-  [[nodiscard]] std::unique_ptr<DynamicSolver> solver(DynamicProblem problem, double courant = 0.9) const {
+  [[nodiscard]] std::unique_ptr<DynamicSolver<2>> solver(DynamicProblem<2> problem, double courant = 0.9) const {
     problem.volumetric = std::get<Volumetric>(GetParam());
     return make_dynamic_solver(std::get<Formulation>(GetParam()), with_step(std::move(problem), courant));
   }
@@ -48,12 +48,12 @@ double ramped_exponential(double t, double relaxation_time, double duration) {
 
 TEST_P(BothFormulations, OneHomogeneousCellRelaxesExactlyInShearAndBulk) {
   const double duration = 2e-3;
-  for (const auto& load : {PlaneStrain{.xy = 0.5}, PlaneStrain{.xx = 0.5, .yy = 0.5}}) {
-    DynamicProblem problem{Discretisation({1, 1, 1e-3}), {relaxing}};
+  for (const auto& load : {Strain<2>{.xy = 0.5}, Strain<2>{.xx = 0.5, .yy = 0.5}}) {
+    DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{1, 1}, 1e-3}), {relaxing}};
     problem.load = load;
     problem.ramp = StrainRamp(duration);
     const auto run = solver(problem, 0.5);
-    std::vector<Averages> averages;
+    std::vector<Averages<2>> averages;
     while (run->time() < 5e-3) run->advance(100, averages);
     const double t = run->time();
     run->advance(1, averages);
@@ -71,12 +71,12 @@ TEST_P(BothFormulations, OneHomogeneousCellRelaxesExactlyInShearAndBulk) {
 }
 
 TEST_P(BothFormulations, UniformStrainIsASolutionOfAnyHomogeneousBox) {
-  DynamicProblem problem{Discretisation({8, 8, 0.125}), {soft}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{8, 8}, 0.125}), {soft}};
   problem.load = {.xx = 0.3, .yy = -0.1, .xy = 0.2};
   problem.ramp = StrainRamp(0.1);
   problem.start = Start::affine;
   const auto run = solver(problem);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 0.06) run->advance(1, averages);
   const double lambda = 3e6 - 2e6 / 3.0, twice_shear = 2e6;
   const auto fields = run->fields();
@@ -95,12 +95,12 @@ TEST_P(BothFormulations, UniformStrainIsASolutionOfAnyHomogeneousBox) {
 }
 
 TEST_P(BothFormulations, ConserveTheMomentumOfAFreeBody) {
-  DynamicProblem problem{testing_materials::disc_in_box(12), {relaxing, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(12), {relaxing, stiff}};
   problem.boundary = Boundary::traction;
   const auto run = solver(problem);
   run->set_velocities(scattered);
   const auto before = run->momentum();
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   run->advance(500, averages);
   const auto after = run->momentum();
   const double scale = 1000.0;  // mass of the body times a typical velocity
@@ -110,7 +110,7 @@ TEST_P(BothFormulations, ConserveTheMomentumOfAFreeBody) {
 
 TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
   const bool lagrangian = std::get<Formulation>(GetParam()) == Formulation::total_lagrangian;
-  DynamicProblem problem{testing_materials::disc_in_box(12), {soft, stiff}};
+  DynamicProblem<2> problem{testing_materials::disc_in_box(12), {soft, stiff}};
   problem.boundary = Boundary::traction;
   const auto run = solver(problem, lagrangian ? 0.99 : 0.2);
   // Central differences conserve it for any motion; update strain average for motions that the grid resolves.
@@ -121,7 +121,7 @@ TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
       return Vector<2>{std::cos(std::numbers::pi * x[0]), 0.5 * std::cos(std::numbers::pi * x[1])};
     });
   }
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   run->advance(1, averages);
   const auto total = [&] { return run->energy().kinetic + run->energy().strain; };
   const double before = total();
@@ -132,11 +132,11 @@ TEST_P(BothFormulations, ConserveTheEnergyOfAnElasticFreeBody) {
 
 TEST_P(BothFormulations, StopWithStepAndPlaceWhenTheyAreUnstable) {
   const bool lagrangian = std::get<Formulation>(GetParam()) == Formulation::total_lagrangian;
-  DynamicProblem problem{Discretisation({4, 4, 0.25}), {soft}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{4, 4}, 0.25}), {soft}};
   problem.boundary = Boundary::traction;
   const auto run = solver(problem);
   run->set_velocities([](const Vector<2>& x) { return Vector<2>{x[0] > 0.5 ? 1e308 : -1e308, 0.0}; });
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   // Material points of the classical formulation move, and are gone before a number overflows.
   const auto* const expected = lagrangian ? "unstable at step [0-9]+, .* s after the load.* motion at .* m; likely "
                                           : "the point .* m left the grid at step [0-9]+; likely cause: ";
@@ -144,7 +144,7 @@ TEST_P(BothFormulations, StopWithStepAndPlaceWhenTheyAreUnstable) {
 }
 
 TEST_P(BothFormulations, GiveNoEnergyOfRelaxingMaterials) {
-  EXPECT_THROW((void)solver({Discretisation({2, 2, 0.5}), {relaxing}})->energy(), InputError);
+  EXPECT_THROW((void)solver({Discretisation<2>(Grid<2>{{2, 2}, 0.5}), {relaxing}})->energy(), InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BothFormulations,
@@ -161,7 +161,8 @@ INSTANTIATE_TEST_SUITE_P(All, BothFormulations,
 TEST(TotalLagrangian, HoldsFiveNumbersPerCellAndShearTerm) {
   const auto footprint = [](const std::vector<MaxwellTerm>& terms) {
     const Material material{"material", 1e3, PronySeries(1e9), PronySeries(1e6, terms)};
-    return make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({16, 12, 0.1}), {material}}))
+    return make_dynamic_solver(Formulation::total_lagrangian,
+                               with_step({Discretisation<2>(Grid<2>{{16, 12}, 0.1}), {material}}))
         ->footprint();
   };
   const auto without = footprint({}), with = footprint({{1.0, 1e6}, {2.0, 1e6}});
@@ -172,22 +173,23 @@ TEST(TotalLagrangian, HoldsFiveNumbersPerCellAndShearTerm) {
 
 TEST(TotalLagrangian, RefusesAnUnknownInstructionSet) {
   setenv("BRECCIA_INSTRUCTION_SET", "mmx", 1);
-  EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation({2, 2, 0.5}), {soft}})),
-               InputError);
+  EXPECT_THROW(
+      make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation<2>(Grid<2>{{2, 2}, 0.5}), {soft}})),
+      InputError);
   unsetenv("BRECCIA_INSTRUCTION_SET");
 }
 
 /// Average stress per unit load in the long-time limit of a box of layers stacked in y.
-PlaneStress relaxed_laminate(int columns, const std::vector<Material>& materials, const PlaneStrain& load) {
+Stress<2> relaxed_laminate(int columns, const std::vector<Material>& materials, const Strain<2>& load) {
   constexpr int rows = 16;
   const double h = 1.0 / rows;
-  DynamicProblem problem{Discretisation({columns, rows, h}), materials};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{columns, rows}, h}), materials};
   problem.discretisation.paint([](const Vector<2>& point) { return point[1] > 0.5; }, 1);
   problem.load = load;
   problem.ramp = StrainRamp(1.0);
   problem.start = Start::affine;
   const auto run = make_dynamic_solver(Formulation::total_lagrangian, with_step(problem));
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < 40.0) run->advance(100, averages);
   return averages.back().stress;
 }

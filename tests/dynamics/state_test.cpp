@@ -1,3 +1,5 @@
+#include "breccia/checkpoint/state.hpp"
+
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -13,13 +15,14 @@ namespace {
 
 class DynamicState : public testing::TestWithParam<std::tuple<Formulation, Volumetric, Boundary>> {
  protected:
-  [[nodiscard]] static std::unique_ptr<DynamicSolver> solver(int threads, int cells = 12) {
+  [[nodiscard]] static std::unique_ptr<DynamicSolver<2>> solver(int threads, int cells = 12) {
     const auto& [formulation, volumetric, boundary] = GetParam();
-    DynamicProblem problem{testing_materials::disc_in_box(cells),
-                           {testing_materials::relaxing, testing_materials::stiff}};
+    DynamicProblem<2> problem{testing_materials::disc_in_box(cells),
+                              {testing_materials::relaxing, testing_materials::stiff}};
     problem.volumetric = volumetric;
     problem.boundary = boundary;
     problem.load = {.xy = 0.5};
+    problem.traction = {.xy = 1.0};
     problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
     problem.ramp = StrainRamp(100 * problem.time_step);
     return make_dynamic_solver(formulation, std::move(problem), threads);
@@ -33,7 +36,7 @@ TEST_P(DynamicState, GoesOnWithTheSameBitsFromEveryPhase) {
   // During the ramp and after it.
   for (const int steps : {1, 60, 250}) {
     const auto whole = solver(1), first = solver(1), second = solver(2);
-    std::vector<Averages> expected, found, before;
+    std::vector<Averages<2>> expected, found, before;
     whole->advance(steps, before);
     whole->advance(80, expected);
     first->advance(steps, before);

@@ -34,7 +34,7 @@ TEST_P(PulseInABar, TravelsWithTheWaveSpeed) {
   const double modulus = transverse ? 1e6 : 3e6 + 4e6 / 3.0;
   const double c = std::sqrt(modulus / 1000.0);
   const double h = 1.0 / 40;
-  DynamicProblem problem{Discretisation({80, 80, h}), {soft}};
+  DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{80, 80}, h}), {soft}};
   problem.boundary = Boundary::traction;
   problem.time_step = 0.5 * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, 1.0);
   const auto run = make_dynamic_solver(formulation, problem);
@@ -44,7 +44,7 @@ TEST_P(PulseInABar, TravelsWithTheWaveSpeed) {
   });
   // The fastest wave from the free sides has not reached the middle yet.
   const double end = 0.8 * 1.0 / std::sqrt((3e6 + 4e6 / 3.0) / 1000.0);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   while (run->time() < end) run->advance(1, averages);
   const double t = run->time();
   const auto fields = run->fields();

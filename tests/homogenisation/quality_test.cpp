@@ -38,7 +38,7 @@ StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40)
   result.microstructure.fraction = 0.351;
   result.microstructure.gap = 5e-5;
   result.microstructure.wall_gap = 3e-5;
-  result.microstructure.microstructure.discs.resize(particles, Disc{{5e-4, 5e-4}, 1e-5});
+  result.microstructure.microstructure.particles.resize(particles, Disc{{5e-4, 5e-4}, 1e-5});
   result.tests = std::move(tests);
   return result;
 }
@@ -100,7 +100,7 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   const auto stage = random_stage();
   auto packed = result_of({}, 30).microstructure;
   EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
-  packed.microstructure.discs.resize(29);
+  packed.microstructure.particles.resize(29);
   EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.377;

@@ -52,7 +52,7 @@ Filler random(Sizes sizes, std::optional<double> fraction, Walls walls = Walls::
 
 std::vector<double> diameters(const StageMicrostructure& packed) {
   std::vector<double> all;
-  for (const auto& disc : packed.microstructure.discs) all.push_back(disc.diameter);
+  for (const auto& disc : packed.microstructure.particles) all.push_back(disc.diameter);
   return all;
 }
 
@@ -64,7 +64,7 @@ double largest_area_share(const StageMicrostructure& packed, double fraction) {
 TEST(MakeMicrostructure, EmptyBox) {
   const auto packed = make_microstructure(box());
   EXPECT_EQ(packed.microstructure.side, 10e-3);
-  EXPECT_THAT(packed.microstructure.discs, IsEmpty());
+  EXPECT_THAT(packed.microstructure.particles, IsEmpty());
   EXPECT_EQ(packed.fraction, 0.0);
   EXPECT_EQ(packed.interface_per_area, 0.0);
   EXPECT_EQ(packed.gap, std::numeric_limits<double>::infinity());
@@ -73,8 +73,8 @@ TEST(MakeMicrostructure, EmptyBox) {
 
 TEST(MakeMicrostructure, RegularPacking) {
   const auto packed = make_microstructure(box(regular(2e-3, 4, 2)));
-  EXPECT_EQ(packed.microstructure.discs.size(), 8U);
-  EXPECT_THAT(packed.microstructure.discs[1].centre, ElementsAre(DoubleEq(3.75e-3), DoubleEq(2.5e-3)));
+  EXPECT_EQ(packed.microstructure.particles.size(), 8U);
+  EXPECT_THAT(packed.microstructure.particles[1].centre, ElementsAre(DoubleEq(3.75e-3), DoubleEq(2.5e-3)));
   EXPECT_NEAR(packed.fraction, 8.0 * pi / 100.0, 1e-12);
   EXPECT_NEAR(packed.interface_per_area, 8.0 * pi * 2e-3 / 1e-4, 1e-9);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
@@ -84,7 +84,7 @@ TEST(MakeMicrostructure, RegularPacking) {
 TEST(MakeMicrostructure, ExplicitPackingIsTakenOver) {
   const std::vector<Disc> discs{{{2e-3, 2e-3}, 2e-3}, {{5e-3, 2e-3}, 3e-3}};
   const auto packed = make_microstructure(box(listed(discs)));
-  EXPECT_EQ(packed.microstructure.discs, discs);
+  EXPECT_EQ(packed.microstructure.particles, discs);
   EXPECT_EQ(packed.microstructure.walls, Walls::hard);
   EXPECT_NEAR(packed.fraction, pi / 4.0 * (4.0 + 9.0) / 100.0, 1e-12);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
@@ -144,9 +144,10 @@ TEST(MakeMicrostructure, DistributionsAreMetWithinOneParticle) {
 
 TEST(MakeMicrostructure, TheSeedDecidesWhereParticlesAre) {
   const auto first = make_microstructure(box(random(SingleSize{1e-3}, 0.4)));
-  EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).microstructure.discs, first.microstructure.discs);
-  EXPECT_NE(make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).microstructure.discs,
-            first.microstructure.discs);
+  EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).microstructure.particles,
+            first.microstructure.particles);
+  EXPECT_NE(make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).microstructure.particles,
+            first.microstructure.particles);
 }
 
 TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
@@ -181,7 +182,7 @@ TEST(MakeMicrostructure, GoesOnWhereItWasInterrupted) {
   int interruptions = 0;
   const auto packed = make_bit_by_bit(stage, interruptions);
   EXPECT_GT(interruptions, 3);
-  EXPECT_EQ(packed.microstructure.discs, whole.microstructure.discs);
+  EXPECT_EQ(packed.microstructure.particles, whole.microstructure.particles);
   EXPECT_EQ(packed.events, whole.events);
   EXPECT_EQ(packed.size_deviation, whole.size_deviation);
 }
@@ -194,7 +195,7 @@ TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
   EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
   const auto again = make_microstructure(
       stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
-  EXPECT_EQ(again.microstructure.discs, packed.microstructure.discs);
+  EXPECT_EQ(again.microstructure.particles, packed.microstructure.particles);
   EXPECT_EQ(again.gap, packed.gap);
 }
 

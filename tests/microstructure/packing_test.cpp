@@ -28,7 +28,7 @@ SizeDistribution hmx() {
 }
 
 PackingRequest hb1() {
-  return {48e-6, Walls::hard, draw_diameters(hmx().truncated(2e-6, 14e-6), 0.65, 48e-6), 0.5e-6};
+  return {48e-6, Walls::hard, draw_diameters<2>(hmx().truncated(2e-6, 14e-6), 0.65, 48e-6), 0.5e-6};
 }
 
 /// Equal discs of 1 mm at this fraction.
@@ -68,7 +68,7 @@ class Pack : public ::testing::TestWithParam<Case> {};
 TEST_P(Pack, KeepsTheGapTheBoxAndTheSizes) {
   const PackingRequest& request = GetParam().request;
   const auto packing = pack<2>(request);
-  const Microstructure microstructure{request.side, request.walls, packing.balls};
+  const Microstructure<2> microstructure{request.side, request.walls, packing.balls};
 
   ASSERT_EQ(packing.balls.size(), request.diameters.size());
   for (std::size_t k = 0; k < packing.balls.size(); ++k) EXPECT_EQ(packing.balls[k].diameter, request.diameters[k]);
@@ -76,15 +76,15 @@ TEST_P(Pack, KeepsTheGapTheBoxAndTheSizes) {
   EXPECT_GE(gap, request.minimum_gap);
   EXPECT_TRUE(packing.gap == gap || std::abs(packing.gap - gap) < 1e-12 * request.side) << packing.gap << ", " << gap;
   EXPECT_GE(smallest_wall_gap(microstructure), 0.5 * request.minimum_gap);
-  EXPECT_NEAR(packing.fraction, area_fraction(microstructure), 1e-12);
+  EXPECT_NEAR(packing.fraction, volume_fraction(microstructure), 1e-12);
   EXPECT_NO_THROW(require_valid(microstructure));
 }
 
 std::vector<Case> cases() {
-  const auto wide = draw_diameters(hmx().truncated(2e-6, 200e-6), 0.80, 400e-6);
+  const auto wide = draw_diameters<2>(hmx().truncated(2e-6, 200e-6), 0.80, 400e-6);
   return {{"HB1", hb1()},
-          {"HB2", {420e-6, Walls::hard, draw_diameters(hmx().truncated(14e-6, 100e-6), 0.63, 420e-6), 4.2e-6}},
-          {"HB3", {2.75e-3, Walls::hard, draw_diameters(hmx().truncated(100e-6, 600e-6), 0.52, 2.75e-3), 27.5e-6}},
+          {"HB2", {420e-6, Walls::hard, draw_diameters<2>(hmx().truncated(14e-6, 100e-6), 0.63, 420e-6), 4.2e-6}},
+          {"HB3", {2.75e-3, Walls::hard, draw_diameters<2>(hmx().truncated(100e-6, 600e-6), 0.52, 2.75e-3), 27.5e-6}},
           {"EqualDense", equal(1000, 0.82, Walls::hard)},
           {"EqualPeriodic", equal(500, 0.80, Walls::periodic)},
           {"WideRange", {400e-6, Walls::hard, wide}},

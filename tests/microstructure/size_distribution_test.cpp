@@ -137,6 +137,16 @@ TEST(SizeDistribution, BadArguments) {
   expect_error<InputError>([] { return sieves().quantile(1.1); }, "from 0 to 1", "1.1");
 }
 
+TEST(DrawDiametersOfSpheres, FillTheirShareOfACube) {
+  constexpr double side = 1e-4, diameter = 10e-6;
+  const auto diameters = draw_diameters<3>(SizeDistribution::monodisperse(diameter), 0.3, side);
+  // Whole spheres of pi d^3 / 6 each.
+  EXPECT_EQ(diameters.size(), static_cast<std::size_t>(std::lround(0.3 * 6000.0 / std::numbers::pi)));
+  // Of two spheres of 1 and 2 um the small one has a ninth of the volume.
+  const auto one_size = SizeDistribution::monodisperse(1e-6);
+  EXPECT_DOUBLE_EQ(largest_deviation<3>(one_size, std::vector{2e-6, 1e-6}), 8.0 / 9.0);
+}
+
 double disc_area(double diameter) {
   return std::numbers::pi / 4.0 * diameter * diameter;
 }
@@ -161,19 +171,19 @@ class DrawDiameters : public ::testing::TestWithParam<Draw> {};
 
 TEST_P(DrawDiameters, MeetsTheDistributionWithinOneDisc) {
   const auto& [sizes, fraction, side] = GetParam();
-  const auto diameters = draw_diameters(sizes, fraction, side);
+  const auto diameters = draw_diameters<2>(sizes, fraction, side);
   ASSERT_FALSE(diameters.empty());
   EXPECT_TRUE(std::ranges::is_sorted(diameters, std::ranges::greater{}));
   EXPECT_LE(diameters.front(), sizes.largest());
   EXPECT_GE(diameters.back(), sizes.smallest());
   const double area = total_area(diameters);
   EXPECT_NEAR(area, fraction * side * side, disc_area(diameters.back()));
-  EXPECT_LE(largest_deviation(sizes, diameters), disc_area(diameters.front()) / area);
+  EXPECT_LE(largest_deviation<2>(sizes, diameters), disc_area(diameters.front()) / area);
 }
 
 TEST_P(DrawDiameters, IsTheSameEveryTime) {
   const auto& [sizes, fraction, side] = GetParam();
-  EXPECT_EQ(draw_diameters(sizes, fraction, side), draw_diameters(sizes, fraction, side));
+  EXPECT_EQ(draw_diameters<2>(sizes, fraction, side), draw_diameters<2>(sizes, fraction, side));
 }
 
 INSTANTIATE_TEST_SUITE_P(Distributions, DrawDiameters,
@@ -187,7 +197,7 @@ TEST(DrawDiameters, MonodisperseIsRoundedToTheNearestNumber) {
   const double side = 100e-6;
   for (const double count : {1.0, 17.4, 17.6, 300.49}) {
     const auto sizes = SizeDistribution::monodisperse(4e-6);
-    const auto diameters = draw_diameters(sizes, count * disc_area(4e-6) / (side * side), side);
+    const auto diameters = draw_diameters<2>(sizes, count * disc_area(4e-6) / (side * side), side);
     EXPECT_EQ(diameters, std::vector<double>(static_cast<std::size_t>(std::lround(count)), 4e-6));
   }
 }
@@ -197,7 +207,7 @@ TEST(DrawDiameters, EachDiscIsAtTheMiddleOfItsSlice) {
   const double fraction = 0.65;
   const auto sizes = hmx().truncated(2e-6, 14e-6);
   double above = 0.0;
-  for (const double diameter : draw_diameters(sizes, fraction, side)) {
+  for (const double diameter : draw_diameters<2>(sizes, fraction, side)) {
     EXPECT_NEAR(sizes.cumulative(diameter), 1.0 - (above + 0.5 * disc_area(diameter)) / (fraction * side * side),
                 1e-12);
     above += disc_area(diameter);
@@ -206,21 +216,21 @@ TEST(DrawDiameters, EachDiscIsAtTheMiddleOfItsSlice) {
 
 TEST(DrawDiameters, BadArguments) {
   const auto sizes = SizeDistribution::monodisperse(4e-6);
-  expect_error<InputError>([&] { return draw_diameters(sizes, 0.0, 1e-3); }, "between 0 and 1", "got 0");
-  expect_error<InputError>([&] { return draw_diameters(sizes, 1.0, 1e-3); }, "between 0 and 1");
-  expect_error<InputError>([&] { return draw_diameters(sizes, 0.5, -1e-3); }, "side", "-0.001 m");
-  expect_error<NumericalError>([&] { return draw_diameters(sizes, 0.1, 5e-6); }, "less than half a particle");
-  expect_error<NumericalError>([&] { return draw_diameters(sizes, 0.5, 1e-2); }, "more than 1000000 particles");
-  expect_error<InputError>([&] { return draw_diameters(hmx(), 0.5, 1e-3); }, "truncate it", "inf m");
+  expect_error<InputError>([&] { return draw_diameters<2>(sizes, 0.0, 1e-3); }, "between 0 and 1", "got 0");
+  expect_error<InputError>([&] { return draw_diameters<2>(sizes, 1.0, 1e-3); }, "between 0 and 1");
+  expect_error<InputError>([&] { return draw_diameters<2>(sizes, 0.5, -1e-3); }, "side", "-0.001 m");
+  expect_error<NumericalError>([&] { return draw_diameters<2>(sizes, 0.1, 5e-6); }, "less than half a particle");
+  expect_error<NumericalError>([&] { return draw_diameters<2>(sizes, 0.5, 1e-2); }, "more than 1000000 particles");
+  expect_error<InputError>([&] { return draw_diameters<2>(hmx(), 0.5, 1e-3); }, "truncate it", "inf m");
 }
 
 TEST(LargestDeviation, OfKnownDraws) {
   // one disc of 10 um for the whole table: F(10 um) = 0.4 below the step, 1 - 0.4 above it
-  EXPECT_NEAR(largest_deviation(sieves(), std::vector{10e-6}), 0.6, 1e-12);
+  EXPECT_NEAR(largest_deviation<2>(sieves(), std::vector{10e-6}), 0.6, 1e-12);
   // one disc for half of the area each, the step in the right place
   const auto sizes = SizeDistribution::monodisperse(1e-6);
-  EXPECT_EQ(largest_deviation(sizes, std::vector{1e-6, 1e-6}), 0.0);
-  EXPECT_EQ(largest_deviation(sizes, std::vector{2e-6, 1e-6}), 0.8);
+  EXPECT_EQ(largest_deviation<2>(sizes, std::vector{1e-6, 1e-6}), 0.0);
+  EXPECT_EQ(largest_deviation<2>(sizes, std::vector{2e-6, 1e-6}), 0.8);
 }
 
 }  // namespace

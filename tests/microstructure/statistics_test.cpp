@@ -23,47 +23,47 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Discs of diameter 2 and 4 in a box of 10; their surfaces are 2 apart inside it and 1 apart across the sides x =
 /// 0, 10.
-Microstructure two_discs(Walls walls) {
+Microstructure<2> two_discs(Walls walls) {
   return {10.0, walls, {{{1.5, 5.0}, 2.0}, {{6.5, 5.0}, 4.0}}};
 }
 
 TEST(Statistics, FractionAndInterface) {
-  EXPECT_DOUBLE_EQ(area_fraction(two_discs(Walls::hard)), 5.0 * std::numbers::pi / 100.0);
-  EXPECT_DOUBLE_EQ(interface_per_area(two_discs(Walls::hard)), 6.0 * std::numbers::pi / 100.0);
+  EXPECT_DOUBLE_EQ(volume_fraction(two_discs(Walls::hard)), 5.0 * std::numbers::pi / 100.0);
+  EXPECT_DOUBLE_EQ(specific_surface(two_discs(Walls::hard)), 6.0 * std::numbers::pi / 100.0);
 }
 
 TEST(Statistics, GapsBetweenDiscs) {
   EXPECT_DOUBLE_EQ(smallest_gap(two_discs(Walls::hard)), 2.0);
   auto periodic = two_discs(Walls::periodic);
   EXPECT_DOUBLE_EQ(smallest_gap(periodic), 2.0);
-  periodic.discs[1].centre[0] = 7.5;
+  periodic.particles[1].centre[0] = 7.5;
   EXPECT_DOUBLE_EQ(smallest_gap(periodic), 1.0);
-  periodic.discs[1].centre = {9.5, 9.0};
-  periodic.discs[0].centre = {1.5, 2.0};
+  periodic.particles[1].centre = {9.5, 9.0};
+  periodic.particles[0].centre = {1.5, 2.0};
   EXPECT_NEAR(smallest_gap(periodic), std::sqrt(4.0 + 9.0) - 3.0, 1e-14);
 }
 
 TEST(Statistics, OverlapIsANegativeGap) {
   auto discs = two_discs(Walls::hard);
-  discs.discs[0].centre[0] = 4.0;
+  discs.particles[0].centre[0] = 4.0;
   EXPECT_DOUBLE_EQ(smallest_gap(discs), -0.5);
 }
 
 TEST(Statistics, OneDiscHasAGapOnlyToItsPeriodicImage) {
-  EXPECT_EQ(smallest_gap(Microstructure{10.0, Walls::hard, {{{5.0, 5.0}, 4.0}}}), infinity);
-  EXPECT_DOUBLE_EQ(smallest_gap(Microstructure{10.0, Walls::periodic, {{{5.0, 5.0}, 4.0}}}), 6.0);
-  EXPECT_EQ(smallest_gap(Microstructure{10.0, Walls::periodic, {}}), infinity);
+  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::hard, {{{5.0, 5.0}, 4.0}}}), infinity);
+  EXPECT_DOUBLE_EQ(smallest_gap(Microstructure<2>{10.0, Walls::periodic, {{{5.0, 5.0}, 4.0}}}), 6.0);
+  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::periodic, {}}), infinity);
 }
 
 TEST(Statistics, FarApartDiscsAreFoundToo) {
-  const Microstructure corners{10.0, Walls::hard, {{{0.1, 0.1}, 0.2}, {{9.9, 9.9}, 0.002}}};
+  const Microstructure<2> corners{10.0, Walls::hard, {{{0.1, 0.1}, 0.2}, {{9.9, 9.9}, 0.002}}};
   EXPECT_NEAR(smallest_gap(corners), 9.8 * std::numbers::sqrt2 - 0.101, 1e-13);
 }
 
 TEST(Statistics, GapsToTheWalls) {
   EXPECT_DOUBLE_EQ(smallest_wall_gap(two_discs(Walls::hard)), 0.5);
   EXPECT_EQ(smallest_wall_gap(two_discs(Walls::periodic)), infinity);
-  EXPECT_DOUBLE_EQ(smallest_wall_gap({10.0, Walls::hard, {{{5.0, 9.5}, 2.0}}}), -0.5);
+  EXPECT_DOUBLE_EQ(smallest_wall_gap<2>({10.0, Walls::hard, {{{5.0, 9.5}, 2.0}}}), -0.5);
 }
 
 TEST(Statistics, HistogramIsByArea) {
@@ -72,6 +72,20 @@ TEST(Statistics, HistogramIsByArea) {
   EXPECT_THAT(size_histogram(discs, std::array{2.0, 4.0}), ElementsAre(DoubleEq(1.0)));
   EXPECT_THAT(size_histogram(discs, std::array{1.0, 2.0, 4.0}), ElementsAre(DoubleEq(0.0), DoubleEq(1.0)));
   EXPECT_THAT(size_histogram(discs, std::array{3.0, 3.5}), ElementsAre(DoubleEq(0.0)));
+}
+
+TEST(Statistics, OfSpheres) {
+  Microstructure<3> spheres = {10.0, Walls::hard, {{{1.5, 5.0, 5.0}, 2.0}, {{6.5, 5.0, 5.0}, 4.0}}};
+  EXPECT_DOUBLE_EQ(volume_fraction(spheres), (4.0 / 3.0 + 32.0 / 3.0) * std::numbers::pi / 1000.0);
+  EXPECT_DOUBLE_EQ(specific_surface(spheres), (4.0 + 16.0) * std::numbers::pi / 1000.0);
+  EXPECT_DOUBLE_EQ(smallest_gap(spheres), 2.0);
+  EXPECT_DOUBLE_EQ(smallest_wall_gap(spheres), 0.5);
+  EXPECT_THAT(size_histogram(spheres, std::array{1.0, 3.0, 5.0}),
+              ElementsAre(DoubleEq(1.0 / 9.0), DoubleEq(8.0 / 9.0)));
+  spheres.walls = Walls::periodic;
+  spheres.particles[1].centre = {9.5, 9.0, 1.0};
+  spheres.particles[0].centre = {1.5, 2.0, 9.0};
+  EXPECT_NEAR(smallest_gap(spheres), std::sqrt(4.0 + 9.0 + 4.0) - 3.0, 1e-14);
 }
 
 TEST(Statistics, BadEdges) {

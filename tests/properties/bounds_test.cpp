@@ -101,8 +101,8 @@ TEST(RandomComposites, LieBetweenReussAndVoigtInTheOrderOfTheirBoundaries) {
 TEST(RandomComposites, MayExceedTheMeanModulusInTime) {
   // A soft elastic phase in a stiff one that flows: strain goes over to where the stress has gone, and what flows is
   // loaded less than by its own relaxation.
-  Microstructure box = {1e-3, Walls::hard, {}};
-  box.discs.push_back({{0.5e-3, 0.5e-3}, 0.9e-3});
+  Microstructure<2> box = {1e-3, Walls::hard, {}};
+  box.particles.push_back({{0.5e-3, 0.5e-3}, 0.9e-3});
   const test::Composite composite = {
       box,
       {{"matrix", 1000.0, PronySeries(0.0, {{0.01, 300e6}}), PronySeries(0.0, {{0.01, 100e6}})},

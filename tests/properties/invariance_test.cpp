@@ -16,7 +16,7 @@ using test::random_composite;
 
 Composite with_lengths(Composite composite, double factor) {
   composite.box.side *= factor;
-  for (auto& disc : composite.box.discs) {
+  for (auto& disc : composite.box.particles) {
     disc.diameter *= factor;
     for (double& x : disc.centre) x *= factor;
   }
@@ -46,7 +46,7 @@ Composite with_densities(Composite composite, double factor) {
 
 /// The composite with the centres of its discs elsewhere.
 Composite moved(Composite composite, const std::function<Vector<2>(const Vector<2>&)>& move) {
-  for (auto& disc : composite.box.discs) disc.centre = move(disc.centre);
+  for (auto& disc : composite.box.particles) disc.centre = move(disc.centre);
   return composite;
 }
 
@@ -61,7 +61,7 @@ Composite mirrored(const Composite& composite) {
 }
 
 Composite in_another_order(Composite composite) {
-  auto& discs = composite.box.discs;
+  auto& discs = composite.box.particles;
   std::ranges::reverse(discs);
   std::rotate(discs.begin(), discs.begin() + 1, discs.end());
   return composite;

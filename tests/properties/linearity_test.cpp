@@ -17,27 +17,28 @@ using test::Composite;
 using test::FillerKind;
 using test::random_composite;
 
-std::vector<Averages> averages_under(const Composite& composite, Boundary boundary, Formulation formulation,
-                                     const PlaneStrain& load) {
-  DynamicProblem problem{.discretisation = discretise(composite.box, test::cells),
-                         .materials = composite.materials,
-                         .volumetric = composite.volumetric,
-                         .boundary = boundary,
-                         .load = load};
+std::vector<Averages<2>> averages_under(const Composite& composite, Boundary boundary, Formulation formulation,
+                                        const Strain<2>& load) {
+  DynamicProblem<2> problem{.discretisation = discretise(composite.box, test::cells, 0, 1),
+                            .materials = composite.materials,
+                            .volumetric = composite.volumetric,
+                            .boundary = boundary,
+                            .load = load,
+                            .traction = {.xx = 2.0 * load.xx, .yy = 2.0 * load.yy, .xy = 2.0 * load.xy}};
   problem.time_step = 0.9 * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, 1.0);
   problem.ramp = StrainRamp(40.0 * problem.time_step);
-  std::vector<Averages> averages;
+  std::vector<Averages<2>> averages;
   make_dynamic_solver(formulation, problem, 1)->advance(200, averages);
   return averages;
 }
 
-double largest_part(const PlaneStress& stress) {
+double largest_part(const Stress<2>& stress) {
   return std::max({std::abs(stress.xx), std::abs(stress.yy), std::abs(stress.xy)});
 }
 
 TEST(RandomComposites, AnswerTwoLoadsByTheSumOfTheAnswers) {
-  const PlaneStrain shear = unit_strain(Load::shear), bulk = unit_strain(Load::bulk);
-  const PlaneStrain both = {shear.xx + bulk.xx, shear.yy + bulk.yy, shear.xy + bulk.xy};
+  const Strain<2> shear = unit_strain<2>(Load::shear), bulk = unit_strain<2>(Load::bulk);
+  const Strain<2> both = {shear.xx + bulk.xx, shear.yy + bulk.yy, shear.xy + bulk.xy};
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto composite = random_composite(seed, FillerKind::relaxing);
     for (const auto boundary : test::boundaries) {
@@ -61,9 +62,9 @@ TEST(RandomComposites, AnswerTwoLoadsByTheSumOfTheAnswers) {
 }
 
 /// Mean over the points of stress : unit_strain(load) [Pa].
-double mean_work(const PointFields& fields, Load load) {
+double mean_work(const PointFields<2>& fields, Load load) {
   double work = 0.0;
-  for (const auto& [xx, yy, zz, xy] : fields.stress) work += modulus_of(load, {xx, yy, xy});
+  for (const auto& [xx, yy, zz, xy] : fields.stress) work += modulus_of<2>(load, {xx, yy, xy});
   return work / static_cast<double>(fields.stress.size());
 }
 
@@ -78,7 +79,7 @@ Composite unrelaxed(Composite composite) {
 
 /// Work of the stress under each load on the strain of the other, over that on its own; and their difference.
 double mutual_work_difference(const Composite& composite, Boundary boundary) {
-  const QuasistaticProblem problem{.discretisation = discretise(composite.box, test::cells),
+  const QuasistaticProblem problem{.discretisation = discretise(composite.box, test::cells, 0, 1),
                                    .materials = composite.materials,
                                    .volumetric = composite.volumetric,
                                    .boundary = boundary};

@@ -27,7 +27,7 @@ double over_decades(double low, double high, Random& random) {
 }
 
 /// Discs of about 0.2 to 0.55 of the box.
-Microstructure random_box(Random& random) {
+Microstructure<2> random_box(Random& random) {
   PackingRequest request;
   request.side = 2e-3;
   request.walls = random() % 2 == 0 ? Walls::hard : Walls::periodic;
@@ -74,7 +74,7 @@ Composite random_composite(std::uint64_t seed, FillerKind filler) {
 }
 
 QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) {
-  QuasistaticTest test{.discretisation = discretise(composite.box, cells),
+  QuasistaticTest test{.discretisation = discretise(composite.box, cells, 0, 1),
                        .materials = composite.materials,
                        .boundary = boundary,
                        .loads = {Load::shear, Load::bulk},
@@ -85,7 +85,7 @@ QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) 
 }
 
 DynamicTest dynamic_test(const Composite& composite, Boundary boundary) {
-  DynamicTest test{.discretisation = discretise(composite.box, cells),
+  DynamicTest test{.discretisation = discretise(composite.box, cells, 0, 1),
                    .materials = composite.materials,
                    .boundary = boundary,
                    .times = window,

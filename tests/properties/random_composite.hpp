@@ -14,7 +14,7 @@ namespace breccia::test {
 
 /// A composite of chance: a few discs in a matrix that relaxes.
 struct Composite {
-  Microstructure box;
+  Microstructure<2> box;
   std::vector<Material> materials;  ///< matrix and filler
   Volumetric volumetric = Volumetric::averaged;
 };

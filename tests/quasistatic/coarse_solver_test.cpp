@@ -1,4 +1,4 @@
-#include "coarse_solver.hpp"
+#include "solvers/coarse_solver.hpp"
 
 #include <vector>
 

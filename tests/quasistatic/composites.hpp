@@ -11,11 +11,11 @@ namespace breccia::test {
 
 /// The model composite of the paper (its Fig. 2 and Table 1) with n x n cells.
 inline QuasistaticProblem model_composite(int n, Volumetric volumetric, Boundary boundary) {
-  Microstructure box = {6e-3, Walls::hard, {}};
+  Microstructure<2> box = {6e-3, Walls::hard, {}};
   for (const double x : {1.5e-3, 4.5e-3}) {
-    for (const double y : {1.5e-3, 4.5e-3}) box.discs.push_back({{x, y}, 2e-3});
+    for (const double y : {1.5e-3, 4.5e-3}) box.particles.push_back({{x, y}, 2e-3});
   }
-  return {.discretisation = discretise(box, n),
+  return {.discretisation = discretise(box, n, 0, 1),
           .materials = {{"binder", 1000.0, PronySeries(1e6), PronySeries(0.0, {{10e-3, 0.5e6}})},
                         {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)}},
           .volumetric = volumetric,
@@ -30,9 +30,9 @@ inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary b
   request.diameters.assign(12, 11e-6);
   request.minimum_gap = 1e-6;
   request.seed = seed;
-  const Microstructure box = {request.side, Walls::hard, pack<2>(request).balls};
+  const Microstructure<2> box = {request.side, Walls::hard, pack<2>(request).balls};
   const PronySeries shear(0.2e6, {{1e-7, 300e6}, {1e-6, 80e6}, {1e-5, 20e6}, {1e-4, 4e6}, {1e-3, 1e6}});
-  return {.discretisation = discretise(box, n),
+  return {.discretisation = discretise(box, n, 0, 1),
           .materials = {{"binder", 1480.0, PronySeries(3.6e9), shear},
                         {"hmx", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}},
           .boundary = boundary};
@@ -40,7 +40,7 @@ inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary b
 
 /// A box of one material.
 inline QuasistaticProblem homogeneous(const Material& material, Boundary boundary) {
-  return {.discretisation = Discretisation({6, 5, 1e-3}), .materials = {material}, .boundary = boundary};
+  return {.discretisation = Discretisation<2>(Grid<2>{{6, 5}, 1e-3}), .materials = {material}, .boundary = boundary};
 }
 
 inline std::vector<double> logarithmic(double first, double last, int per_decade) {

@@ -21,8 +21,8 @@ SampledResponses sampled(const QuasistaticProblem& problem, Load load) {
   return sample_responses(problem, 0, std::array{load}, carson_path(problem.materials.front(), window));
 }
 
-PlaneStress mean_stress(const PointFields& fields) {
-  PlaneStress mean;
+Stress<2> mean_stress(const PointFields<2>& fields) {
+  Stress<2> mean;
   const auto count = static_cast<double>(fields.stress.size());
   for (const auto& [xx, yy, zz, xy] : fields.stress) {
     mean = {mean.xx + xx / count, mean.yy + yy / count, mean.xy + xy / count};
@@ -30,8 +30,8 @@ PlaneStress mean_stress(const PointFields& fields) {
   return mean;
 }
 
-PlaneStrain mean_strain(const PointFields& fields) {
-  PlaneStrain mean;
+Strain<2> mean_strain(const PointFields<2>& fields) {
+  Strain<2> mean;
   const auto count = static_cast<double>(fields.strain.size());
   for (const auto& [xx, yy, xy] : fields.strain) {
     mean = {mean.xx + xx / count, mean.yy + yy / count, mean.xy + xy / count};

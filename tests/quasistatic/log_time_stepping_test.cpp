@@ -129,7 +129,7 @@ TEST(LogTimeStepping, RefusesWhatIsIncomplete) {
   EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{2.0, 1.0}), InputError);
   problem.discretisation.paint([](const Vector<2>&) { return true; }, 3);
   EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{1.0}), InputError);
-  problem.discretisation.paint([](const Vector<2>&) { return true; }, no_material);
+  problem.discretisation.paint([](const Vector<2>&) { return true; }, no_phase);
   EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{1.0}), InputError);
 }
 

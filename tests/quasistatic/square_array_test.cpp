@@ -45,11 +45,11 @@ std::vector<Reference> periodic_references() {
 
 /// Modulus of the array over the shear modulus of the matrix with n x n cells.
 double found(const Reference& reference, int n, Volumetric volumetric) {
-  Microstructure box = {1.0, Walls::periodic, {}};
-  box.discs.push_back({{0.5, 0.5}, 2.0 * std::sqrt(reference.fraction / std::numbers::pi)});
+  Microstructure<2> box = {1.0, Walls::periodic, {}};
+  box.particles.push_back({{0.5, 0.5}, 2.0 * std::sqrt(reference.fraction / std::numbers::pi)});
   const double filler = reference.contrast;
   const QuasistaticProblem problem = {
-      .discretisation = discretise(box, n),
+      .discretisation = discretise(box, n, 0, 1),
       .materials = {{"matrix", 1.0, PronySeries(reference.bulk_ratio), PronySeries(1.0)},
                     {"filler", 1.0, PronySeries(filler * 13.4 / 5.84), PronySeries(filler)}},
       .volumetric = volumetric,

@@ -78,8 +78,9 @@ TEST(SubstructuringOfAHomogeneousBox, GivesItsModuliHoweverFewItsCells) {
   for (const auto boundary : test::boundaries) {
     for (const int columns : {1, 2, 3, 9, 13}) {
       for (const int rows : {1, 4, 17}) {
-        const QuasistaticProblem problem = {
-            .discretisation = Discretisation({columns, rows, 1e-3}), .materials = {material}, .boundary = boundary};
+        const QuasistaticProblem problem = {.discretisation = Discretisation<2>(Grid<2>{{columns, rows}, 1e-3}),
+                                            .materials = {material},
+                                            .boundary = boundary};
         const auto [moduli, effort] = solved(problem, LinearMethod::iterative, matrix);
         EXPECT_NEAR(moduli[0] / matrix.shear, 1.0, 1e-9) << columns << " x " << rows;
         EXPECT_NEAR(moduli[1] / (matrix.bulk + matrix.shear / 3.0), 1.0, 1e-9) << columns << " x " << rows;

@@ -17,12 +17,12 @@ using ::testing::HasSubstr;
 using testing::xml_mistake;
 
 /// The paper's model composite: 2 x 2 discs of 2 mm in a box of 6 mm.
-const Microstructure model_composite{
+const Microstructure<2> model_composite{
     6e-3,
     Walls::hard,
     {{{1.5e-3, 1.5e-3}, 2e-3}, {{4.5e-3, 1.5e-3}, 2e-3}, {{1.5e-3, 4.5e-3}, 2e-3}, {{4.5e-3, 4.5e-3}, 2e-3}}};
 
-std::size_t circles(const Microstructure& microstructure) {
+std::size_t circles(const Microstructure<2>& microstructure) {
   return count(microstructure_picture(microstructure), "<circle ");
 }
 

@@ -11,12 +11,12 @@ inline const Material binder = {"binder", 1000.0, PronySeries(1e6), PronySeries(
 inline const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
 
 /// The paper's Fig. 2: a box of 6 mm with four discs of 2 mm.
-inline Discretisation model_composite(int cells) {
-  Microstructure four_discs = {6e-3, Walls::hard, {}};
+inline Discretisation<2> model_composite(int cells) {
+  Microstructure<2> four_discs = {6e-3, Walls::hard, {}};
   for (const double x : {1.5e-3, 4.5e-3}) {
-    for (const double y : {1.5e-3, 4.5e-3}) four_discs.discs.push_back({{x, y}, 2e-3});
+    for (const double y : {1.5e-3, 4.5e-3}) four_discs.particles.push_back({{x, y}, 2e-3});
   }
-  return discretise(four_discs, cells);
+  return discretise(four_discs, cells, 0, 1);
 }
 
 // An elastomer that is nearly incompressible once relaxed, and an explosive crystal.
@@ -26,13 +26,13 @@ inline const Material elastomer = {
 inline const Material crystal = {"crystal", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)};
 
 /// Twelve discs of 11 um, packed at random in a box of 50 um.
-inline Discretisation packed_discs(int cells) {
+inline Discretisation<2> packed_discs(int cells) {
   PackingRequest request;
   request.side = 50e-6;
   request.diameters.assign(12, 11e-6);
   request.minimum_gap = 1e-6;
   request.seed = 3;
-  return discretise({request.side, Walls::hard, pack<2>(request).balls}, cells);
+  return discretise<2>({request.side, Walls::hard, pack<2>(request).balls}, cells, 0, 1);
 }
 
 }  // namespace breccia::testing_composites

@@ -21,7 +21,7 @@ using testing_composites::binder;
 using testing_composites::model_composite;
 using testing_composites::particle;
 
-DynamicTest relaxation(Discretisation discretisation, std::vector<Material> materials, TimeWindow times) {
+DynamicTest relaxation(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
   return {.discretisation = std::move(discretisation), .materials = std::move(materials), .times = times};
 }
 
@@ -43,7 +43,7 @@ TEST(RunDynamicTest, HomogeneousBoxRelaxesAsItsMaterial) {
 
 TEST(RunDynamicTest, BulkLoadGivesThePlaneStrainBulkModulus) {
   const Material relaxing_bulk = {"m", 1000.0, PronySeries(1e6, {{0.02, 3e6}}), PronySeries(0.1e6, {{0.01, 0.5e6}})};
-  auto test = relaxation(Discretisation({24, 24, 6e-3 / 24}), {relaxing_bulk}, {1e-3, 0.05});
+  auto test = relaxation(Discretisation<2>(Grid<2>{{24, 24}, 6e-3 / 24}), {relaxing_bulk}, {1e-3, 0.05});
   test.load = Load::bulk;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
     EXPECT_NEAR(modulus / (relaxing_bulk.bulk.at(time) + relaxing_bulk.shear.at(time) / 3.0), 1.0, 1e-3);
@@ -58,7 +58,7 @@ TEST(RunDynamicTest, HomogeneousPeriodicBoxRelaxesAsItsMaterial) {
   }
 }
 
-DynamicTest creep(Discretisation discretisation, std::vector<Material> materials, TimeWindow times) {
+DynamicTest creep(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
   auto test = relaxation(std::move(discretisation), std::move(materials), times);
   test.boundary = Boundary::traction;
   return test;

@@ -1,37 +1,37 @@
 #pragma once
 
 #include <array>
-#include <span>
-#include <string>
+#include <cstddef>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/tensor.hpp"
 
 namespace breccia {
 
-/// Fields at the material points, per unit of the load. Points come in rows of the lattice with spacing h/2, from the
-/// lower left corner: a cell's points lie in two neighbouring rows.
+/// Fields at the material points, per unit of the load, in the order of their lattice (Grid::point_index): spacing h/2,
+/// from the corner with the lowest coordinates. The points of a cell lie in neighbouring rows of it.
+template <int dim>
 struct PointFields {
-  std::vector<MaterialIndex> material;
-  std::vector<std::array<double, 2>> displacement;  ///< [m]
-  std::vector<std::array<double, 3>> strain;        ///< xx, yy, xy (tensor shear), as the stress sees it [-]
-  std::vector<std::array<double, 4>> stress;        ///< xx, yy, zz, xy [Pa]
+  static constexpr std::size_t shears = dim * (dim - 1) / 2;
+
+  std::vector<PhaseIndex> phase;
+  std::vector<Vector<dim>> displacement;  ///< [m]
+  /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
+  std::vector<std::array<double, dim + shears>> strain;
+  /// The three normal components, also in plane strain, then the shears (2D: xx, yy, zz, xy) [Pa].
+  std::vector<std::array<double, 3 + shears>> stress;
 };
 
 /// Fields at a time after the load was applied.
+template <int dim>
 struct TimedFields {
   double time = 0.0;  ///< [s]
-  PointFields fields;
+  PointFields<dim> fields;
 };
 
-/// Leaves fields at some times in a group of a state, without the materials, which the discretisation tells, and takes
-/// them up. The latter throws FileError where they are of another discretisation.
-void save(StateWriter& state, const std::string& group, std::span<const TimedFields> fields);
-std::vector<TimedFields> read_fields(const StateReader& state, const std::string& group,
-                                     const Discretisation& discretisation);
-
-/// Fields of the points of a discretisation: their materials, and all else zero.
-PointFields zero_fields(const Discretisation& discretisation);
+/// Fields of the points of a discretisation: their phases, and all else zero. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] PointFields<dim> zero_fields(const Discretisation<dim>& discretisation);
 
 }  // namespace breccia

@@ -6,10 +6,10 @@
 
 namespace breccia {
 
-/// How a material point sees the volumetric strain of its cell.
+/// Which volumetric strain the stress of a material point depends on.
 enum class Volumetric {
-  averaged,  ///< the mean over the cell (B-bar): does not lock
-  standard   ///< the point's own, as in the paper: locks where the matrix is nearly incompressible
+  averaged,  ///< the mean over the cell (B-bar, mean dilatation): does not lock
+  standard   ///< the point's own (full integration), as in the paper: locks where the matrix is nearly incompressible
 };
 
 template <>

@@ -3,9 +3,10 @@
 #include <array>
 #include <vector>
 
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
-#include "breccia/discretisation/plane_tensor.hpp"
+#include "breccia/discretisation/tensor.hpp"
 #include "breccia/discretisation/volumetric.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/words.hpp"
@@ -49,16 +50,16 @@ class StrainRamp {
 };
 
 /// One dynamic run: what both formulations solve. The problem is linear; results are per unit of the load.
+template <int dim>
 struct DynamicProblem {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<dim> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
-  double density_factor = 1.0;  ///< multiplies all masses [-]
+  double density_factor = 1.0;  ///< mass scaling factor: multiplies all masses [-]
   double time_step = 0.0;       ///< [s]; at most stable_time_step
   Boundary boundary = Boundary::displacement;
-  /// At the end of the ramp: mean strain [-]; under a traction boundary half the stress of the traction [Pa], so that
-  /// unit_strain(load) stands for a unit load under either. Without a load a traction boundary is free.
-  PlaneStrain load = {};
+  Strain<dim> load = {};      ///< mean strain at the end of the ramp [-]; without meaning under a traction boundary
+  Stress<dim> traction = {};  ///< under a traction boundary: the stress that pulls on it at the end of the ramp [Pa]
   StrainRamp ramp = StrainRamp();
   Start start = Start::boundary;
   /// Factor on the load with which the points of the classical formulation really move [-].
@@ -68,13 +69,15 @@ struct DynamicProblem {
 /// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
 /// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
 /// 12). Moduli count unrelaxed. Throws InputError when a point has no material or a material no stiffness or no
-/// density.
-double stable_time_step(const Discretisation& discretisation, const std::vector<Material>& materials,
-                        Volumetric volumetric, double density_factor);
+/// density. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
+                                      Volumetric volumetric, double density_factor);
 
-/// The same for the time step of every boundary: a node that stands for two or four of a periodic box has the mass and
-/// the stiffness of them all, and restrained nodes only lower the eigenvalues.
-/// Throws InputError when the time step of the problem is not positive or above the stable one, naming both.
-void require_stable(const DynamicProblem& problem);
+/// Throws InputError when the time step of the problem is not positive or above the stable one, naming both. That limit
+/// holds for every boundary: a node of a periodic box that stands for several has the mass and the stiffness of them
+/// all, and restrained nodes only lower the eigenvalues. Instantiated for 2 and 3 dimensions.
+template <int dim>
+void require_stable(const DynamicProblem<dim>& problem);
 
 }  // namespace breccia

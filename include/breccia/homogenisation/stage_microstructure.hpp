@@ -12,7 +12,7 @@ namespace breccia {
 
 /// The particles of a stage, and how well they are what the deck asks for.
 struct StageMicrostructure {
-  Microstructure microstructure;
+  Microstructure<2> microstructure;
   double fraction = 0.0;                 ///< area of the particles per area of the box [-]
   double interface_per_area = 0.0;       ///< S/A [1/m]
   double wall_gap = 0.0;                 ///< smallest between a particle and a hard wall [m]; infinite without either

@@ -37,10 +37,10 @@ struct FieldRecord {
 /// One virtual test of one stage under one load, done.
 struct TestResult {
   TestId id = {};
-  Curve modulus = {};                    ///< relaxation modulus; of a creep test after interconversion
-  Creep compliance = {};                 ///< of a creep test
-  PronySeries series = {};               ///< of the modulus
-  std::vector<TimedFields> fields = {};  ///< of the material points, in the memory; empty where they were written
+  Curve modulus = {};                       ///< relaxation modulus; of a creep test after interconversion
+  Creep compliance = {};                    ///< of a creep test
+  PronySeries series = {};                  ///< of the modulus
+  std::vector<TimedFields<2>> fields = {};  ///< of the material points, in the memory; empty where they were written
   std::vector<FieldRecord> field_files = {};
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };

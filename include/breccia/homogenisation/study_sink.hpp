@@ -33,8 +33,8 @@ class StudySink {
   virtual void domain_finished(const Stage&, const TestId&, std::size_t /*number*/, const TimeDomain&) {}
   /// A test has found fields on a discretisation. Returns the files to which they have been written; where nothing is
   /// returned they stay in the result.
-  virtual std::optional<std::vector<FieldRecord>> fields(const Stage&, const TestId&, const Discretisation&,
-                                                         const std::vector<TimedFields>&) {
+  virtual std::optional<std::vector<FieldRecord>> fields(const Stage&, const TestId&, const Discretisation<2>&,
+                                                         const std::vector<TimedFields<2>>&) {
     return std::nullopt;
   }
   /// Another test, or the extrapolation of several, is in the result of the last stage.

@@ -7,23 +7,31 @@
 
 namespace breccia {
 
-/// Area of the discs per area of the box.
-[[nodiscard]] double area_fraction(const Microstructure& microstructure);
+// Instantiated for 2 and 3 dimensions. In 2D a volume is an area and a surface a length.
 
-/// Length of the surfaces of the discs per area of the box [1/m]: S/A of the error estimate dG/G ~ S/(A R).
-[[nodiscard]] double interface_per_area(const Microstructure& microstructure);
+/// Volume of the particles per volume of the box.
+template <int dim>
+[[nodiscard]] double volume_fraction(const Microstructure<dim>& microstructure);
 
-/// Smallest distance between the surfaces of two discs [m], across the sides too if the box is periodic (where a disc
-/// also faces its own image). Negative if discs overlap, infinite if there are no two.
-[[nodiscard]] double smallest_gap(const Microstructure& microstructure);
+/// Surface of the particles per volume of the box [1/m]: S/A of the error estimate dG/G ~ S/(A R).
+template <int dim>
+[[nodiscard]] double specific_surface(const Microstructure<dim>& microstructure);
 
-/// Smallest distance between a disc and a hard wall [m]. Negative if a disc crosses a wall, infinite if there are no
-/// discs or no walls.
-[[nodiscard]] double smallest_wall_gap(const Microstructure& microstructure);
+/// Smallest distance between the surfaces of two particles [m], across the sides too if the box is periodic (where a
+/// particle also faces its own image). Negative if particles overlap, infinite if there are no two.
+template <int dim>
+[[nodiscard]] double smallest_gap(const Microstructure<dim>& microstructure);
 
-/// Share of the discs' area in discs of diameters [edges[k], edges[k+1]); the last bin includes its upper edge. Edges
-/// [m] rise strictly. Discs outside them count in the total, so the shares then sum to less than 1. Throws InputError
-/// if there are fewer than two edges or they do not rise.
-[[nodiscard]] std::vector<double> size_histogram(const Microstructure& microstructure, std::span<const double> edges);
+/// Smallest distance between a particle and a hard wall [m]. Negative if a particle crosses a wall, infinite if there
+/// are no particles or no walls.
+template <int dim>
+[[nodiscard]] double smallest_wall_gap(const Microstructure<dim>& microstructure);
+
+/// Share of the particles' volume in particles of diameters [edges[k], edges[k+1]); the last bin includes its upper
+/// edge. Edges [m] rise strictly. Particles outside them count in the total, so the shares then sum to less than 1.
+/// Throws InputError if there are fewer than two edges or they do not rise.
+template <int dim>
+[[nodiscard]] std::vector<double> size_histogram(const Microstructure<dim>& microstructure,
+                                                 std::span<const double> edges);
 
 }  // namespace breccia

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/checkpoint/state.hpp"
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/volumetric.hpp"
@@ -29,10 +29,10 @@ inline constexpr auto words<LinearMethod> = std::to_array<Word<LinearMethod>>({{
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   std::int64_t most_unknowns_direct = 250'000;
-  /// The same on several processes, where the iterative method is a slower one.
+  /// Limit of the direct method on several processes, where the iterative method is a slower one.
   std::int64_t most_unknowns_direct_on_several = 3'000'000;
-  double tolerance = 1e-10;  ///< residual over load, in the Euclidean norm [-]
-  int threads = 0;           ///< of each process, for substructures; 0: all
+  double tolerance = 1e-10;  ///< of the residual relative to the load, in the Euclidean norm [-]
+  int threads = 0;           ///< of each process, for substructures; 0: all that there are
 
   [[nodiscard]] bool is_direct(std::int64_t unknowns, int processes) const noexcept {
     const auto most = processes > 1 ? most_unknowns_direct_on_several : most_unknowns_direct;
@@ -40,25 +40,21 @@ struct LinearOptions {
   }
 };
 
-/// What solving the linear systems took.
+/// Cost and accuracy of the linear systems that were solved.
 struct LinearEffort {
   bool is_direct = true;
   std::int64_t unknowns = 0;
-  int factorisations = 0;  ///< or multigrid set-ups
+  int factorisations = 0;  ///< factorisations, or set-ups of another preconditioner
   int solves = 0;
-  int iterations = 0;           ///< of conjugate gradients, in all
+  int iterations = 0;           ///< of conjugate gradients, all solves together
   int most_iterations = 0;      ///< of one solve
-  double largest_residual = 0;  ///< over load, after a solve [-]
+  double largest_residual = 0;  ///< after a solve, relative to the load [-]
 };
 
-/// Leaves it in a group of a state, and takes it up. The latter throws FileError where that is none.
-void save(StateWriter& state, const std::string& group, const LinearEffort& effort);
-LinearEffort read_effort(const StateReader& state, const std::string& group);
-
-/// A composite without inertia: what both quasi-static solvers solve. Points must all have a material.
+/// A composite without inertia, the problem of both quasi-static solvers. Every point must have a material.
 struct QuasistaticProblem {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<2> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};

@@ -14,21 +14,22 @@ struct ModuliRange {
   Moduli most;
 };
 
-/// How far a reduced response can answer for another matrix over a time window.
+/// Whether a reduced response can be used with another matrix over a time window.
 struct Coverage {
   ModuliRange sampled;                   ///< moduli of the matrix for which the response can be used
-  ModuliRange shown;                     ///< those that the matrix shows at the Laplace variables s = 1/t of the window
-  bool is_shear_covered = true;          ///< does the shear modulus stay within the range?
+  ModuliRange shown;                     ///< Carson moduli of the matrix at s = 1/t over the window
+  bool is_shear_covered = true;          ///< does the shear modulus stay within the sampled range?
   bool is_bulk_covered = true;           ///< does the bulk modulus?
   std::optional<TimeWindow> times = {};  ///< the longest part of the window in which both do [s]
 
   [[nodiscard]] bool is_whole() const noexcept { return is_shear_covered && is_bulk_covered; }
 };
 
-/// A response can be used within the moduli of its snapshots, and a little beyond.
+/// Compares the moduli that a matrix shows over a window with those of the snapshots of a response. A response can be
+/// used between the moduli of its snapshots, and a little beyond them.
 Coverage coverage(const ReducedResponse& response, const Material& matrix, const TimeWindow& window);
 
-/// Largest error estimate of a response for the moduli that a matrix shows over a window [-].
+/// Largest error estimate of a response for the moduli that a matrix shows over a window, relative [-].
 double largest_error(const ReducedResponse& response, const Material& matrix, const TimeWindow& window);
 
 }  // namespace breccia

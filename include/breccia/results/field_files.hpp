@@ -14,8 +14,8 @@ namespace breccia {
 /// strain. Those of the first boundary and method at the last time are `fields.vtkhdf`; the names of others tell their
 /// boundary and method, and the place of an earlier time. Throws FileError.
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const Discretisation& discretisation,
-                                      const std::vector<TimedFields>& fields);
+                                      const TestId& test, const Discretisation<2>& discretisation,
+                                      const std::vector<TimedFields<2>>& fields);
 
 /// Copies the files of the fields of tests from one directory to another. Throws FileError.
 void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to,

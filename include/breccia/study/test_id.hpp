@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/study/tests.hpp"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"

@@ -6,7 +6,6 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
@@ -14,10 +13,12 @@
 
 namespace breccia {
 
+class Checkpoint;
+
 /// What a dynamic test is made on: relaxation under a displacement or periodic boundary, creep under a traction one.
 struct DynamicTest {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<2> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
   TimeWindow times;                      ///< wanted [s]
@@ -59,7 +60,7 @@ struct DynamicTestResult {
   std::optional<double> fit_error = {};
   Curve curve;       ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
   Creep compliance;  ///< creep compliance at the same times, stitched, of a traction boundary alone
-  std::vector<TimedFields> fields;  ///< at the first sample at or after each of the times wanted
+  std::vector<TimedFields<2>> fields;  ///< at the first sample at or after each of the times wanted
 };
 
 /// Where a running test stands.
@@ -90,9 +91,6 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test);
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {},
                                    Checkpoint* checkpoint = nullptr);
 
-/// Leaves a result, without its fields, as the state that run_dynamic_test takes up with nothing left to do.
-void save_result(StateWriter& state, const DynamicTestResult& result);
-
 /// Material points x steps per second that a run of this test does on this machine, from a short trial.
 double trial_speed(const DynamicTest& test);
 
@@ -104,6 +102,6 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
 std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, int points_per_decade);
 
 /// Mean density of a discretisation [kg/m^3].
-double mean_density(const Discretisation& discretisation, const std::vector<Material>& materials);
+double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials);
 
 }  // namespace breccia

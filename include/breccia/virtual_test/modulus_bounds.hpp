@@ -11,7 +11,7 @@ namespace breccia {
 /// moduli taken as elastic ones (theory, Eq. 15). They plan runs; no result depends on them.
 class ShearModulusBounds {
  public:
-  ShearModulusBounds(const Discretisation& discretisation, const std::vector<Material>& materials);
+  ShearModulusBounds(const Discretisation<2>& discretisation, const std::vector<Material>& materials);
 
   /// [Pa], at a time [s].
   [[nodiscard]] double lower(double time) const;

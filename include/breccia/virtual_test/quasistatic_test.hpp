@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
@@ -14,6 +13,8 @@
 #include "breccia/words.hpp"
 
 namespace breccia {
+
+class Checkpoint;
 
 /// How the quasi-static method goes through time.
 enum class Solver {
@@ -47,8 +48,8 @@ struct QuasistaticOptions {
 
 /// What a quasi-static test is made on. The matrix is material 0.
 struct QuasistaticTest {
-  Discretisation discretisation;
-  std::vector<Material> materials;  ///< by MaterialIndex
+  Discretisation<2> discretisation;
+  std::vector<Material> materials;  ///< by PhaseIndex
   /// Moduli [Pa] that the matrix shows over the whole of its relaxation, from stiff to soft, where its series does not
   /// tell them: that of a composite is a fit to some times. Empty: those of its series. For SampledRange::matrix alone.
   std::vector<Moduli> matrix_moduli = {};
@@ -74,7 +75,7 @@ struct QuasistaticResponse {
 
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields> fields;             ///< of the first load; on the first process, on the others zero
+  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, on the others zero
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time
 };
@@ -88,8 +89,5 @@ using QuasistaticObserver = std::function<void(const std::string& details, doubl
 /// tolerance defeats it.
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
-
-/// Leaves a result, without its fields, as the state of a finished test.
-void save_result(StateWriter& state, const QuasistaticTestResult& result);
 
 }  // namespace breccia

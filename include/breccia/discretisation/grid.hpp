@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+
+#include "breccia/microstructure/index.hpp"
+#include "breccia/microstructure/vector.hpp"
+
+namespace breccia {
+
+/// Square or cubic cells that fill the box [0, cells[0] * cell_side] x [0, cells[1] * cell_side] (x ...). Lists of
+/// cells, nodes and points begin at the corner with the lowest coordinates; the first axis runs fastest.
+template <int dim>
+struct Grid {
+  Index<dim> cells{};      ///< along each axis
+  double cell_side = 0.0;  ///< h [m]
+
+  [[nodiscard]] std::size_t cell_count() const noexcept { return count(cells, 0); }
+  [[nodiscard]] std::size_t node_count() const noexcept { return count(cells, 1); }
+  /// Nodes along each axis.
+  [[nodiscard]] Index<dim> nodes() const noexcept {
+    auto nodes = cells;
+    for (int& along : nodes) ++along;
+    return nodes;
+  }
+  /// Area [m^2] or volume [m^3] of the box.
+  [[nodiscard]] double volume() const noexcept {
+    return times_power<dim>(static_cast<double>(cell_count()), cell_side);
+  }
+
+  /// Places in lists of cells or nodes.
+  [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return place(cell, cells, 0); }
+  [[nodiscard]] std::size_t node_index(const Index<dim>& node) const noexcept { return place(node, cells, 1); }
+  /// The cell at a place in a list of cells.
+  [[nodiscard]] Index<dim> cell_at(std::size_t place) const noexcept {
+    Index<dim> cell{};
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const auto along = static_cast<std::size_t>(cells[axis]);
+      cell[axis] = static_cast<int>(place % along);
+      place /= along;
+    }
+    return cell;
+  }
+  /// Place in a list of points that follows their lattice, which has two points to a cell along each axis. `point` is
+  /// the number of the point in its cell: bit 0 is its place along the first axis, and so on.
+  [[nodiscard]] std::size_t point_index(const Index<dim>& cell, int point) const noexcept {
+    auto lattice_place = cell, lattice = cells;
+    for (std::size_t axis = 0; axis < cells.size(); ++axis) {
+      lattice_place[axis] = 2 * cell[axis] + ((point >> axis) & 1);
+      lattice[axis] = 2 * cells[axis];
+    }
+    return place(lattice_place, lattice, 0);
+  }
+
+  /// Calls action(cell) for all cells, or action(node) for all nodes, in the order of their lists.
+  template <class Action>
+  void for_each_cell(Action&& action) const {
+    for_each_index(Index<dim>{}, cells, action);
+  }
+  template <class Action>
+  void for_each_node(Action&& action) const {
+    for_each_index(Index<dim>{}, nodes(), action);
+  }
+
+  [[nodiscard]] int columns() const noexcept requires(dim == 2) { return cells[0]; }
+  [[nodiscard]] int rows() const noexcept requires(dim == 2) { return cells[1]; }
+
+  friend bool operator==(const Grid&, const Grid&) = default;
+
+ private:
+  static std::size_t count(const Index<dim>& along, std::size_t more) noexcept {
+    std::size_t count = 1;
+    for (const int n : along) count *= static_cast<std::size_t>(n) + more;
+    return count;
+  }
+  static std::size_t place(const Index<dim>& index, const Index<dim>& along, std::size_t more) noexcept {
+    std::size_t place = 0;
+    for (std::size_t axis = index.size(); axis-- > 0;) {
+      place = place * (static_cast<std::size_t>(along[axis]) + more) + static_cast<std::size_t>(index[axis]);
+    }
+    return place;
+  }
+};
+
+}  // namespace breccia

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "breccia/microstructure/vector.hpp"
+
+namespace breccia {
+
+/// Components of a symmetric tensor: the normal ones, then the shears.
+template <int dim>
+constexpr int tensor_components = dim*(dim + 1) / 2;
+
+/// A symmetric tensor in `dim` dimensions, its components in Voigt's order. `Quantity` keeps strains and stresses
+/// apart.
+template <int dim, class Quantity>
+struct SymmetricTensor;
+
+template <class Quantity>
+struct SymmetricTensor<2, Quantity> {
+  double xx = 0.0;
+  double yy = 0.0;
+  double xy = 0.0;
+
+  friend bool operator==(const SymmetricTensor&, const SymmetricTensor&) = default;
+};
+
+template <class Quantity>
+struct SymmetricTensor<3, Quantity> {
+  double xx = 0.0;
+  double yy = 0.0;
+  double zz = 0.0;
+  double yz = 0.0;
+  double zx = 0.0;
+  double xy = 0.0;
+
+  friend bool operator==(const SymmetricTensor&, const SymmetricTensor&) = default;
+};
+
+/// Small strain [-]. Shears are tensor components, half of the engineering shears. In 2D plane strain: the out-of-plane
+/// strain is zero.
+template <int dim>
+using Strain = SymmetricTensor<dim, struct StrainQuantity>;
+
+/// Stress, tension positive [Pa].
+template <int dim>
+using Stress = SymmetricTensor<dim, struct StressQuantity>;
+
+/// Place of the component (i, j) in Voigt's order; axes count from 0.
+template <int dim>
+[[nodiscard]] constexpr int component_index(int i, int j) noexcept {
+  // A shear stands where the axis across its plane would, counted from behind: yz, zx, xy.
+  return i == j ? i : tensor_components<dim> - i - j;
+}
+
+/// Component by its place in Voigt's order.
+template <class Quantity>
+[[nodiscard]] constexpr double& component(SymmetricTensor<2, Quantity>& t, int place) noexcept {
+  return place == 0 ? t.xx : place == 1 ? t.yy : t.xy;
+}
+template <class Quantity>
+[[nodiscard]] constexpr double& component(SymmetricTensor<3, Quantity>& t, int place) noexcept {
+  switch (place) {
+    case 0:
+      return t.xx;
+    case 1:
+      return t.yy;
+    case 2:
+      return t.zz;
+    case 3:
+      return t.yz;
+    case 4:
+      return t.zx;
+    default:
+      return t.xy;
+  }
+}
+template <int dim, class Quantity>
+[[nodiscard]] constexpr double component(const SymmetricTensor<dim, Quantity>& t, int place) noexcept {
+  auto copy = t;
+  return component(copy, place);
+}
+
+/// Component (i, j).
+template <int dim, class Quantity>
+[[nodiscard]] constexpr double component(const SymmetricTensor<dim, Quantity>& t, int i, int j) noexcept {
+  return component(t, component_index<dim>(i, j));
+}
+
+/// The double contraction a : b, the sum over all pairs (i, j) of a_ij b_ij.
+template <int dim, class A, class B>
+[[nodiscard]] constexpr double contraction(const SymmetricTensor<dim, A>& a,
+                                           const SymmetricTensor<dim, B>& b) noexcept {
+  double sum = component(a, 0) * component(b, 0);
+  for (int place = 1; place < tensor_components<dim>; ++place) {
+    const double times = place < dim ? 1.0 : 2.0;
+    sum += times * component(a, place) * component(b, place);
+  }
+  return sum;
+}
+
+/// The tensor times a vector.
+template <int dim, class Quantity>
+[[nodiscard]] constexpr Vector<dim> product(const SymmetricTensor<dim, Quantity>& t, const Vector<dim>& x) noexcept {
+  Vector<dim> result{};
+  for (int i = 0; i < dim; ++i) {
+    double sum = component(t, i, 0) * x[0];
+    for (int j = 1; j < dim; ++j) sum += component(t, i, j) * x[static_cast<std::size_t>(j)];
+    result[static_cast<std::size_t>(i)] = sum;
+  }
+  return result;
+}
+
+/// The tensor times a number.
+template <int dim, class Quantity>
+[[nodiscard]] constexpr SymmetricTensor<dim, Quantity> scaled(double factor,
+                                                              SymmetricTensor<dim, Quantity> t) noexcept {
+  for (int place = 0; place < tensor_components<dim>; ++place) component(t, place) *= factor;
+  return t;
+}
+
+}  // namespace breccia

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+
+namespace breccia {
+
+/// Writes the effort to a group of a state.
+void save(StateWriter& state, const std::string& group, const LinearEffort& effort);
+/// Reads it from there. Throws FileError when the group does not hold one.
+LinearEffort read_effort(const StateReader& state, const std::string& group);
+
+}  // namespace breccia

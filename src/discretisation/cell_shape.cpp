@@ -1,0 +1,83 @@
+#include "breccia/discretisation/cell_shape.hpp"
+
+#include "breccia/discretisation/shape_function.hpp"
+
+namespace breccia {
+
+template <int dim>
+typename CellShape<dim>::Weights CellShape<dim>::weights(int point) {
+  Weights weights{};
+  for (std::size_t node = 0; node < weights.size(); ++node) {
+    weights[node] = shape_function<dim>(node, offset(point)).weight;
+  }
+  return weights;
+}
+
+template <int dim>
+typename CellShape<dim>::StrainMatrix CellShape<dim>::strain_matrix(int point) {
+  StrainMatrix strain = StrainMatrix::Zero();
+  for (int node = 0; node < nodes; ++node) {
+    const auto gradient = shape_function<dim>(static_cast<std::size_t>(node), offset(point)).gradient;
+    for (int i = 0; i < dim; ++i) {
+      for (int j = 0; j < dim; ++j) {
+        // du_i / dx_j adds to the normal strain (i, i) or to the engineering shear (i, j).
+        strain(component_index<dim>(i, j), dim * node + i) = gradient[static_cast<std::size_t>(j)];
+      }
+    }
+  }
+  return strain;
+}
+
+template <int dim>
+typename CellShape<dim>::VolumeMatrix CellShape<dim>::volumetric_strain_matrix(int point, Volumetric volumetric) {
+  const auto own = [](int p) -> VolumeMatrix { return strain_matrix(p).template topRows<dim>().colwise().sum(); };
+  if (volumetric == Volumetric::standard) return own(point);
+  VolumeMatrix sum = VolumeMatrix::Zero();
+  for (int p = 0; p < points; ++p) sum += own(p);
+  return point_volume * sum;
+}
+
+template <int dim>
+typename CellShape<dim>::StrainMatrix CellShape<dim>::strain_matrix(int point, Volumetric volumetric) {
+  auto strain = strain_matrix(point);
+  const VolumeMatrix missing =
+      volumetric_strain_matrix(point, volumetric) - volumetric_strain_matrix(point, Volumetric::standard);
+  strain.template topRows<dim>().rowwise() += missing / static_cast<double>(dim);
+  return strain;
+}
+
+template <int dim>
+typename CellShape<dim>::Stiffness CellShape<dim>::stiffness(const PointModuli& moduli, Volumetric volumetric) {
+  // Twice the deviatoric strain energy per unit shear modulus: D = 2 (I - m m^T / 3). In plane strain the out-of-plane
+  // strain is zero.
+  using Components = Eigen::Matrix<double, strains, strains>;
+  Components deviatoric = Components::Identity();
+  deviatoric.template topLeftCorner<dim, dim>().setConstant(-2.0 / 3.0);
+  deviatoric.template topLeftCorner<dim, dim>().diagonal().setConstant(4.0 / 3.0);
+  Stiffness stiffness = Stiffness::Zero();
+  for (int p = 0; p < points; ++p) {
+    const auto& [bulk, shear] = moduli[static_cast<std::size_t>(p)];
+    const auto strain = strain_matrix(p, volumetric);
+    const auto volume = volumetric_strain_matrix(p, volumetric);
+    stiffness += point_volume * (shear * strain.transpose() * deviatoric * strain + bulk * volume.transpose() * volume);
+  }
+  return stiffness;
+}
+
+template <int dim>
+typename CellShape<dim>::Values CellShape<dim>::affine_motion(const Strain<dim>& strain) {
+  Values motion;
+  for (int node = 0; node < nodes; ++node) {
+    Vector<dim> place{};
+    const auto side = corner(node);
+    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] = side[axis];
+    const auto moved = product(strain, place);
+    for (int i = 0; i < dim; ++i) motion[dim * node + i] = moved[static_cast<std::size_t>(i)];
+  }
+  return motion;
+}
+
+template struct CellShape<2>;
+template struct CellShape<3>;
+
+}  // namespace breccia

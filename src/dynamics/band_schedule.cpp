@@ -1,0 +1,145 @@
+#include "band_schedule.hpp"
+
+#include <algorithm>
+
+#include <omp.h>
+
+namespace breccia::dynamics {
+namespace {
+
+/// With less to do than this a thread would mostly wait for the others.
+constexpr std::size_t points_per_thread = 8192;
+
+int useful_bands(const Discretisation<2>& discretisation, const RowExchange& exchange, int threads) {
+  const auto useful = static_cast<int>(discretisation.points() / points_per_thread);
+  return std::clamp(std::min(threads, useful), 1, exchange.end() - exchange.first());
+}
+
+}  // namespace
+
+BandSchedule::BandSchedule(RowStep& rows, RowExchange& exchange, int threads)
+    : rows_(&rows),
+      exchange_(&exchange),
+      from_below_(ForceRow::for_sums(rows.nodes().stride())),
+      from_above_(ForceRow::for_sums(rows.nodes().stride())),
+      throttle_(1),
+      sums_(rows.problem().discretisation.grid()) {
+  const int first = exchange.first(), own_rows = exchange.end() - first;
+  const int bands = useful_bands(rows.problem().discretisation, exchange, threads);
+  throttle_ = ThreadThrottle(std::min(bands, omp_get_num_procs()));
+  for (int band = 0; band < bands; ++band) {
+    bands_.emplace_back(first + own_rows * band / bands, first + own_rows * (band + 1) / bands, rows.nodes().stride());
+  }
+}
+
+std::size_t BandSchedule::bytes() const noexcept {
+  const auto force_rows = 5 * bands_.size() + 2;
+  return force_rows * 4 * rows_->nodes().stride() * sizeof(double) + sums_.bytes();
+}
+
+void BandSchedule::take_steps(std::int64_t first, int steps, Averages<2>* averages) {
+  for (int done = 0; done < steps;) {
+    const int taken = take_batch(first + done, steps - done, averages + done);
+    throttle_.adjust(taken);
+    done += taken;
+  }
+}
+
+/// Takes a batch of steps, after which the number of threads may be another: as many as fit into a short time, in whole
+/// groups for which sums are kept. Returns their number.
+int BandSchedule::take_batch(std::int64_t first, int most_steps, Averages<2>* averages) {
+  constexpr double longest = 0.015;  // [s]
+  for (auto& band : bands_) {
+    band.swept.reset();
+    band.moved.reset();
+  }
+  exchanged_.reset();
+  averaged_.reset();
+  // Changed by the first thread alone, while the others wait for the averages of a group.
+  int steps = most_steps;
+#pragma omp parallel num_threads(throttle_.threads())
+  {
+    const ThreadWatch watch;
+    const auto threads = static_cast<std::size_t>(omp_get_num_threads());
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    // A thread that has several bands has neighbouring ones.
+    const auto begin = bands_.size() * thread / threads, end = bands_.size() * (thread + 1) / threads;
+    for (int done = 0; done < steps;) {
+      const int group = std::min(sums_.steps(), most_steps - done);
+      for (int i = 0; i < group; ++i, ++done) take_step(begin, end, first + done, done);
+      if (thread == 0) {
+        find_averages(first + done - group, done, group, averages + done - group);
+        if (watch.wall() > longest) steps = done;
+        averaged_.set(done);
+      }
+      averaged_.wait_for(done);
+    }
+    throttle_.record(thread, watch.time());
+  }
+  return steps;
+}
+
+/// Takes some bands, those of a thread, through a step; `done` steps of the batch are finished.
+void BandSchedule::take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done) {
+  for (auto band = first_band; band < end_band; ++band) sweep(band, step, done);
+  if (first_band == 0 && exchange_->has_neighbours()) exchange_forces(done);
+  for (auto band = first_band; band < end_band; ++band) move_lowest_row(band, step, done);
+  if (end_band == bands_.size()) move_highest_row(step, done);
+}
+
+void BandSchedule::sweep(std::size_t number, std::int64_t step, int done) {
+  auto& band = bands_[number];
+  const auto& above = bands_[(number + 1) % bands_.size()];
+  band.sweep(
+      *rows_, sums_, done % sums_.steps(), step,
+      [&] {
+        if (number == 0 && exchange_->has_neighbours()) exchange_->begin(band.lowest_forces());
+      },
+      // The band above moves the nodes there in the step before, and from the forces of this band.
+      [&] { above.moved.wait_for(done); });
+  band.swept.set(done + 1);
+}
+
+/// Gets the forces on the outermost rows of nodes from the neighbouring processes, or from the opposite end of a
+/// periodic box.
+void BandSchedule::exchange_forces(int done) {
+  auto& highest = bands_.back();
+  highest.swept.wait_for(done + 1);
+  exchange_->finish(highest.highest_forces(), from_below_.view(), from_above_.view());
+  exchanged_.set(done + 1);
+}
+
+void BandSchedule::move_lowest_row(std::size_t number, std::int64_t step, int done) {
+  auto& band = bands_[number];
+  if (number > 0) bands_[number - 1].swept.wait_for(done + 1);
+  const auto from_below = number > 0 ? bands_[number - 1].highest_forces() : from_below_.view();
+  rows_->move_nodes(band.first(), from_below, band.lowest_forces(), step);
+  const bool has_whole_box =
+      exchange_->first() == 0 && exchange_->end() == rows_->problem().discretisation.grid().rows();
+  if (number == 0 && wraps() && has_whole_box) rows_->copy_lowest_row(step);
+  if (number + 1 < bands_.size()) band.moved.set(done + 1);
+}
+
+/// Moves the row of nodes above the rows of cells of this process.
+void BandSchedule::move_highest_row(std::int64_t step, int done) {
+  auto& band = bands_.back();
+  const bool is_image = wraps() && band.end() == rows_->problem().discretisation.grid().rows();
+  if (exchange_->has_neighbours()) exchanged_.wait_for(done + 1);
+  if (!is_image) {
+    rows_->move_nodes(band.end(), band.highest_forces(), from_above_.view(), step);
+  } else if (exchange_->first() > 0) {
+    // The lowest row of the box belongs to another process: this one moves it too, for its image.
+    rows_->move_nodes(0, band.highest_forces(), from_above_.view(), step);
+    rows_->copy_lowest_row(step);
+  }
+  band.moved.set(done + 1);
+}
+
+/// Averages of the last steps of a batch of which `done` are finished, once all threads have come so far.
+void BandSchedule::find_averages(std::int64_t first, int done, int steps, Averages<2>* averages) {
+  for (const auto& band : bands_) band.moved.wait_for(done);
+  exchange_->gather_node_rows(sums_.numbers());
+  for (int i = 0; i < steps; ++i) averages[i] = averages_of(rows_->problem(), sums_, i, first + i);
+}
+
+}  // namespace breccia::dynamics

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/load.hpp"
+
+#include "operator/displacement.hpp"
+
+namespace breccia::quasistatic {
+
+/// The elastic operator K of a discretisation under one boundary condition: forces of displacements, K u, cell by cell
+/// and without an assembled matrix. The nodes are distributed over the processes.
+///
+/// Lengths are in units of the cell side, which makes the stiffness of a cell independent of its size (theory, Eq. 5).
+/// A displacement is u = a E x + w. A displacement boundary (KUBC) holds w at zero on the boundary of the box; under a
+/// periodic one w is periodic, and held at zero on one node; under a traction boundary (SUBC) as many components of w
+/// as there are rigid motions are held at zero on corners of the box, and a is not used.
+template <int dim>
+class ElasticOperator {
+ public:
+  using Shape = CellShape<dim>;
+
+  ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary);
+
+  [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
+  /// The cells, with side 1.
+  [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
+  /// Area or volume of the box, in units of the cell side.
+  [[nodiscard]] double volume() const noexcept { return grid_.volume(); }
+  /// Number of nodal components, the held ones included.
+  [[nodiscard]] std::int64_t unknowns() const noexcept;
+
+  /// A displacement, or forces, all zero.
+  [[nodiscard]] Displacement zero() const;
+  /// The displacement with the uniform strain of a load.
+  [[nodiscard]] Displacement uniform_strain(Load load) const;
+  /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
+  /// of the uniform traction of the unit stress of the load under a traction boundary.
+  [[nodiscard]] Forces load_forces(Load load) const;
+  /// K u, with the moduli [Pa] by material; zero on the held components of w.
+  [[nodiscard]] Forces forces(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const;
+
+  /// Fluctuation w of all nodes of the box, the components of one node after those of the other, in the order of
+  /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
+  /// process; empty on the others.
+  [[nodiscard]] std::vector<double> gathered(const Displacement& displacement) const;
+
+  /// True if this component of w is held at zero at a node.
+  [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
+  /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
+  [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
+    return kind_of_[grid_.cell_index(cell)];
+  }
+  /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
+  [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
+
+  /// A sparse matrix with the pattern of K on w, without values.
+  [[nodiscard]] Matrix make_matrix() const;
+  /// Assembles K into such a matrix. Held components of w are coupled to nothing and get a diagonal entry.
+  void assemble(std::span<const Moduli> moduli, Mat matrix) const;
+  /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
+  void attach_rigid_motions(Mat matrix) const;
+
+ private:
+  /// Indices from `begin` to before `end` along every axis.
+  struct Range {
+    Index<dim> begin{}, end{};
+  };
+  using CellValues = typename Shape::Values;
+
+  void find_kinds(const Discretisation<dim>& discretisation);
+  void distribute_nodes();
+  /// Nodes of the box along an axis; of a periodic box without the last one.
+  [[nodiscard]] Index<dim> nodes_along() const noexcept;
+  template <class Action>
+  void for_owned_nodes(Vec nodal, Action&& action) const;
+  [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
+  template <class CellForces>
+  [[nodiscard]] Forces sum_over_cells(const CellForces& cell_forces) const;
+  void clear_held(Vec nodal) const;
+  [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
+
+  Grid<dim> grid_;
+  Volumetric volumetric_;
+  Boundary boundary_;
+  std::vector<CellPhases<dim>> kinds_;  ///< phases of the points of a cell, by kind of cell
+  std::vector<std::uint32_t> kind_of_;  ///< by cell
+  NodeGrid nodes_;
+  Range owned_;  ///< nodes that belong to this process
+  Range cells_;  ///< cells whose lowest node belongs to this process
+  Range seen_;   ///< nodes of this process and their neighbours
+  std::array<int, std::size_t{1} << dim>
+      offsets_{};                  ///< places of the nodes of a cell among those seen, from the lowest
+  std::vector<std::size_t> held_;  ///< places of the held components among those of this process
+};
+
+extern template class ElasticOperator<2>;
+extern template class ElasticOperator<3>;
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,117 @@
+#include "operator/recovery.hpp"
+
+#include <array>
+#include <cstddef>
+
+#include "breccia/parallel/session.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// The displacement of all nodes of the box, in units of the cell side.
+template <int dim>
+class NodalDisplacement {
+ public:
+  using Shape = CellShape<dim>;
+
+  NodalDisplacement(const ElasticOperator<dim>& elastic_operator, Load load, const Displacement& displacement)
+      : grid_(elastic_operator.grid()),
+        strain_(unit_strain<dim>(load)),
+        macroscopic_(displacement.macroscopic()),
+        wraps_(elastic_operator.boundary() == Boundary::periodic),
+        fluctuation_(elastic_operator.gathered(displacement)) {}
+
+  [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
+    typename Shape::Values u;
+    for (int n = 0; n < Shape::nodes; ++n) {
+      auto node = Shape::corner(n);
+      Vector<dim> x{};
+      for (std::size_t axis = 0; axis < node.size(); ++axis) {
+        node[axis] += cell[axis];
+        x[axis] = node[axis];
+      }
+      const auto affine = product(strain_, x);
+      const double* fluctuation = fluctuation_.data() + dim * place(node);
+      for (int i = 0; i < dim; ++i)
+        u[dim * n + i] = macroscopic_ * affine[static_cast<std::size_t>(i)] + fluctuation[i];
+    }
+    return u;
+  }
+
+ private:
+  [[nodiscard]] std::size_t place(Index<dim> node) const noexcept {
+    if (!wraps_) return grid_.node_index(node);
+    for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] %= grid_.cells[axis];
+    return grid_.cell_index(node);
+  }
+
+  Grid<dim> grid_;
+  Strain<dim> strain_;
+  double macroscopic_;
+  bool wraps_;
+  std::vector<double> fluctuation_;  ///< the components of the nodes, in the order of their list
+};
+
+template <int dim>
+struct AppliedToNodes {
+  NodalDisplacement<dim> bulk, shear;
+};
+
+/// Stress as in PointFields, from the pressure and the shear modulus applied to the strain.
+template <int dim>
+auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressure) {
+  typename decltype(PointFields<dim>::stress)::value_type stress{};
+  std::array<double, 3> normal{};  // in plane strain the out-of-plane one is zero
+  for (std::size_t axis = 0; axis < dim; ++axis) normal[axis] = shear[static_cast<Eigen::Index>(axis)];
+  for (std::size_t i = 0; i < 3; ++i) {
+    stress[i] = pressure + 4.0 / 3.0 * normal[i] - 2.0 / 3.0 * (normal[(i + 1) % 3] + normal[(i + 2) % 3]);
+  }
+  for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = shear[static_cast<Eigen::Index>(i + dim - 3)];
+  return stress;
+}
+
+}  // namespace
+
+template <int dim>
+PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, const Discretisation<dim>& discretisation,
+                                Volumetric volumetric, Load load, const Displacement& displacement,
+                                const std::vector<AppliedModuli>& applied) {
+  using Shape = CellShape<dim>;
+  const auto& grid = discretisation.grid();
+  const NodalDisplacement<dim> moved(elastic_operator, load, displacement);
+  std::vector<AppliedToNodes<dim>> by_material;
+  by_material.reserve(applied.size());
+  for (const auto& [bulk, shear] : applied) {
+    by_material.push_back(
+        {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
+  }
+  auto fields = zero_fields(discretisation);
+  if (parallel::rank() != 0) return fields;
+  for (int p = 0; p < Shape::points; ++p) {
+    const auto weights = Shape::weights(p);
+    const auto strain_matrix = Shape::strain_matrix(p, volumetric);
+    const auto volume = Shape::volumetric_strain_matrix(p, volumetric);
+    grid.for_each_cell([&](const Index<dim>& cell) {
+      const auto point = grid.point_index(cell, p);
+      const auto u = moved.of_cell(cell);
+      for (std::size_t node = 0; node < weights.size(); ++node) {
+        for (std::size_t i = 0; i < dim; ++i) {
+          fields.displacement[point][i] +=
+              grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
+        }
+      }
+      const typename Shape::StrainVector strain = strain_matrix * u;
+      for (std::size_t i = 0; i < fields.strain[point].size(); ++i) {
+        fields.strain[point][i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
+      }
+      const auto& [bulk, shear] = by_material[fields.phase[point]];
+      fields.stress[point] = stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell)));
+    });
+  }
+  return fields;
+}
+
+template PointFields<2> recover_fields(const ElasticOperator<2>&, const Discretisation<2>&, Volumetric, Load,
+                                       const Displacement&, const std::vector<AppliedModuli>&);
+
+}  // namespace breccia::quasistatic

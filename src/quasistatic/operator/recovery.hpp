@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/discretisation/point_fields.hpp"
+
+#include "operator/elastic_operator.hpp"
+
+namespace breccia::quasistatic {
+
+/// The bulk and the shear modulus M of a material applied to the history of the displacement, the Stieltjes integral of
+/// M(t - t') du(t') [Pa]; for an elastic material M u. The stress at its points is the one that these two displacements
+/// have with unit moduli.
+struct AppliedModuli {
+  Displacement bulk, shear;
+};
+
+/// Displacement, strain and stress at the material points, from the displacement of the nodes and from the moduli
+/// applied to its history, by material (theory, Eq. 35). On the first process; zero on the others. Instantiated for 2
+/// dimensions.
+template <int dim>
+[[nodiscard]] PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
+                                              const Discretisation<dim>& discretisation, Volumetric volumetric,
+                                              Load load, const Displacement& displacement,
+                                              const std::vector<AppliedModuli>& applied);
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,183 @@
+#include "reduced/reduced_basis.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/quasistatic/reduced_response_state.hpp"
+
+#include "operator/displacement_state.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Appends a row and a column of zeros to a symmetric matrix.
+void enlarge(Eigen::MatrixXd& matrix) {
+  const auto size = matrix.rows();
+  matrix.conservativeResize(size + 1, size + 1);
+  matrix.row(size).setZero();
+  matrix.col(size).setZero();
+}
+
+/// Scalar product of nodal forces; held components are zero.
+double product(const Forces& a, const Forces& b) {
+  double sum = 0.0;
+  check(VecDot(a.fluctuation(), b.fluctuation(), &sum), "a scalar product");
+  return sum;
+}
+
+}  // namespace
+
+std::vector<Moduli> StiffnessParts::with(const Moduli& matrix) const {
+  auto moduli = filler;
+  for (std::size_t m = 0; m < moduli.size(); ++m) {
+    moduli[m].bulk += matrix.bulk * matrix_bulk[m].bulk;
+    moduli[m].shear += matrix.shear * matrix_shear[m].shear;
+  }
+  return moduli;
+}
+
+ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const StiffnessParts& parts, Load load,
+                           const Moduli& reference)
+    : elastic_operator_(&elastic_operator),
+      parts_(&parts),
+      load_(load),
+      reference_(reference),
+      load_forces_(elastic_operator.load_forces(load)) {
+  response_.load = load;
+  response_.boundary = elastic_operator.boundary();
+  // With the square root of the area, e' K^-1 e is a compliance [1/Pa].
+  load_forces_.scale(1.0 / std::sqrt(elastic_operator.volume()));
+  if (elastic_operator.boundary() != Boundary::traction)
+    load_forces_.set_macroscopic(std::sqrt(elastic_operator.volume()));
+  extend(elastic_operator.uniform_strain(load));
+}
+
+Forces ReducedBasis::reference_forces(const Displacement& displacement) const {
+  return elastic_operator_->forces(parts_->with(reference_), load_, displacement);
+}
+
+/// Orthonormalises a vector against the others (Gram-Schmidt). False when it lies in their span.
+bool ReducedBasis::normalise(Displacement& vector) const {
+  constexpr double nothing = 1e-13;
+  double before = work(reference_forces(vector), vector);
+  // "Twice is enough" for orthogonality to working precision (Giraud, Langou and Rozloznik 2005).
+  for (int pass = 0; pass < 2; ++pass) {
+    const auto forces = reference_forces(vector);
+    for (const auto& other : vectors_) vector.add(-work(forces, other), other);
+    const double energy = work(reference_forces(vector), vector);
+    if (!(energy > nothing * before)) return false;
+    vector.scale(1.0 / std::sqrt(energy));
+    before = 1.0;
+  }
+  return true;
+}
+
+void ReducedBasis::add(Displacement solution, const Moduli& matrix) {
+  response_.snapshots.push_back({matrix});
+  extend(std::move(solution));
+}
+
+/// Adds a vector unless it lies in the span of the others.
+void ReducedBasis::extend(Displacement candidate) {
+  if (!normalise(candidate)) return;
+  vectors_.push_back(std::move(candidate));
+  extend_projection();
+  extend_residual_products();
+}
+
+void ReducedBasis::extend_projection() {
+  auto& response = response_;
+  const auto last = static_cast<Eigen::Index>(vectors_.size()) - 1;
+  const auto extend = [&](Eigen::MatrixXd& projection, const std::vector<Moduli>& part) {
+    enlarge(projection);
+    const auto forces = elastic_operator_->forces(part, load_, vectors_.back());
+    for (Eigen::Index i = 0; i <= last; ++i) {
+      projection(i, last) = projection(last, i) = work(forces, vectors_[static_cast<std::size_t>(i)]);
+    }
+  };
+  extend(response.filler, parts_->filler);
+  extend(response.matrix_shear, parts_->matrix_shear);
+  extend(response.matrix_bulk, parts_->matrix_bulk);
+  response.load_forces.conservativeResize(last + 1);
+  response.load_forces[last] = work(load_forces_, vectors_.back());
+}
+
+/// Scalar products of the parts of the residual, in the order A v, B v, C v, load.
+void ReducedBasis::extend_residual_products() {
+  const std::array parts = {&parts_->filler, &parts_->matrix_shear, &parts_->matrix_bulk};
+  const auto count = static_cast<Eigen::Index>(parts.size());
+  const auto size = static_cast<Eigen::Index>(vectors_.size()), last = size - 1;
+  Eigen::MatrixXd products(count * size + 1, count * size + 1);
+  // Index of an earlier product in the smaller matrix.
+  const auto earlier = [&](Eigen::Index index) {
+    return index == count * size ? count * last : index / size * last + index % size;
+  };
+  const auto is_new = [&](Eigen::Index index) { return index < count * size && index % size == last; };
+  for (Eigen::Index i = 0; i < products.rows(); ++i) {
+    for (Eigen::Index j = 0; j < products.cols(); ++j) {
+      if (!is_new(i) && !is_new(j) && last > 0) products(i, j) = response_.residual_products(earlier(i), earlier(j));
+    }
+  }
+  std::vector<Forces> newest;
+  newest.reserve(parts.size());
+  for (const auto* part : parts) newest.push_back(elastic_operator_->forces(*part, load_, vectors_.back()));
+  const auto multiply = [&](Eigen::Index i, const Forces& forces) {
+    for (Eigen::Index part = 0; part < count; ++part) {
+      const Eigen::Index j = part * size + last;
+      products(i, j) = products(j, i) = product(forces, newest[static_cast<std::size_t>(part)]);
+    }
+  };
+  for (Eigen::Index part = 0; part < count; ++part) {
+    for (Eigen::Index i = 0; i < last; ++i) {
+      multiply(part * size + i, elastic_operator_->forces(*parts[static_cast<std::size_t>(part)], load_,
+                                                          vectors_[static_cast<std::size_t>(i)]));
+    }
+    multiply(part * size + last, newest[static_cast<std::size_t>(part)]);
+  }
+  multiply(count * size, load_forces_);
+  if (last == 0) products(count, count) = product(load_forces_, load_forces_);
+  response_.residual_products = std::move(products);
+}
+
+Displacement ReducedBasis::approximation(const Moduli& matrix) const {
+  if (vectors_.empty()) return elastic_operator_->zero();
+  const Eigen::VectorXd weights =
+      (response_.filler + matrix.shear * response_.matrix_shear + matrix.bulk * response_.matrix_bulk)
+          .ldlt()
+          .solve(response_.load_forces);
+  auto sum = combination(weights);
+  // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise.
+  const bool is_strained = elastic_operator_->boundary() != Boundary::traction;
+  sum.scale(is_strained ? 1.0 / sum.macroscopic() : 1.0);
+  return sum;
+}
+
+void ReducedBasis::save(StateWriter& state, const std::string& group) const {
+  breccia::save(state, group + "/response", response_);
+  state.write(group + "/vectors", static_cast<std::int64_t>(vectors_.size()));
+  for (std::size_t i = 0; i < vectors_.size(); ++i) {
+    quasistatic::save(state, fmt::format("{}/vector/{}", group, i), vectors_[i]);
+  }
+}
+
+void ReducedBasis::restore(const StateReader& state, const std::string& group) {
+  response_ = read_response(state, group + "/response");
+  const auto count = state.integer(group + "/vectors");
+  vectors_.clear();
+  for (std::int64_t i = 0; i < count; ++i) {
+    quasistatic::restore(state, fmt::format("{}/vector/{}", group, i),
+                         vectors_.emplace_back(elastic_operator_->zero()));
+  }
+}
+
+Displacement ReducedBasis::combination(const Eigen::VectorXd& weights) const {
+  auto sum = elastic_operator_->zero();
+  for (std::size_t i = 0; i < vectors_.size(); ++i) sum.add(weights[static_cast<Eigen::Index>(i)], vectors_[i]);
+  return sum;
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/quasistatic/reduced_response.hpp"
+
+#include "operator/elastic_operator.hpp"
+
+namespace breccia::quasistatic {
+
+/// The three parts of the stiffness A + G B + K C, each as the moduli by material of which it is the stiffness.
+struct StiffnessParts {
+  std::vector<Moduli> filler;        ///< A: the moduli of the filler; the matrix has none
+  std::vector<Moduli> matrix_shear;  ///< B: a unit shear modulus of the matrix alone
+  std::vector<Moduli> matrix_bulk;   ///< C: a unit bulk modulus of the matrix alone
+
+  /// Moduli by material of A + G B + K C.
+  [[nodiscard]] std::vector<Moduli> with(const Moduli& matrix) const;
+};
+
+/// The reduced basis of one load, and the Galerkin projection of the stiffness on it. Its vectors are the uniform
+/// strain of the load and the solutions for the moduli of the snapshots, orthonormal in the energy of a composite with
+/// a reference matrix. Since the uniform strain is one of the vectors, the mean stress of the reduced solution is
+/// exactly the one that follows from its energy.
+///
+/// The forces of the vectors are not stored: computing them again is cheap.
+class ReducedBasis {
+ public:
+  ReducedBasis(const ElasticOperator<2>& elastic_operator, const StiffnessParts& parts, Load load,
+               const Moduli& reference);
+
+  [[nodiscard]] Load load() const noexcept { return load_; }
+  [[nodiscard]] const Forces& load_forces() const noexcept { return load_forces_; }
+  [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
+
+  /// The reduced solution for a matrix of these moduli [Pa], scaled to the prescribed strain; zero for an empty basis.
+  [[nodiscard]] Displacement approximation(const Moduli& matrix) const;
+  /// Linear combination of the vectors with these weights.
+  [[nodiscard]] Displacement combination(const Eigen::VectorXd& weights) const;
+  /// Adds the solution for these moduli of the matrix [Pa]. A solution in the span of the vectors, as in a box of one
+  /// material, adds no vector.
+  void add(Displacement solution, const Moduli& matrix);
+
+  void save(StateWriter& state, const std::string& group) const;
+  void restore(const StateReader& state, const std::string& group);
+
+ private:
+  [[nodiscard]] Forces reference_forces(const Displacement& displacement) const;
+  [[nodiscard]] bool normalise(Displacement& vector) const;
+  void extend(Displacement candidate);
+  void extend_projection();
+  void extend_residual_products();
+
+  const ElasticOperator<2>* elastic_operator_;
+  const StiffnessParts* parts_;
+  Load load_;
+  Moduli reference_;
+  Forces load_forces_;
+  std::vector<Displacement> vectors_;
+  ReducedResponse response_;
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "breccia/quasistatic/reduced_response.hpp"
+
+namespace breccia::quasistatic {
+
+/// Largest error that rounding alone may cause in ReducedResponse::error_estimate [-]: the squared residual is a small
+/// sum of large products of opposite signs. A smaller estimate says nothing, and no further snapshot would reduce it.
+double rounding_of_error_estimate(const ReducedResponse& response, const Moduli& matrix);
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,305 @@
+#include "breccia/quasistatic/sampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
+#include "breccia/quasistatic/linear_effort_state.hpp"
+
+#include "operator/displacement_state.hpp"
+#include "operator/recovery.hpp"
+#include "reduced/network.hpp"
+#include "reduced/reduced_basis.hpp"
+#include "reduced/residual_rounding.hpp"
+#include "solvers/elastic_solver.hpp"
+
+namespace breccia {
+namespace {
+
+using quasistatic::Displacement;
+using quasistatic::ElasticOperator;
+using quasistatic::ElasticSolver;
+using quasistatic::ReducedBasis;
+using quasistatic::StiffnessParts;
+
+StiffnessParts parts_of(const QuasistaticProblem& problem, PhaseIndex matrix) {
+  const auto count = problem.materials.size();
+  StiffnessParts parts = {std::vector<Moduli>(count, {0.0, 0.0}), std::vector<Moduli>(count, {0.0, 0.0}),
+                          std::vector<Moduli>(count, {0.0, 0.0})};
+  for (std::size_t m = 0; m < count; ++m) {
+    const auto& [name, density, bulk, shear] = problem.materials[m];
+    if (m == matrix) continue;
+    if (!bulk.is_elastic() || !shear.is_elastic()) {
+      throw InputError(
+          fmt::format("reduced basis: {} relaxes; with a filler that relaxes, take solver = \"stepping\"", name));
+    }
+    parts.filler[m] = {bulk.equilibrium(), shear.equilibrium()};
+  }
+  parts.matrix_shear.at(matrix).shear = 1.0;
+  parts.matrix_bulk.at(matrix).bulk = 1.0;
+  return parts;
+}
+
+/// The solution for an elastic matrix. The reduced solution is the initial guess.
+Displacement solve(const ElasticOperator<2>& elastic_operator, ElasticSolver& solver, const ReducedBasis& basis,
+                   const std::vector<Moduli>& moduli, const Moduli& matrix) {
+  auto solution = basis.approximation(matrix);
+  auto forces = elastic_operator.zero();
+  double macroscopic = 0.0;
+  if (elastic_operator.boundary() == Boundary::traction) {
+    forces = elastic_operator.load_forces(basis.load());
+  } else {
+    macroscopic = 1.0;
+    auto prescribed = elastic_operator.zero();
+    prescribed.set_macroscopic(macroscopic);
+    forces.add(-1.0, elastic_operator.forces(moduli, basis.load(), prescribed));
+  }
+  solver.solve(forces, solution);
+  solution.set_macroscopic(macroscopic);
+  return solution;
+}
+
+/// Modulus [Pa] of the composite, from the energy of a solution.
+double modulus_of(const ElasticOperator<2>& elastic_operator, const ReducedBasis& basis,
+                  const std::vector<Moduli>& moduli, const Displacement& solution) {
+  const double energy =
+      work(elastic_operator.forces(moduli, basis.load(), solution), solution) / elastic_operator.volume();
+  return elastic_operator.boundary() == Boundary::traction ? 1.0 / energy : energy;
+}
+
+/// The candidate for the next snapshot: where in the training set the error estimate is largest.
+struct Candidate {
+  Moduli moduli{};
+  double estimate = -1.0;
+};
+
+/// The reduced basis of each load, which grows snapshot by snapshot by a greedy selection. The bases point to the
+/// operator and to the parts of the stiffness.
+class GreedySampling {
+ public:
+  GreedySampling(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
+                 const Moduli& reference)
+      : parts_(parts_of(problem, matrix)),
+        elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary),
+        scales_(loads.size(), 0.0),
+        measured_(loads.size()) {
+    for (const auto load : loads) bases_.emplace_back(elastic_operator_, parts_, load, reference);
+  }
+
+  [[nodiscard]] const StiffnessParts& parts() const noexcept { return parts_; }
+  [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return elastic_operator_; }
+  [[nodiscard]] const std::vector<ReducedBasis>& bases() const noexcept { return bases_; }
+  [[nodiscard]] int snapshots() const noexcept { return snapshots_; }
+  /// Relative error at the last snapshot before it was added; 1 when it was not measured.
+  [[nodiscard]] double error() const noexcept { return error_; }
+
+  /// Adds the snapshot at these moduli to the basis of each load, without measuring the error there.
+  void add_initial_snapshot(ElasticSolver& solver, const Moduli& at) {
+    add_snapshot(solver, at, [](std::size_t, const Displacement&) { return 0.0; });
+    error_ = 1.0;
+  }
+
+  /// Measures the error of each reduced response at these moduli, and adds the snapshot.
+  void add_selected_snapshot(ElasticSolver& solver, const Moduli& at, double tolerance) {
+    error_ = 0.0;
+    add_snapshot(solver, at, [&](std::size_t load, const Displacement& solution) {
+      const double error = measure_error(load, solution, at, tolerance);
+      error_ = std::max(error_, error);
+      return error;
+    });
+  }
+
+  /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
+  /// error to residual measured so far. One that rounding alone may have caused counts as no error, since no further
+  /// snapshot would reduce it.
+  [[nodiscard]] Candidate greedy_choice(std::span<const Moduli> training_set) const {
+    Candidate choice, within_rounding;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto response = bases_[l].response();
+      response.residual_scale = scales_[l] > 0.0 ? scales_[l] : 1.0;
+      for (const auto& moduli : training_set) {
+        const double estimate = response.error_estimate(moduli);
+        const bool is_rounding = estimate <= quasistatic::rounding_of_error_estimate(response, moduli);
+        auto& largest = is_rounding ? within_rounding : choice;
+        if (estimate > largest.estimate) largest = {moduli, estimate};
+      }
+    }
+    return choice.estimate > 0.0 ? choice : Candidate{within_rounding.moduli, 0.0};
+  }
+
+  [[nodiscard]] std::vector<ReducedResponse> responses() const {
+    std::vector<ReducedResponse> responses;
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto& response = responses.emplace_back(bases_[l].response());
+      response.residual_scale = scales_[l];
+      for (std::size_t i = 0; i < measured_[l].size(); ++i) response.snapshots[i].error_before = measured_[l][i];
+    }
+    return responses;
+  }
+
+  void save(StateWriter& state) const {
+    state.write("/sampling/snapshots", std::int64_t{snapshots_});
+    state.write("/sampling/error", error_);
+    state.write("/sampling/scales", scales_);
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      state.write(group + "/measured", measured_[l]);
+      bases_[l].save(state, group);
+    }
+  }
+
+  void restore(const StateReader& state) {
+    snapshots_ = static_cast<int>(state.integer("/sampling/snapshots"));
+    error_ = state.number("/sampling/error");
+    scales_ = state.numbers("/sampling/scales", bases_.size());
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      const auto group = fmt::format("/sampling/load/{}", l);
+      measured_[l] = state.numbers(group + "/measured");
+      bases_[l].restore(state, group);
+    }
+  }
+
+ private:
+  /// Solves for each load, and adds the solution after error_at(load, solution) has returned the error to record.
+  template <class ErrorAt>
+  void add_snapshot(ElasticSolver& solver, const Moduli& at, const ErrorAt& error_at) {
+    const auto moduli = parts_.with(at);
+    solver.set_moduli(moduli);
+    solver.update_preconditioner();
+    for (std::size_t l = 0; l < bases_.size(); ++l) {
+      auto solution = solve(elastic_operator_, solver, bases_[l], moduli, at);
+      measured_[l].push_back(error_at(l, solution));
+      bases_[l].add(std::move(solution), at);
+    }
+    ++snapshots_;
+  }
+
+  /// Relative error of the reduced response to a load at these moduli. Updates the ratio of error to residual, unless
+  /// the error is so far below the tolerance that it may come from the linear solver.
+  double measure_error(std::size_t load, const Displacement& solution, const Moduli& at, double tolerance) {
+    constexpr double least_share = 0.1;
+    auto response = bases_[load].response();
+    response.residual_scale = 1.0;
+    const double exact = modulus_of(elastic_operator_, bases_[load], parts_.with(at), solution);
+    const double error = std::abs(response.modulus(at) / exact - 1.0);
+    if (error > least_share * tolerance || scales_[load] == 0.0) {
+      scales_[load] = std::max(scales_[load], error / std::max(response.error_estimate(at), 1e-300));
+    }
+    return error;
+  }
+
+  StiffnessParts parts_;
+  ElasticOperator<2> elastic_operator_;
+  std::vector<ReducedBasis> bases_;            ///< by load
+  std::vector<double> scales_;                 ///< largest ratio of error to residual found so far, by load
+  std::vector<std::vector<double>> measured_;  ///< errors of the snapshots, by load
+  int snapshots_ = 0;
+  double error_ = 1.0;
+};
+
+PointFields<2> recover(const GreedySampling& sampling, const QuasistaticProblem& problem, PhaseIndex matrix_index,
+                       std::size_t load, const Material& matrix, double time) {
+  const auto& basis = sampling.bases().at(load);
+  const auto state = quasistatic::network_state(basis.response(), matrix, time);
+  // The load forces e of the basis are those of the unit load over the square root of the area.
+  const double unit = std::sqrt(sampling.elastic_operator().volume());
+  const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
+  const auto displacement = combined(state.displacement);
+  std::vector<quasistatic::AppliedModuli> applied;
+  for (std::size_t m = 0; m < sampling.parts().filler.size(); ++m) {
+    if (m == matrix_index) {
+      applied.push_back({combined(state.bulk), combined(state.shear)});
+    } else {
+      applied.push_back({displacement.copy(), displacement.copy()});
+      applied.back().bulk.scale(sampling.parts().filler[m].bulk);
+      applied.back().shear.scale(sampling.parts().filler[m].shear);
+    }
+  }
+  return quasistatic::recover_fields(sampling.elastic_operator(), problem.discretisation, problem.volumetric,
+                                     basis.load(), displacement, applied);
+}
+
+/// The middle of the training set, and both its ends where they differ from it.
+std::vector<Moduli> initial_snapshots(std::span<const Moduli> training_set) {
+  std::vector<Moduli> initial = {training_set[training_set.size() / 2]};
+  for (const auto& end : {training_set.front(), training_set.back()}) {
+    if (end.bulk != initial.front().bulk || end.shear != initial.front().shear) initial.push_back(end);
+  }
+  return initial;
+}
+
+void require_first_vectors(const GreedySampling& sampling) {
+  for (const auto& basis : sampling.bases()) {
+    if (basis.response().load_forces.size() > 0) continue;
+    throw NumericalError("reduced basis: the first solution vanishes; a modulus may be beyond what numbers can hold");
+  }
+}
+
+/// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
+void require_more_snapshots(const GreedySampling& sampling, double error, const SamplingOptions& options) {
+  if (sampling.snapshots() < options.most_snapshots) return;
+  throw NumericalError(
+      fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser "
+                  "tests.quasistatic.tolerance, tests.quasistatic.range = \"times\" or tests.solver = \"stepping\" "
+                  "may serve",
+                  error, options.most_snapshots, options.tolerance));
+}
+
+}  // namespace
+
+SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
+                                  std::span<const Moduli> training_set, const SamplingOptions& options,
+                                  const std::function<void(const SamplingProgress&)>& observer,
+                                  Checkpoint* checkpoint) {
+  if (training_set.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
+  const auto initial = initial_snapshots(training_set);
+  const auto sampling = std::make_shared<GreedySampling>(problem, matrix, loads, initial.front());
+  const auto solver = quasistatic::make_elastic_solver(sampling->elastic_operator(), problem.linear);
+  if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
+    quasistatic::require_as_many_processes(*earlier);
+    sampling->restore(*earlier);
+    solver->count_from(read_effort(*earlier, "/effort"));
+  }
+  const auto save_if_due = [&] {
+    if (checkpoint == nullptr || !checkpoint->is_due()) return;
+    checkpoint->save([&](StateWriter& state) {
+      state.write("/processes", std::int64_t{parallel::ranks()});
+      save(state, "/effort", solver->effort());
+      sampling->save(state);
+    });
+  };
+  const auto report = [&] {
+    if (observer) observer({sampling->snapshots(), sampling->error()});
+  };
+
+  for (auto i = static_cast<std::size_t>(sampling->snapshots()); i < initial.size(); ++i) {
+    save_if_due();
+    sampling->add_initial_snapshot(*solver, initial[i]);
+    report();
+    require_first_vectors(*sampling);
+  }
+  while (training_set.size() > 1) {
+    const auto choice = sampling->greedy_choice(training_set);
+    const double error = std::max(sampling->error(), choice.estimate);
+    if (error <= options.tolerance) break;
+    require_more_snapshots(*sampling, error, options);
+    save_if_due();
+    sampling->add_selected_snapshot(*solver, choice.moduli, options.tolerance);
+    report();
+  }
+
+  return {.responses = sampling->responses(),
+          .effort = solver->effort(),
+          .fields = [sampling, problem, matrix](std::size_t load, const Material& material, double time) {
+            return recover(*sampling, problem, matrix, load, material, time);
+          }};
+}
+
+}  // namespace breccia

@@ -1,0 +1,202 @@
+#include "solvers/bddc_preconditioner.hpp"
+
+#include <algorithm>
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Averaging a jump at an edge may multiply its energy by this factor; modes beyond it become constraints (the 8 of
+/// theory, Eq. 39).
+constexpr double tolerance = 8.0;
+
+constexpr Eigen::Index vertex_unknowns = 8;
+
+/// Values of some unknowns, zero where the number of the unknown is negative.
+Eigen::VectorXf gather(const int* unknowns, Eigen::Index count, const std::vector<double>& values) {
+  Eigen::VectorXf local(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    local[i] = unknowns[i] < 0 ? 0.0F : static_cast<float>(values[static_cast<std::size_t>(unknowns[i])]);
+  }
+  return local;
+}
+
+/// Local and coarse solvers of a block before they are weighted.
+struct ExactSolvers {
+  Eigen::MatrixXd local;   ///< W
+  Eigen::MatrixXd coarse;  ///< Phi, on the edges and then on the vertices
+};
+
+/// With V the inverse of the stiffness of the edges, W = V - V q (q' V q)^-1 q' V. Unit values of the vertices give the
+/// displacements -W S_ev of the edges, unit values of the constraints V q (q' V q)^-1.
+ExactSolvers solvers_with_constraints(const Eigen::MatrixXd& condensed, const Eigen::MatrixXd& q) {
+  const Eigen::Index on_edges = q.rows(), constraints = q.cols();
+  const Eigen::MatrixXd inverse =
+      condensed.topLeftCorner(on_edges, on_edges).llt().solve(Eigen::MatrixXd::Identity(on_edges, on_edges));
+  const Eigen::MatrixXd flexibility = inverse * q;
+  const Eigen::MatrixXd of_constraints = q.transpose() * flexibility;
+  const Eigen::MatrixXd by_constraints = of_constraints.llt().solve(flexibility.transpose()).transpose();
+  const Eigen::MatrixXd local = inverse - by_constraints * flexibility.transpose();
+  Eigen::MatrixXd coarse(on_edges + vertex_unknowns, vertex_unknowns + constraints);
+  coarse << -local * condensed.topRightCorner(on_edges, vertex_unknowns), by_constraints,
+      Eigen::MatrixXd::Identity(vertex_unknowns, vertex_unknowns), Eigen::MatrixXd::Zero(vertex_unknowns, constraints);
+  return {local, coarse};
+}
+
+}  // namespace
+
+BddcPreconditioner::BddcPreconditioner(const Substructures& blocks,
+                                       const std::vector<PackedSymmetric<double>>& condensed, double stiffness_of_held,
+                                       int threads)
+    : blocks_(&blocks), threads_(threads) {
+  average_edges(condensed);
+  std::vector<Eigen::MatrixXd> coarse_stiffness;
+  make_block_solvers(condensed, coarse_stiffness);
+  number_coarse_unknowns();
+  averages_.clear();
+  factorise_coarse_problem(coarse_stiffness, stiffness_of_held);
+}
+
+void BddcPreconditioner::average_edges(const std::vector<PackedSymmetric<double>>& condensed) {
+  const auto& kinds = blocks_->edge_kinds();
+  averages_.resize(kinds.size());
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const auto& [lower, upper, is_horizontal] = kinds[k];
+    const auto below = condensed[static_cast<std::size_t>(lower)].full();
+    const auto above = condensed[static_cast<std::size_t>(upper)].full();
+    averages_[k] = average_at_edge({&below, blocks_->shape_of(lower), is_horizontal ? top : right},
+                                   {&above, blocks_->shape_of(upper), is_horizontal ? bottom : left}, tolerance);
+  }
+}
+
+/// Also returns the coarse stiffness of each kind of block with neighbours.
+void BddcPreconditioner::make_block_solvers(const std::vector<PackedSymmetric<double>>& condensed,
+                                            std::vector<Eigen::MatrixXd>& coarse_stiffness) {
+  const auto& kinds = blocks_->blocks_with_neighbours();
+  block_solvers_.resize(kinds.size());
+  coarse_stiffness.resize(kinds.size());
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    const auto stiffness = condensed[static_cast<std::size_t>(kinds[k].kind)].full();
+    block_solvers_[k] = block_solvers_of(kinds[k], stiffness, coarse_stiffness[k]);
+  }
+}
+
+BddcPreconditioner::EdgesOfBlock BddcPreconditioner::edges_of(const Substructures::BlockWithNeighbours& block,
+                                                              Eigen::Index on_edges) const {
+  const auto& shape = blocks_->shape_of(block.kind);
+  Eigen::Index constraints = 0;
+  for (const int edge : block.edges) {
+    if (edge != BlockEdge::none) constraints += averages_[static_cast<std::size_t>(edge)].constraints.cols();
+  }
+  EdgesOfBlock edges = {Eigen::MatrixXd::Zero(on_edges, constraints), Eigen::MatrixXd::Identity(on_edges, on_edges)};
+  Eigen::Index column = 0;
+  for (const auto side : {bottom, top, left, right}) {
+    const int edge = block.edges.at(side);
+    if (edge == BlockEdge::none) continue;
+    const auto& average = averages_[static_cast<std::size_t>(edge)];
+    const auto [begin, size] = side_range(shape, side);
+    auto of_edge = edges.weight.block(begin, begin, size, size);
+    // At its top and right this block is the lower one of the two.
+    if (side == top || side == right) {
+      of_edge = average.lower_weight;
+    } else {
+      of_edge -= average.lower_weight;
+    }
+    edges.constraints.block(begin, column, size, average.constraints.cols()) = average.constraints;
+    column += average.constraints.cols();
+  }
+  return edges;
+}
+
+BddcPreconditioner::BlockSolvers BddcPreconditioner::block_solvers_of(const Substructures::BlockWithNeighbours& block,
+                                                                      const Eigen::MatrixXd& condensed,
+                                                                      Eigen::MatrixXd& coarse_stiffness) const {
+  const Eigen::Index on_edges = condensed.rows() - vertex_unknowns;
+  const auto edges = edges_of(block, on_edges);
+  const auto [local, coarse] = solvers_with_constraints(condensed, edges.constraints);
+  coarse_stiffness = coarse.transpose() * condensed * coarse;
+  Eigen::MatrixXd weighted = local, weighted_coarse = coarse.topRows(on_edges);
+  for (const auto side : {bottom, top, left, right}) {
+    const auto [begin, size] = side_range(blocks_->shape_of(block.kind), side);
+    const Eigen::MatrixXd of_edge = edges.weight.block(begin, begin, size, size);
+    weighted.middleRows(begin, size) = (of_edge * weighted.middleRows(begin, size)).eval();
+    weighted.middleCols(begin, size) = (weighted.middleCols(begin, size) * of_edge.transpose()).eval();
+    weighted_coarse.middleRows(begin, size) = (of_edge * weighted_coarse.middleRows(begin, size)).eval();
+  }
+  return {PackedSymmetric<float>(weighted), weighted_coarse.cast<float>()};
+}
+
+/// Numbers the unknowns of the vertices first, then the constraints of the edges.
+void BddcPreconditioner::number_coarse_unknowns() {
+  const auto& grid = blocks_->grid();
+  std::vector<int> first = {2 * grid.vertices()};
+  for (std::size_t e = 0; e < grid.edges().size(); ++e) {
+    const int kind = blocks_->edge_kind_of(static_cast<int>(e));
+    const auto count = kind == BlockEdge::none ? 0 : averages_[static_cast<std::size_t>(kind)].constraints.cols();
+    first.push_back(first.back() + static_cast<int>(count));
+  }
+  coarse_right_.resize(static_cast<std::size_t>(first.back()));
+  coarse_solution_.resize(coarse_right_.size());
+  for (int b = 0; b < grid.blocks(); ++b) {
+    auto& unknowns = coarse_of_.emplace_back();
+    for (const int vertex : grid.vertices_of(b)) {
+      unknowns.push_back(2 * vertex);
+      unknowns.push_back(2 * vertex + 1);
+    }
+    for (const int edge : grid.edges_of(b)) {
+      const auto e = static_cast<std::size_t>(edge);
+      for (int u = first[e]; u < first[e + 1]; ++u) unknowns.push_back(u);
+    }
+  }
+}
+
+void BddcPreconditioner::factorise_coarse_problem(const std::vector<Eigen::MatrixXd>& coarse_stiffness,
+                                                  double stiffness_of_held) {
+  std::vector<CoarseSolver::Part> parts;
+  for (int b = 0; b < blocks_->grid().blocks(); ++b) {
+    auto unknowns = coarse_of_[static_cast<std::size_t>(b)];
+    for (std::size_t i = 0; i < vertex_unknowns; ++i) {
+      if (blocks_->is_held(unknowns[i])) unknowns[i] = -1;
+    }
+    parts.push_back({std::move(unknowns), &coarse_stiffness[static_cast<std::size_t>(blocks_->neighbourhood_of(b))]});
+  }
+  coarse_solver_.emplace(coarse_unknowns(), parts, stiffness_of_held);
+}
+
+/// Calls work(unknowns of the boundary, solvers, coarse unknowns) for every block, one colour after the other.
+template <class Work>
+void BddcPreconditioner::for_each_block(const Work& work) const {
+  for (const auto& colour : blocks_->grid().colours()) {
+#pragma omp parallel for num_threads(threads_)
+    for (const int b : colour) {
+      work(blocks_->unknowns_of(b), block_solvers_[static_cast<std::size_t>(blocks_->neighbourhood_of(b))],
+           coarse_of_[static_cast<std::size_t>(b)]);
+    }
+  }
+}
+
+void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<double>& result) {
+  const auto vertices = 2 * static_cast<std::size_t>(blocks_->grid().vertices());
+  std::fill(coarse_right_.begin(), coarse_right_.end(), 0.0);
+  std::copy_n(residual.begin(), vertices, coarse_right_.begin());
+  for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
+    const Eigen::VectorXf forces = solvers.coarse.transpose() * gather(unknowns, solvers.local.size(), residual);
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+      coarse_right_[static_cast<std::size_t>(coarse[i])] += static_cast<double>(forces[static_cast<Eigen::Index>(i)]);
+    }
+  });
+  coarse_solver_->solve(coarse_right_, coarse_solution_);
+  std::fill(result.begin(), result.end(), 0.0);
+  std::copy_n(coarse_solution_.begin(), vertices, result.begin());
+  for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
+    Eigen::VectorXf displacements;
+    solvers.local.multiply(gather(unknowns, solvers.local.size(), residual), displacements);
+    displacements += solvers.coarse * gather(coarse.data(), solvers.coarse.cols(), coarse_solution_);
+    for (Eigen::Index i = 0; i < displacements.size(); ++i) {
+      if (unknowns[i] >= 0) result[static_cast<std::size_t>(unknowns[i])] += static_cast<double>(displacements[i]);
+    }
+  });
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "solvers/block_grid.hpp"
+
+namespace breccia::quasistatic {
+
+/// One of the two blocks at an edge: its condensed stiffness, and on which side of it the edge is.
+struct BlockAtEdge {
+  const Eigen::MatrixXd* condensed;
+  Block shape;
+  Side side;
+};
+
+/// How the displacements of two blocks at their common edge are averaged (theory, Eqs. 38 and 39).
+struct EdgeAverage {
+  /// Weight of the lower block, D = (S1 + S2)^-1 S1; the weight of the upper one is I - D.
+  Eigen::MatrixXd lower_weight;
+  /// The constraints, a column q each: q'u is the same in both blocks.
+  Eigen::MatrixXd constraints;
+};
+
+/// The averages of an edge, with a constraint for every mode of the jump whose energy they would multiply by more than
+/// `tolerance`.
+EdgeAverage average_at_edge(const BlockAtEdge& lower, const BlockAtEdge& upper, double tolerance);
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,71 @@
+#include "solvers/elastic_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "solvers/assembled_solver.hpp"
+#include "solvers/substructuring_solver.hpp"
+
+namespace breccia::quasistatic {
+
+ElasticSolver::ElasticSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options, bool is_direct)
+    : elastic_operator_(&elastic_operator),
+      tolerance_(options.tolerance),
+      prescribed_(elastic_operator.boundary() == Boundary::traction ? 0.0 : 1.0) {
+  effort_.is_direct = is_direct;
+  effort_.unknowns = elastic_operator.unknowns();
+}
+
+void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
+  double stiffest = 0.0;
+  for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
+  constexpr double rounding = 2e-15;
+  rounding_ = rounding * stiffest * std::sqrt(static_cast<double>(effort_.unknowns));
+  update_stiffness(moduli);
+}
+
+bool ElasticSolver::is_small(double residual, double largest) const noexcept {
+  return residual <= tolerance_ * load_ || residual <= rounding_ * std::max(prescribed_, largest);
+}
+
+void ElasticSolver::count_iterations(int iterations) {
+  effort_.iterations += iterations;
+  effort_.most_iterations = std::max(effort_.most_iterations, iterations);
+}
+
+void ElasticSolver::solve(const Forces& forces, Displacement& displacement) {
+  ++effort_.solves;
+  check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
+  const auto [is_converged, residual] = iterate(forces, displacement);
+  // Where the prescribed displacements are the whole solution, as in a homogeneous box, the load itself is rounding.
+  const double least = std::max(prescribed_ * rounding_ / tolerance_, std::numeric_limits<double>::min());
+  const double relative = residual / std::max(load_, least);
+  if (!is_converged) {
+    throw NumericalError(fmt::format(
+        "quasi-static solver: conjugate gradients stopped at a residual of {:.1e} of the load after {} iterations, "
+        "wanted {:.1e}; the contrast of the moduli may be too high{}",
+        relative, effort_.most_iterations, tolerance_,
+        effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
+  }
+  effort_.largest_residual = std::max(effort_.largest_residual, relative);
+}
+
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticOperator<2>& elastic_operator,
+                                                   const LinearOptions& options) {
+  // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
+  const bool is_one_cell = elastic_operator.boundary() == Boundary::periodic &&
+                           std::min(elastic_operator.grid().columns(), elastic_operator.grid().rows()) == 1;
+  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks()) || is_one_cell) {
+    return std::make_unique<AssembledSolver>(elastic_operator, options, Preconditioner::factors);
+  }
+  if (parallel::ranks() > 1)
+    return std::make_unique<AssembledSolver>(elastic_operator, options, Preconditioner::multigrid);
+  return std::make_unique<SubstructuringSolver>(elastic_operator, options);
+}
+
+}  // namespace breccia::quasistatic

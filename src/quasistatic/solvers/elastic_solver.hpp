@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+
+#include "operator/elastic_operator.hpp"
+
+namespace breccia::quasistatic {
+
+/// Solves K w = f for the fluctuation w of the nodal displacements, for one set of moduli after the other, by
+/// preconditioned conjugate gradients.
+class ElasticSolver {
+ public:
+  ElasticSolver(const ElasticSolver&) = delete;
+  ElasticSolver& operator=(const ElasticSolver&) = delete;
+  ElasticSolver(ElasticSolver&&) = delete;
+  ElasticSolver& operator=(ElasticSolver&&) = delete;
+  virtual ~ElasticSolver() = default;
+
+  /// Takes new moduli [Pa], by material. The preconditioner may remain the one of earlier moduli.
+  void set_moduli(std::span<const Moduli> moduli);
+  /// Makes the preconditioner for the present moduli.
+  virtual void update_preconditioner() = 0;
+  /// Finds w with K w = forces. On entry `displacement` is the initial guess; on return its macroscopic part is
+  /// undefined. Throws NumericalError when the iteration does not converge.
+  void solve(const Forces& forces, Displacement& displacement);
+
+  [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
+  /// Continues counting from the effort of an earlier run.
+  void count_from(const LinearEffort& earlier) { effort_ = earlier; }
+
+  /// Saves the moduli for which the preconditioner was made; nothing if it is made anew for every set of moduli.
+  virtual void save_preconditioner(StateWriter& /*state*/, const std::string& /*group*/) const {}
+  /// Makes the preconditioner for these moduli again.
+  virtual void restore_preconditioner(const StateReader& /*state*/, const std::string& /*group*/) {}
+
+ protected:
+  /// How an iteration ended.
+  struct End {
+    bool is_converged;
+    double residual;  ///< in the Euclidean norm
+  };
+
+  ElasticSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options, bool is_direct);
+
+  [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return *elastic_operator_; }
+  /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
+  /// up to `largest`?
+  [[nodiscard]] bool is_small(double residual, double largest) const noexcept;
+  void count_factorisation() { ++effort_.factorisations; }
+  void count_iterations(int iterations);
+
+ private:
+  virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
+  virtual End iterate(const Forces& forces, Displacement& displacement) = 0;
+
+  const ElasticOperator<2>* elastic_operator_;
+  double tolerance_;
+  LinearEffort effort_;
+  double prescribed_;  ///< size of the prescribed displacements: 1, of a unit strain, or 0 under a traction boundary
+  double rounding_ = 0.0;  ///< norm of the rounding errors of the forces for displacements of order one
+  double load_ = 0.0;      ///< norm of the forces of the present solve
+};
+
+/// The solver that the options ask for: direct or, as an iterative one, substructuring on one process and algebraic
+/// multigrid on several.
+std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticOperator<2>& elastic_operator,
+                                                   const LinearOptions& options);
+
+}  // namespace breccia::quasistatic

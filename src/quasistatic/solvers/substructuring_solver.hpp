@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "solvers/bddc_preconditioner.hpp"
+#include "solvers/elastic_solver.hpp"
+#include "solvers/packed_symmetric.hpp"
+#include "solvers/substructures.hpp"
+
+namespace breccia::quasistatic {
+
+/// Solves by substructuring on one process, without assembling K: the nodes inside blocks of cells are eliminated, and
+/// conjugate gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks
+/// (theory, section 9).
+class SubstructuringSolver final : public ElasticSolver {
+ public:
+  SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options);
+
+  /// Does nothing: the preconditioner is made with every set of moduli.
+  void update_preconditioner() override {}
+
+ private:
+  void update_stiffness(std::span<const Moduli> moduli) override;
+  End iterate(const Forces& forces, Displacement& displacement) override;
+  /// Solves K w = residual by conjugate gradients until the residual is small compared with the load, and adds w to the
+  /// displacement. Returns the norm of the residual that is left.
+  double correct(const Displacement& residual, double largest, Displacement& displacement);
+  /// y = S x, with the condensed stiffness S of the interface
+  void multiply(const std::vector<double>& x, std::vector<double>& y) const;
+  /// Forces on the interface, the forces on the nodes inside the blocks condensed onto it.
+  [[nodiscard]] std::vector<double> condense(const double* forces) const;
+  /// Adds the displacements of the interface, and those that follow for the nodes inside the blocks under the forces on
+  /// them, to the displacements of all nodes.
+  void expand(const double* forces, const std::vector<double>& interface, double* displacement) const;
+  /// Calls work(number of the block, its stiffness) for each block.
+  template <class Work>
+  void for_each_block(const Work& work) const;
+  [[nodiscard]] std::size_t place_of(int column, int row) const noexcept;
+  [[nodiscard]] Eigen::VectorXd inside_of(const Block& block, const double* nodal) const;
+
+  Substructures blocks_;
+  int threads_;
+  std::vector<std::size_t> place_of_unknown_;  ///< index of each unknown of the interface among the nodal values
+  std::vector<Moduli> moduli_;
+  double stiffest_ = 0.0;
+  std::vector<CellShape<2>::Stiffness> cells_;      ///< stiffness matrices, by kind of cell
+  std::vector<PackedSymmetric<double>> condensed_;  ///< condensed stiffnesses, by kind of block
+  std::optional<BddcPreconditioner> preconditioner_;
+};
+
+}  // namespace breccia::quasistatic

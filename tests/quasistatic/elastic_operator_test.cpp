@@ -1,0 +1,115 @@
+#include "operator/elastic_operator.hpp"
+
+#include <array>
+#include <cmath>
+#include <set>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Every cell has materials of its own.
+Discretisation<2> of_different_cells(int side, int materials) {
+  const Grid<2> grid = {{side, side}, 1.0};
+  Discretisation<2> discretisation(grid);
+  for (int material = 1; material < materials; ++material) {
+    discretisation.paint(
+        [&](const Vector<2>& place) {
+          const int column = static_cast<int>(place[0]), row = static_cast<int>(place[1]);
+          const bool right = place[0] - column > 0.5, upper = place[1] - row > 0.5;
+          auto number = grid.cell_index({column, row});
+          for (int point = 0; point < (right ? 1 : 0) + (upper ? 2 : 0); ++point) {
+            number /= static_cast<std::size_t>(materials);
+          }
+          return static_cast<int>(number % static_cast<std::size_t>(materials)) == material;
+        },
+        static_cast<PhaseIndex>(material));
+  }
+  return discretisation;
+}
+
+/// What holds in two and in three dimensions.
+template <class Dimension>
+class ElasticOperatorOf : public testing::Test {};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(ElasticOperatorOf, Dimensions);
+
+/// Cells of one material, not as many along one axis as along another.
+template <int dim>
+Discretisation<dim> homogeneous() {
+  Grid<dim> grid{.cell_side = 1e-3};
+  for (std::size_t axis = 0; axis < dim; ++axis) grid.cells[axis] = 3 + static_cast<int>(axis);
+  return Discretisation<dim>(grid);
+}
+
+constexpr Moduli of_all = {3.0, 0.7};
+
+template <int dim>
+double modulus_under(Load load) {
+  if (load != Load::bulk) return of_all.shear;
+  return dim == 2 ? of_all.bulk + of_all.shear / 3.0 : of_all.bulk;
+}
+
+/// The patch test of the traction boundary: K u = M f with the uniform strain u and the modulus M of the load, whatever
+/// components are held against rigid motions.
+TYPED_TEST(ElasticOperatorOf, UniformStrainIsInEquilibriumWithTheTraction) {
+  constexpr int dim = TypeParam::value;
+  const ElasticOperator<dim> elastic_operator(homogeneous<dim>(), Volumetric::averaged, Boundary::traction);
+  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+    const auto strain = elastic_operator.uniform_strain(load);
+    auto difference = elastic_operator.forces(std::array{of_all}, load, strain);
+    const double modulus = modulus_under<dim>(load);
+    EXPECT_NEAR(work(difference, strain), modulus * elastic_operator.volume(), 1e-11);
+    difference.add(-modulus, elastic_operator.load_forces(load));
+    difference.set_macroscopic(0.0);  // has no meaning here
+    EXPECT_LT(std::sqrt(work(difference, difference)), 1e-12);
+  }
+}
+
+/// A homogeneous body under the affine motion of a load has no forces on its nodes, and the energy of its modulus.
+TYPED_TEST(ElasticOperatorOf, AffineMotionLeavesNoNodalForce) {
+  constexpr int dim = TypeParam::value;
+  for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {
+    const ElasticOperator<dim> elastic_operator(homogeneous<dim>(), Volumetric::averaged, boundary);
+    for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
+      auto forces = elastic_operator.forces(std::array{of_all}, load, elastic_operator.uniform_strain(load));
+      EXPECT_NEAR(forces.macroscopic(), modulus_under<dim>(load) * elastic_operator.volume(), 1e-11);
+      forces.set_macroscopic(0.0);
+      EXPECT_LT(std::sqrt(work(forces, forces)), 1e-12);
+    }
+  }
+}
+
+TYPED_TEST(ElasticOperatorOf, HoldsAsManyComponentsAsThereAreRigidMotions) {
+  constexpr int dim = TypeParam::value;
+  const auto held = [](Boundary boundary) {
+    const ElasticOperator<dim> elastic_operator(homogeneous<dim>(), Volumetric::averaged, boundary);
+    auto nodes = elastic_operator.grid().nodes();
+    if (boundary == Boundary::periodic) nodes = elastic_operator.grid().cells;
+    int count = 0;
+    for_each_index(Index<dim>{}, nodes, [&](const Index<dim>& node) {
+      for (int component = 0; component < dim; ++component) count += elastic_operator.is_held(node, component) ? 1 : 0;
+    });
+    return count;
+  };
+  EXPECT_EQ(held(Boundary::traction), dim * (dim + 1) / 2);
+  EXPECT_EQ(held(Boundary::periodic), dim);
+  // All nodes but those inside: 20 - 6 of 4 x 5 nodes, 120 - 24 of 4 x 5 x 6.
+  EXPECT_EQ(held(Boundary::displacement), dim == 2 ? 2 * 14 : 3 * 96);
+}
+
+TEST(ElasticOperator, TellsMoreThan65536KindsOfCellsApart) {
+  constexpr int side = 257, materials = 17;
+  const ElasticOperator<2> elastic_operator(of_different_cells(side, materials), Volumetric::averaged,
+                                            Boundary::displacement);
+  std::set<std::size_t> kinds;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) kinds.insert(elastic_operator.kind_of_cell({column, row}));
+  }
+  EXPECT_EQ(kinds.size(), static_cast<std::size_t>(side) * side);
+}
+
+}  // namespace
+}  // namespace breccia::quasistatic
