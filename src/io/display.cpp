@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include <fmt/format.h>
@@ -14,19 +15,20 @@ struct Prefix {
   std::string_view name;
   double scale;
 };
-constexpr std::array<Prefix, 10> prefixes{{{"f", 1e-15},
-                                           {"p", 1e-12},
-                                           {"n", 1e-9},
-                                           {"u", 1e-6},
-                                           {"m", 1e-3},
-                                           {"", 1.0},
-                                           {"k", 1e3},
-                                           {"M", 1e6},
+constexpr std::array<Prefix, 10> prefixes{{{"T", 1e12},
                                            {"G", 1e9},
-                                           {"T", 1e12}}};
+                                           {"M", 1e6},
+                                           {"k", 1e3},
+                                           {"", 1.0},
+                                           {"m", 1e-3},
+                                           {"u", 1e-6},
+                                           {"n", 1e-9},
+                                           {"p", 1e-12},
+                                           {"f", 1e-15}}};
 
 double rounded(double value, int digits) {
-  return std::stod(fmt::format("{:.{}e}", value, digits - 1));
+  // Unlike std::stod() this takes numbers below 1e-308, too.
+  return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
 }  // namespace
@@ -34,17 +36,19 @@ double rounded(double value, int digits) {
 PrefixedNumber with_prefix(double value, int digits) {
   const PrefixedNumber plain{value, "", 1.0};
   if (value == 0.0 || !std::isfinite(value)) return plain;
+  const double shown = std::abs(rounded(value, digits));
+  if (shown >= 1000.0 * prefixes.front().scale) return plain;
   for (const auto& [name, scale] : prefixes) {
-    const double shown = std::abs(rounded(value / scale, digits));
-    if (shown >= 1.0 && shown < 1000.0) return {value / scale, name, scale};
+    if (shown >= scale) return {value / scale, name, scale};
   }
   return plain;
 }
 
 std::string display(double value, std::string_view unit, int digits) {
   const auto [number, prefix, scale] = with_prefix(value, digits);
-  // "{:g}" would write 480 to two digits as 4.8e+02.
-  const double shown = std::isfinite(number) ? rounded(number, digits) : number;
+  // "{:g}" would write 480 to two digits as 4.8e+02. The value is rounded before it is divided, as its prefix is
+  // chosen.
+  const double shown = std::isfinite(number) ? rounded(rounded(value, digits) / scale, digits) : number;
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
 

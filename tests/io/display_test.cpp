@@ -26,6 +26,7 @@ TEST(Display, TakesTheNextPrefixWhenRoundingReachesIt) {
   EXPECT_EQ(display(999.4e-6, "m"), "999 um");
   EXPECT_EQ(display(999.96e-6, "m"), "1 mm");
   EXPECT_EQ(display(999.96e-6, "m", 5), "999.96 um");
+  EXPECT_EQ(display(999.5e-6, "m"), "999 um");  // as a double it is nearer to 999
 }
 
 TEST(Display, HasAnAnswerForEveryNumber) {
@@ -35,6 +36,7 @@ TEST(Display, HasAnAnswerForEveryNumber) {
   EXPECT_EQ(display(1.5e-14, "s"), "15 fs");
   EXPECT_EQ(display(1.5e-20, "s"), "1.5e-20 s");
   EXPECT_EQ(display(2e16, "Pa"), "2e+16 Pa");
+  EXPECT_NO_THROW(display(1e-310, "Pa"));
 }
 
 TEST(Display, GivesTheScaleOfThePrefix) {

@@ -20,10 +20,10 @@ struct HomogenisedMaterial {
 /// K(t) + G(t)/3, follows the curve of the plane-strain bulk modulus: both fitted with non-negative Prony series
 /// (theory, Eqs. 32 and 33), so that in the plane the material dissipates, whatever the sign of what K(t) = (K + G/3) -
 /// G/3 does alone. Since every term costs time and memory in the stages that build on the material, the relaxation
-/// times are spaced as widely as a tenth of the tolerance [-] on the relative deviation from the curves allows (theory,
-/// Eq. 33a); a fit that cannot meet the tolerance is returned as it is, with its errors. The density [kg/m^3] is that
-/// of the composite. The times of the two curves that are the same count; throws NumericalError where they are fewer
-/// than three.
+/// times are spaced as widely as a thirtieth of the tolerance [-] on the relative deviation from the curves allows
+/// (theory, Eq. 33a); a fit that cannot meet the tolerance is returned as it is, with its errors. The density [kg/m^3]
+/// is that of the composite. The times of the two curves that are the same count; throws NumericalError where they are
+/// fewer than three.
 HomogenisedMaterial homogenised_material(const std::string& name, double density, const Curve& shear,
                                          const Curve& plane_strain_bulk, double tolerance);
 

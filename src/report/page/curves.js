@@ -1,7 +1,12 @@
-"use strict";
+/// The curves of the study, each {quantity, stage, load, boundary, method, cells, role, label, x, y}. `role` is "stage"
+/// (a result of the run), "matrix" (a material that serves as one) or "measured". An extrapolated curve has a `band`,
+/// half the width of which is given at each x.
 
-/// All curves of the study, each {quantity, stage, load, boundary, method, cells, role, label, x, y}, with `band` [half
-/// widths] where it is extrapolated. `role` tells what it is of: "stage", "matrix" or "measured".
+import {readTable, study} from "./data.js";
+import {boundNames, gridName, methodNames} from "./names.js";
+import {distinct, groupsOf, numberOf} from "./records.js";
+import {logarithmic} from "./sampling.js";
+import {lossModulus, relaxationModulus, storageModulus} from "./viscoelasticity.js";
 
 const testColumns = ["stage", "load", "boundary", "method", "cells"];
 
@@ -18,12 +23,13 @@ function methodsOfStudy() {
   return distinct(study.stages.flatMap((stage) => stage.tests), "method");
 }
 
-function gridsOfStudy() {
+/// The grids of all stages.
+export function gridsOfStudy() {
   return distinct(study.stages.flatMap((stage) => stage.tests), "cells").map(String);
 }
 
-/// The grid of a stage that tells most: the limit of several, else the only one.
-function bestGrid(stageName) {
+/// The best grid of a stage: the limit of vanishing cells if there are several grids, else the only one.
+export function bestGrid(stageName) {
   const grids = study.stages.find((stage) => stage.name === stageName).cells;
   return grids.length > 1 ? "extrapolated" : String(grids[0]);
 }
@@ -60,12 +66,13 @@ function measuredCurves() {
   });
 }
 
-/// The materials that serve as matrices, over the times of the study.
-function materialsInUse() {
+/// The materials of the study that serve as matrices.
+export function materialsInUse() {
   const names = distinct(study.stages, "matrix");
   return study.materials.filter((material) => names.includes(material.name));
 }
 
+/// Their moduli over the times of the study.
 function matrixCurves() {
   const times = logarithmic(...study.times_s, 20);
   return materialsInUse().flatMap((material) => {
@@ -75,7 +82,7 @@ function matrixCurves() {
   });
 }
 
-/// G', G'' and tan delta of a series, within the frequencies that belong to the times of the study.
+/// G', G'' and tan delta of a Prony series, at the angular frequencies 1/t of the times of the study.
 function curvesInFrequency(series, common) {
   const frequencies = logarithmic(1 / study.times_s[1], 1 / study.times_s[0], 20);
   const storage = frequencies.map((w) => storageModulus(series, w));
@@ -99,7 +106,8 @@ function curvesOfProny() {
   });
 }
 
-function allCurves() {
+/// The curves of all kinds.
+export function allCurves() {
   const tested = [...curvesInTime("curves.csv", "modulus_Pa"),
     ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
   addBands(tested);

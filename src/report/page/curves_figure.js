@@ -1,14 +1,23 @@
-"use strict";
+/// The figure with the curves of the study, and the choice of what it shows.
 
-/// The figure with all curves, and the choices of what it shows.
+import {currentInks, isDark} from "./colours.js";
+import {bestGrid, gridsOfStudy} from "./curves.js";
+import {data, study} from "./data.js";
+import {deviationOf, deviationsFrom} from "./deviation.js";
+import {chips, element} from "./elements.js";
+import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
+import {csvOf, csvOfTable, fileName, save} from "./files.js";
+import {boundNames, gridName, methodNames, quantities} from "./names.js";
+import {shortNumber} from "./numbers.js";
+import {distinct, own} from "./records.js";
 
 const dashes = {quasistatic: "solid", dynamic: "dash"};
 
-/// Hue by boundary, as in modulus.svg: blue above, red below, green between.
+/// Hues by boundary, as in modulus.svg: the upper bound is blue, the lower one red, between them green.
 const hues = {displacement: 205, traction: 18, periodic: 160};
 
-/// Later stages stand out more from the paper than earlier ones.
-function colourOf(curve) {
+/// The colour of a curve. Later stages have more contrast to the background than earlier ones.
+export function colourOf(curve) {
   if (curve.role === "measured") return currentInks().ink;
   if (curve.role === "matrix") return currentInks().faint;
   const stages = study.stages.map((stage) => stage.name);
@@ -18,7 +27,31 @@ function colourOf(curve) {
   return `hsl(${hue}, 85%, ${lightness}%)`;
 }
 
-function curvesFigure(curves) {
+function isShown(curve, shown) {
+  if (curve.quantity !== shown.quantity.name) return false;
+  if (curve.role === "matrix") return shown.extras.has("matrix");
+  if (!shown.stages.has(curve.stage)) return false;
+  if (curve.role === "measured") return shown.extras.has("measured");
+  return shown.boundaries.has(curve.boundary) && shown.loads.has(curve.load) &&
+    (curve.method === undefined || shown.methods.has(curve.method)) &&
+    ((isOfBestGrid(curve) && shown.grids.has("best")) || shown.grids.has(curve.cells));
+}
+
+/// Curves of the Prony series have no grid: they are those of the best one.
+function isOfBestGrid(curve) {
+  return curve.cells === undefined || curve.cells === bestGrid(curve.stage);
+}
+
+function lineOf(curve) {
+  const color = colourOf(curve);
+  if (curve.role === "matrix") return {color, dash: "dot", width: 1.6};
+  if (curve.role === "measured") return {color, width: 2.8};
+  if (curve.part === "loss") return {color, dash: "dash"};
+  return {color, dash: dashes[curve.method] ?? "solid", width: isOfBestGrid(curve) ? 2.2 : 1};
+}
+
+/// Fills the section and returns the function that draws the figure.
+export function curvesFigure(curves) {
   const plot = document.getElementById("curve-plot");
   const shown = {
     quantity: quantities.find((quantity) => curves.some((curve) => curve.quantity === quantity.name)),
@@ -31,29 +64,9 @@ function curvesFigure(curves) {
     reference: "",
   };
 
-  const isShown = (curve) => {
-    if (curve.quantity !== shown.quantity.name) return false;
-    if (curve.role === "matrix") return shown.extras.has("matrix");
-    if (!shown.stages.has(curve.stage)) return false;
-    if (curve.role === "measured") return shown.extras.has("measured");
-    const isBest = curve.cells === undefined || curve.cells === bestGrid(curve.stage);
-    return shown.boundaries.has(curve.boundary) && shown.loads.has(curve.load) &&
-      (curve.method === undefined || shown.methods.has(curve.method)) &&
-      ((isBest && shown.grids.has("best")) || shown.grids.has(curve.cells));
-  };
-
-  const lineOf = (curve) => {
-    const color = colourOf(curve);
-    if (curve.role === "matrix") return {color, dash: "dot", width: 1.6};
-    if (curve.role === "measured") return {color, width: 2.8};
-    const isFine = curve.cells === undefined || curve.cells === bestGrid(curve.stage);
-    if (curve.part === "loss") return {color, dash: "dash"};
-    return {color, dash: dashes[curve.method] ?? "solid", width: isFine ? 2.2 : 1};
-  };
-
-  /// What is shown, and what it is.
+  /// The curves that are shown, and their quantity.
   const contents = () => {
-    const seen = curves.filter(isShown).map((curve) => {
+    const seen = curves.filter((curve) => isShown(curve, shown)).map((curve) => {
       const {band, ...plain} = curve;
       return shown.extras.has("band") ? curve : plain;
     });
@@ -76,7 +89,8 @@ function curvesFigure(curves) {
   document.getElementById("curve-choices").append(...choicesOf(curves, shown, draw));
   const name = () => `${study.title} ${contents()[1].title}`;
   document.getElementById("curve-buttons").append(
-    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(...contents()), "text/csv")}, "These curves as CSV"),
+    element("button", {onclick: () => save(fileName(name(), "csv"), csvOf(...contents()), "text/csv")},
+      "These curves as CSV"),
     element("button", {onclick: () => saveFigure(plot, name(), draw)}, "This figure as SVG"));
   listFiles(curves);
   return draw;
@@ -93,7 +107,7 @@ function noteOn(curves) {
   return notes.join(" ");
 }
 
-/// Each choice only where there is something to choose.
+/// The controls of the figure; each only if it has something to choose from.
 function choicesOf(curves, shown, draw) {
   const tests = study.stages.flatMap((stage) => stage.tests);
   const rows = [];
@@ -101,7 +115,7 @@ function choicesOf(curves, shown, draw) {
     shown.reference = reference.value;
     draw();
   }});
-  // A quantity has curves of its own to compare with; the same one stays if it is among them.
+  // The references are the curves of the shown quantity. The chosen one is kept if it is among them.
   const offerReferences = () => {
     const labels = curves.filter((curve) => curve.quantity === shown.quantity.name && curve.role !== "matrix")
       .map((curve) => curve.label);
@@ -138,7 +152,8 @@ function choicesOf(curves, shown, draw) {
   return rows;
 }
 
-/// Bands where the runs of the first dynamic test of the last stage shown are valid, each with its density factor.
+/// Marks the times at which each run of a dynamic test is valid, with the density factor of the run. The test is the
+/// first dynamic one of the last stage that is shown.
 function addTimeDomains(layout, shown) {
   const stage = study.stages.findLast((one) => shown.stages.has(one.name) && shown.methods.has("dynamic") &&
     one.tests.some((test) => test.time_domains !== undefined));
@@ -161,6 +176,7 @@ function addTimeDomains(layout, shown) {
   });
 }
 
+/// Links to each curve and each table as a file.
 function listFiles(curves) {
   const list = document.getElementById("curve-files");
   for (const quantity of quantities) {
@@ -175,7 +191,7 @@ function listFiles(curves) {
   for (const name of Object.keys(data.tables)) {
     list.append(element("li", {}, element("a", {href: "#curves", onclick: (event) => {
       event.preventDefault();
-      save(name, csvOfTable(name), "text/csv");
+      save(name, csvOfTable(data.tables[name]), "text/csv");
     }}, `all of ${name}`)));
   }
 }

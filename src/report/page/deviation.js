@@ -1,9 +1,9 @@
-"use strict";
+/// Curves compared with a reference curve.
 
-/// Curves against one of them.
+import {valueAt} from "./sampling.js";
 
-/// How far curves are above a reference, in per cent of it, at the times at which both are known.
-function deviationsFrom(reference, curves) {
+/// The relative deviations of curves from a reference [%], at those of their times at which the reference is known.
+export function deviationsFrom(reference, curves) {
   return curves.map(({band, ...curve}) => {
     const deviation = (x, y) => 100 * (y / valueAt(reference.x, reference.y, x) - 1);
     const points = curve.x.map((x, i) => [x, deviation(x, curve.y[i])]).filter(([, y]) => Number.isFinite(y));
@@ -11,6 +11,7 @@ function deviationsFrom(reference, curves) {
   });
 }
 
-function deviationOf(quantity, name) {
-  return {...quantity, title: `Deviation from ${name}`, unit: "%"};
+/// The quantity of an axis that shows such deviations.
+export function deviationOf(quantity, nameOfReference) {
+  return {...quantity, title: `Deviation from ${nameOfReference}`, unit: "%"};
 }

@@ -1,29 +1,20 @@
-"use strict";
+/// What all figures share: axes, traces, drawing, printing. The global `Plotly` is the plotting library, which stands
+/// in the page before these modules.
 
-/// What all figures share: colours of the page, axes, buttons, files to keep.
+import {currentInks, setPrinting} from "./colours.js";
+import {fileName, save} from "./files.js";
+import {display, shortNumber} from "./numbers.js";
+import {followZoom, withTicks} from "./plot_ticks.js";
+import {extent} from "./sampling.js";
+import {unitFor} from "./ticks.js";
 
-/// On paper the page is light, whatever the screen is.
-const printing = {now: false};
-
-function isDark() {
-  return !printing.now && matchMedia("(prefers-color-scheme: dark)").matches;
-}
-
-const inks = {
-  light: {paper: "#ffffff", ink: "#1c2226", faint: "#5b666d", line: "#e2e6e8"},
-  dark: {paper: "#14191c", ink: "#e4e9ec", faint: "#9aa7ae", line: "#2b3439"},
-};
-
-function currentInks() {
-  return isDark() ? inks.dark : inks.light;
-}
-
-/// Text for a figure, in which the library would take <b> for bold.
-function plotText(text) {
+/// Text for a figure. Plotly would take <b> in it for bold.
+export function plotText(text) {
   return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 }
 
-function axisTitle(title, unit) {
+/// The title of an axis with its unit.
+export function axisTitle(title, unit) {
   return {text: plotText(unit === "" ? title : `${title} / ${unit}`), standoff: 8};
 }
 
@@ -32,7 +23,7 @@ function commonAxis() {
   return {gridcolor: line, linecolor: faint, ticks: "outside", tickcolor: faint, automargin: true, showline: true};
 }
 
-/// A logarithmic axis of values in a unit. Times have a unit each, all else has one for the axis.
+/// A logarithmic axis for values in a unit. Each tick of a time axis has its own unit, any other axis one in its title.
 function logAxis(title, unit, values) {
   const positive = values.filter((value) => value > 0);
   const [least, most] = extent(positive.map(Math.log10));
@@ -43,8 +34,8 @@ function logAxis(title, unit, values) {
     zeroline: false, textOf};
 }
 
-/// From the smallest to the largest value, zero among them.
-function linearAxis(title, unit, values) {
+/// A linear axis from the smallest to the largest value, zero included.
+export function linearAxis(title, unit, values) {
   const [least, most] = extent([0, ...values]);
   const room = 0.05 * (most - least) || 1;
   const {unit: shown, scale} = unitFor(unit, values);
@@ -52,17 +43,19 @@ function linearAxis(title, unit, values) {
     zerolinecolor: currentInks().faint, scale};
 }
 
-/// Shares of another curve are linear, all else logarithmic.
+/// Relative deviations have a linear axis, all other quantities a logarithmic one.
 function valueAxis(quantity, curves) {
   const axis = quantity.unit === "%" ? linearAxis : logAxis;
   return axis(quantity.title, quantity.unit, curves.flatMap((curve) => curve.y));
 }
 
-function valueText(value, quantity) {
+/// A value of a quantity as text, with its unit.
+export function valueText(value, quantity) {
   return quantity.unit === "%" ? `${shortNumber(value)} %` : display(value, quantity.unit);
 }
 
-function layoutOf(quantity, curves) {
+/// The layout of a figure that shows curves of a quantity.
+export function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
   const isNarrow = document.body.clientWidth < 640;
   const xHover = {s: "%{x:.3~s}s", "rad/s": "%{x:.3~g} rad/s"}[quantity.xUnit] ?? "%{x}";
@@ -81,9 +74,8 @@ function layoutOf(quantity, curves) {
 const plotOptions = {responsive: true, displaylogo: false,
   modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]]};
 
-/// Draws a figure in its element. What its axes say of their ticks (ticks.js) holds at any zoom; screen readers get a
-/// description.
-async function drawFigure(plot, traces, layout) {
+/// Draws a figure in its element, with the ticks of plot_ticks.js at any zoom and a description for screen readers.
+export async function drawFigure(plot, traces, layout) {
   const names = [...new Set(traces.filter((trace) => trace.showlegend !== false).map((trace) => trace.name))];
   plot.setAttribute("role", "img");
   plot.setAttribute("aria-label", `${layout.yaxis.title.text} against ${layout.xaxis.title.text}: ${names.join("; ")}`);
@@ -97,8 +89,8 @@ async function drawFigure(plot, traces, layout) {
   });
 }
 
-/// The trace of a curve in a colour, and before it that of its band.
-function tracesOf(curve, quantity, line) {
+/// The traces of a curve: its band, if it has one, and its line.
+export function tracesOf(curve, quantity, line) {
   const common = {x: curve.x, mode: "lines", type: "scatter", name: plotText(curve.label)};
   const traces = [];
   if (curve.band !== undefined) {
@@ -112,51 +104,25 @@ function tracesOf(curve, quantity, line) {
   return traces;
 }
 
-/// Makes an element with text or children in it.
-function element(tag, attributes = {}, ...children) {
-  const made = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
-    else if (name in made) made[name] = value;
-    else made.setAttribute(name, value);
-  }
-  made.append(...children);
-  return made;
-}
-
-/// The figure of a plot as SVG, in the colours of paper.
-async function saveFigure(plot, name, draw) {
-  printing.now = true;
+/// Saves a figure as SVG, in the colours of paper. `draw` draws it anew.
+export async function saveFigure(plot, name, draw) {
+  setPrinting(true);
   await draw();
   const url = await Plotly.toImage(plot, {format: "svg", width: 1000, height: 650});
-  printing.now = false;
+  setPrinting(false);
   await draw();
   const picture = decodeURIComponent(url.slice(url.indexOf(",") + 1));
   const label = plotText(plot.getAttribute("aria-label")).replaceAll('"', "&quot;");
   save(fileName(name, "svg"), picture.replace("<svg ", `<svg role="img" aria-label="${label}" `), "image/svg+xml");
 }
 
-/// A row of chips of which each can be on or off; `changed` is called when one changes.
-function chips(title, names, isOn, changed) {
-  const made = names.map(([value, label]) => {
-    const box = element("input", {type: "checkbox", checked: isOn.has(value), onchange: () => {
-      if (box.checked) isOn.add(value);
-      else isOn.delete(value);
-      changed();
-    }});
-    box.dataset.choice = value;
-    return element("label", {className: "chip"}, box, element("span", {}, label));
-  });
-  return element("fieldset", {}, element("span", {}, title), ...made);
-}
-
-/// Draws figures now, and anew where their colours change: with those of the screen, and on paper.
-function keepFigures(drawAll) {
+/// Draws figures now, and anew whenever their colours change: with the scheme of the screen, and for printing.
+export function keepFigures(drawAll) {
   drawAll();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);
   for (const [event, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(event, () => {
-      printing.now = isPrinting;
+      setPrinting(isPrinting);
       drawAll();
     });
   }

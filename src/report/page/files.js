@@ -1,15 +1,16 @@
-"use strict";
+/// Files that the reader of the page can keep.
 
-/// What the reader can keep.
+import {element} from "./elements.js";
 
-/// Hands the reader a file.
-function save(name, text, type) {
+/// Offers the reader a file with a text for download.
+export function save(name, text, type) {
   const url = URL.createObjectURL(new Blob([text], {type}));
   element("a", {href: url, download: name}).click();
   setTimeout(() => URL.revokeObjectURL(url), 1000);
 }
 
-function fileName(text, ending) {
+/// A safe name of a file: letters and digits of a text, joined by hyphens.
+export function fileName(text, ending) {
   return `${text.replace(/[^A-Za-z0-9]+/g, "-").replace(/^-|-$/g, "") || "breccia"}.${ending}`;
 }
 
@@ -19,17 +20,17 @@ function csvText(value) {
   return /[",#\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }
 
-/// Curves as CSV.
-function csvOf(curves, quantity) {
+/// Curves of a quantity as the text of a CSV file.
+export function csvOf(curves, quantity) {
   const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent"}[quantity.unit] ?? "";
   const x = quantity.x === "time" ? "time_s" : "angular_frequency_1_per_s";
   const lines = curves.flatMap((curve) => curve.x.map((at, i) => `${csvText(curve.label)},${at},${curve.y[i]}`));
   return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
 }
 
-/// A table of the results as CSV.
-function csvOfTable(name) {
-  const columns = Object.entries(data.tables[name]);
+/// A table, an object with a list of values for each column, as the text of a CSV file.
+export function csvOfTable(table) {
+  const columns = Object.entries(table);
   const rows = columns[0][1].map((_, row) => columns.map(([, values]) => csvText(values[row])).join(","));
   return [columns.map(([column]) => csvText(column)).join(","), ...rows, ""].join("\n");
 }

@@ -1,9 +1,16 @@
-"use strict";
+/// The figure with the modulus at one time against a swept key that holds numbers.
 
-/// The modulus at one time against a swept key that holds numbers.
+import {sweep} from "./data.js";
+import {chooser, element} from "./elements.js";
+import {axisTitle, drawFigure, layoutOf, plotText, saveFigure, valueText} from "./figure.js";
+import {display, shortNumber} from "./numbers.js";
+import {extent, valueAt} from "./sampling.js";
+import {sweptKeys} from "./sweep_curves.js";
+import {labelOfSweepCurve, lineOfSweepCurve, sweepContents} from "./sweep_figure.js";
 
-function keyFigure(curves, choice) {
-  // Seeds are numbers without a meaning.
+/// Fills the section and returns the function that draws the figure.
+export function keyFigure(curves, choice) {
+  // The number of a seed means nothing.
   const keys = sweptKeys.filter((key) => key.numbers !== undefined && key.values.length > 1 && !key.isSeed);
   document.getElementById("key").hidden = keys.length === 0;
   if (keys.length === 0) return () => {};
@@ -46,6 +53,7 @@ function keyFigure(curves, choice) {
   return draw;
 }
 
+/// The axis of a key: logarithmic if its values are positive and span a factor of eight or more.
 function keyAxis(key, spread) {
   const hasOrigin = !/^(deg|°)/.test(key.unit ?? "");
   const isLogarithmic = hasOrigin && Math.min(...key.numbers) > 0 && spread >= 8;
@@ -60,7 +68,7 @@ function keyAxis(key, spread) {
   return {type: "linear", title, range: [ends[0] - room, ends[1] + room], scale: 1};
 }
 
-/// A line for all shown curves that differ in the key alone; `places` are those of its values.
+/// A line through all shown curves that differ in the key alone; `places` are the indices of the values of the key.
 function linesAgainst(key, time, seen, choice) {
   const others = choice.dimensions.filter(({name}) => name !== key.path);
   const groups = new Map();

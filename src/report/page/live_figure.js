@@ -1,8 +1,20 @@
-"use strict";
+/// The section that predicts G(t) with another temperature or another spectrum of a matrix.
 
-/// The section that recomputes G(t) for another temperature or another spectrum of a matrix.
+import {bestGrid, materialsInUse} from "./curves.js";
+import {colourOf} from "./curves_figure.js";
+import {data, study} from "./data.js";
+import {element} from "./elements.js";
+import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
+import {csvOf, fileName, save} from "./files.js";
+import {liveChoices, spectrumButtons} from "./matrix_choice.js";
+import {boundNames, quantities} from "./names.js";
+import {display, percent} from "./numbers.js";
+import {respond} from "./response.js";
+import {logarithmic} from "./sampling.js";
+import {shiftedSeries} from "./viscoelasticity.js";
 
-function liveFigure(curves) {
+/// Fills the section and returns the function that draws the figure.
+export function liveFigure(curves) {
   const stages = Object.keys(data.responses);
   const candidates = materialsInUse();
   if (stages.length === 0 || candidates.length === 0) return () => {};
@@ -12,13 +24,13 @@ function liveFigure(curves) {
   const state = {material: candidates[0], spectrum: undefined, decades: 0};
   let results = [];
 
-  const stored = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === "shear" &&
+  const curveOfRun = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === "shear" &&
     curve.stage === result.stage && curve.boundary === result.boundary && curve.method === "quasistatic" &&
     curve.cells === bestGrid(curve.stage));
 
   const draw = () => {
     const liveCurves = curvesOfResults(results);
-    const curvesOfRun = results.map(stored).filter((curve) => curve !== undefined);
+    const curvesOfRun = results.map(curveOfRun).filter((curve) => curve !== undefined);
     const traces = liveCurves.flatMap((curve) => tracesOf(curve, quantity, {color: colourOf(curve)}));
     traces.push(...curvesOfRun.flatMap(({band, ...curve}) => tracesOf({...curve, label: `${curve.label}, of the run`},
       quantity,
@@ -27,7 +39,7 @@ function liveFigure(curves) {
   };
 
   const compute = () => {
-    results = respond(Object.fromEntries(study.materials.map((material) =>
+    results = respond(study, data.responses, Object.fromEntries(study.materials.map((material) =>
       [material.name, material === state.material ? changedMaterial(state) : material])));
     showRefusals(results);
     return draw();
@@ -41,11 +53,11 @@ function liveFigure(curves) {
   document.getElementById("live-choices").append(...liveChoices(candidates, state, compute));
   spectrumButtons(state, compute);
   compute();
-  showAgreement(results, stored);
+  showAgreement(results, curveOfRun);
   return draw;
 }
 
-/// A material with its new spectrum, its relaxation times shifted by 10^decades.
+/// The chosen material with its new spectrum, all relaxation times multiplied by 10^decades.
 function changedMaterial({material, spectrum, decades}) {
   const factor = Math.pow(10, decades);
   return {shear: shiftedSeries(spectrum ?? material.shear, factor), bulk: shiftedSeries(material.bulk, factor)};
@@ -61,7 +73,7 @@ function curvesOfResults(results) {
   });
 }
 
-/// What leads to more than the run has sampled.
+/// How to get an answer beyond the moduli that the run has sampled.
 function remedyForRefusals() {
   const ranges = study.stages.flatMap((stage) => stage.tests.map((test) => test.range));
   return ranges.includes("times") ? 'run the study with tests.quasistatic.range = "matrix", the default'
@@ -86,11 +98,11 @@ function showRefusals(results) {
   list.hidden = texts.length === 0;
 }
 
-/// The largest relative difference between what the page computes for the matrix of the run and what the run found.
-function showAgreement(results, stored) {
+/// Shows the largest relative difference between the prediction of the page for the matrices of the run and the run.
+function showAgreement(results, curveOfRun) {
   let worst = 0;
   for (const result of results) {
-    const curve = stored(result);
+    const curve = curveOfRun(result);
     curve?.x.forEach((t, i) => {
       if (t > result.window[1] || t < result.window[0]) return;
       worst = Math.max(worst, Math.abs(result.modulus(t) / curve.y[i] - 1));

@@ -1,10 +1,14 @@
-"use strict";
+/// The controls of the live figure: which material the reader changes, its temperature and its spectrum. They change
+/// `state`, {material, spectrum, decades}, and then call `compute`.
 
-/// What the reader can change in the live figure: which material, its temperature, its spectrum.
+import {element} from "./elements.js";
+import {minus, shortNumber} from "./numbers.js";
+import {readSpectrum} from "./spectrum_text.js";
+import {decadesOfShift} from "./viscoelasticity.js";
 
 const zeroCelsius = 273.15;
 
-function liveChoices(candidates, state, compute) {
+export function liveChoices(candidates, state, compute) {
   const temperature = element("div", {className: "temperature"});
   const offer = () => temperature.replaceChildren(...temperatureChoice(state, compute));
   offer();
@@ -17,7 +21,7 @@ function liveChoices(candidates, state, compute) {
   return [select, temperature];
 }
 
-/// The slider, and fields for the constants of the law where the deck has none.
+/// The slider of the temperature, and fields for the constants of the WLF law if the deck has none.
 function temperatureChoice(state, compute) {
   const known = state.material.temperature_shift;
   const law = {...known};
@@ -46,23 +50,24 @@ function isComplete(law) {
   return [law.c1, law.c2_K, law.reference_K].every(Number.isFinite) && law.c1 > 0 && law.c2_K > 0;
 }
 
-/// Takes over the temperature of a slider, and says what it does.
+/// Shifts the material to the temperature of the slider, and returns a text that says what that does.
 function shiftTo(slider, law, state) {
   const celsius = Number(slider.value);
   state.decades = decadesOfShift(law, celsius + zeroCelsius) - decadesOfShift(law, law.temperature_K);
   return `${minus(celsius)} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
 }
 
-/// About the temperature of the run, and well above that at which the law ends.
+/// The range of the slider: about the temperature of the run, and well above T_ref - c2, where the law has no meaning.
 function setRange(slider, law) {
   const below = 40, above = 60, room = 10;
-  const own = Number((law.temperature_K - zeroCelsius).toFixed(2));
+  const ofRun = Number((law.temperature_K - zeroCelsius).toFixed(2));
   const toPole = law.temperature_K - law.reference_K + law.c2_K;
-  slider.min = own - Math.max(0, Math.min(below, Math.floor(toPole - room)));
-  slider.max = own + above;
-  slider.value = own;
+  slider.min = ofRun - Math.max(0, Math.min(below, Math.floor(toPole - room)));
+  slider.max = ofRun + above;
+  slider.value = ofRun;
 }
 
+/// Fields for the constants of the law, which they change before they call `changed`.
 function constantsOf(law, changed) {
   const field = (label, take) => {
     const input = element("input", {type: "number", step: "any", ariaLabel: label, oninput: () => {
@@ -77,29 +82,8 @@ function constantsOf(law, changed) {
     field("temperature of the run / °C", (value) => { law.reference_K = law.temperature_K = value + zeroCelsius; }));
 }
 
-/// A pasted spectrum; throws an Error that names the line.
-function readSpectrum(text) {
-  const terms = [];
-  let equilibrium_Pa = 0;
-  text.split(/\r?\n/).forEach((line, i) => {
-    const cells = line.trim().split(/[,;\s]+/).filter((cell) => cell !== "");
-    if (cells.length === 0 || line.trim().startsWith("#")) return;
-    const [time, modulus] = cells.map(numberOf);
-    if (terms.length === 0 && Number.isNaN(time)) return;  // the names of the columns
-    if (cells.length !== 2 || !(time > 0) || !(modulus >= 0) || !Number.isFinite(modulus)) {
-      throw new Error(`line ${i + 1}: expected a relaxation time above 0 and a modulus not below 0, ` +
-        `got "${line.trim()}"`);
-    }
-    if (time === Infinity) equilibrium_Pa += modulus;
-    else terms.push({relaxation_time_s: time, modulus_Pa: modulus});
-  });
-  if (!(terms.reduce((sum, term) => sum + term.modulus_Pa, equilibrium_Pa) > 0)) {
-    throw new Error("expected at least one term with a modulus above 0");
-  }
-  return {equilibrium_Pa, terms};
-}
-
-function spectrumButtons(state, compute) {
+/// The buttons below the text of the spectrum.
+export function spectrumButtons(state, compute) {
   const text = document.getElementById("spectrum-text");
   const complaint = element("span", {id: "spectrum-complaint", role: "alert"});
   const take = (spectrum) => {

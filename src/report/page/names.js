@@ -1,12 +1,12 @@
-"use strict";
+/// The words that the pages use for what stands in the results.
 
-/// What the pages call things.
+import {display, percentOfWhole} from "./numbers.js";
 
-const boundNames = {displacement: "upper bound", traction: "lower bound", periodic: "periodic"};
-const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
+export const boundNames = {displacement: "upper bound", traction: "lower bound", periodic: "periodic"};
+export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 
-/// The quantities that can be shown, in their order.
-const quantities = [
+/// The quantities that a figure can show, in the order in which the page offers them.
+export const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "bulk", title: "Plane-strain bulk modulus K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
@@ -14,6 +14,25 @@ const quantities = [
   {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
-function gridName(cells) {
+/// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the limit of vanishing cells.
+export function gridName(cells) {
   return cells === "extrapolated" ? "h → 0" : `${cells} cells`;
+}
+
+/// The cells of a table that name a test.
+export function nameOfTest(stage, test) {
+  return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
+}
+
+/// The microstructure of a stage in words.
+export function wordsOnStage(stage) {
+  const box = `a box of ${display(stage.box_m, "m")}`;
+  if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
+  const {particles, fraction} = stage.microstructure;
+  return `${particles} particles of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
+}
+
+/// "a", "a and b", "a, b and c".
+export function listed(words) {
+  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 }

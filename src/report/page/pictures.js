@@ -1,7 +1,14 @@
-"use strict";
+/// The pictures of microstructures, stress and strain.
 
-/// The microstructures.
-function showPictures() {
+import {data, study} from "./data.js";
+import {element} from "./elements.js";
+import {fileName, save} from "./files.js";
+import {boundNames, methodNames, wordsOnStage} from "./names.js";
+import {display} from "./numbers.js";
+import {own} from "./records.js";
+
+/// Shows the microstructure of each stage.
+export function showPictures() {
   const place = document.getElementById("pictures");
   for (const stage of study.stages) {
     const svg = own(data.pictures, stage.name);
@@ -12,20 +19,20 @@ function showPictures() {
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
 }
 
-/// Which colour of a microstructure is which material, and how large its particles are.
+/// The legend of a microstructure: the colours of its materials, and the sizes of its particles.
 function legendOf({matrix, filler, microstructure}) {
   const entry = (kind, text) => element("li", {}, element("span", {className: `swatch ${kind}`}), text);
   const entries = [entry("matrix", matrix)];
   if (filler !== null) {
     const {smallest_diameter_m: smallest, largest_diameter_m: largest} = microstructure;
-    const sizes = distinct([smallest, largest].filter(Number.isFinite).map((size) => ({text: display(size, "m")})), "text");
+    const sizes = [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
     entries.push(entry("filler", sizes.length > 0 ? `${filler}, diameter ${sizes.join(" to ")}` : filler));
   }
   return [element("ul", {className: "legend"}, ...entries)];
 }
 
-/// The maps of stress and strain of each stage, of one test and time at once.
-function showFields() {
+/// Shows maps of stress and strain of each stage, for one test and time that the reader chooses.
+export function showFields() {
   const place = document.getElementById("field-pictures");
   for (const stage of study.stages) {
     const fields = stage.tests.flatMap((test) => (test.fields ?? []).map((field) => ({test, ...field})));
@@ -40,7 +47,8 @@ function showFields() {
         `${stage.name}, ${quantity}: ${words}`)));
     };
     const choice = element("select", {ariaLabel: `Test and time of ${stage.name}`, className: "field-choice",
-      onchange: () => show(shown[choice.selectedIndex])}, ...shown.map((field) => element("option", {}, wordsOnField(field))));
+      onchange: () => show(shown[choice.selectedIndex])},
+    ...shown.map((field) => element("option", {}, wordsOnField(field))));
     place.append(element("h3", {}, stage.name), choice, pair);
     choice.selectedIndex = Math.max(0, shown.findIndex((field) => field.file === "fields.vtkhdf"));
     show(shown[choice.selectedIndex]);
@@ -52,7 +60,7 @@ function wordsOnField({test, time_s}) {
   return `${boundNames[test.boundary]}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
 }
 
-/// A picture that can be zoomed and moved.
+/// A picture that the reader can zoom, move and save; `below` stands below its caption.
 function zoomableFigure(svg, name, caption, ...below) {
   const image = element("img", {alt: caption, draggable: false,
     src: `data:image/svg+xml,${encodeURIComponent(svg)}`});
@@ -67,6 +75,7 @@ function zoomableFigure(svg, name, caption, ...below) {
       element("button", {onclick: () => save(fileName(name, "svg"), svg, "image/svg+xml")}, "SVG")));
 }
 
+/// Lets the reader zoom and move the image in its frame; returns what the buttons do.
 function makeZoomable(frame, image) {
   const most = 30;
   let view = {scale: 1, x: 0, y: 0};
@@ -83,7 +92,7 @@ function makeZoomable(frame, image) {
     show();
   };
   frame.addEventListener("wheel", (event) => {
-    // The wheel alone scrolls the page; with Ctrl it is also what browsers make of a pinch.
+    // The wheel alone scrolls the page. Browsers report a pinch as the wheel with Ctrl.
     if (!event.ctrlKey) return;
     event.preventDefault();
     const {left, top} = frame.getBoundingClientRect();

@@ -1,8 +1,18 @@
-"use strict";
+/// The figure with the whole history of every run of a dynamic test: the ringing at its beginning, and the times at
+/// which it is valid.
 
-/// The whole history of every run of a dynamic test: the ringing at its beginning, and where it counts.
+import {currentInks, isDark} from "./colours.js";
+import {data, study} from "./data.js";
+import {element} from "./elements.js";
+import {drawFigure, layoutOf, linearAxis, saveFigure, tracesOf} from "./figure.js";
+import {gridName, nameOfTest, quantities} from "./names.js";
+import {shortNumber} from "./numbers.js";
+import {own} from "./records.js";
+import {extent} from "./sampling.js";
+import {shareOfLoad} from "./strain_ramp.js";
 
-function runsFigure(curves) {
+/// Fills the section and returns the function that draws the figure.
+export function runsFigure(curves) {
   const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test, runs: runsOf(stage, test)})))
     .filter(({runs}) => runs.length > 0);
   document.getElementById("runs").hidden = tests.length === 0;
@@ -16,9 +26,10 @@ function runsFigure(curves) {
   const draw = () => {
     const quantity = quantityOf(shown.of);
     const lines = shown.of.runs.flatMap((run, i) => linesOf(run, colourOfRun(i, shown.of.runs.length)));
-    const beside = curves.find((curve) => curve.quantity === quantity.name && curve.stage === shown.of.stage.name &&
-      curve.load === shown.of.test.load && curve.boundary === shown.of.test.boundary && curve.method === "quasistatic" &&
-      curve.cells === String(shown.of.test.cells));
+    const {stage, test} = shown.of;
+    const beside = curves.find((curve) => curve.quantity === quantity.name && curve.stage === stage.name &&
+      curve.load === test.load && curve.boundary === test.boundary && curve.method === "quasistatic" &&
+      curve.cells === String(test.cells));
     if (beside !== undefined) {
       lines.push({x: beside.x, y: beside.y, label: "quasi-static", line: {color: currentInks().ink, dash: "dot"}});
     }
@@ -51,7 +62,7 @@ function runsFigure(curves) {
   return draw;
 }
 
-/// The runs of a test with what study.json says about each.
+/// The runs of a test: their histories, and what study.json says about each.
 function runsOf(stage, test) {
   if (test.time_domains === undefined) return [];
   return (own(data.histories, stage.name) ?? [])
@@ -63,7 +74,7 @@ function colourOfRun(i, count) {
   return `hsl(${count === 1 ? 205 : 250 - 225 * i / (count - 1)}, 75%, ${isDark() ? 62 : 42}%)`;
 }
 
-/// A run: thin where it does not count.
+/// The curves of a run: a thin one of its whole history, a thick one of the times at which it is valid.
 function linesOf(run, color) {
   const label = `ρ × ${shortNumber(run.density_factor)}`;
   const [begin, end] = run.valid_s;
@@ -74,7 +85,7 @@ function linesOf(run, color) {
   ];
 }
 
-/// The load above, the response below, over the same time.
+/// The layout with a linear time axis: the load above, the response below.
 function linearLayout(quantity, curves) {
   const layout = layoutOf(quantity, curves);
   const {tickCount, unifiedhovertitle} = layout.xaxis;
@@ -86,19 +97,11 @@ function linearLayout(quantity, curves) {
   };
 }
 
-/// The share of the load that is applied at a time since the middle of its ramp (docs/theory.md, Eq. 13).
-function loadShare(time, ramp) {
-  if (time <= -ramp / 2) return 0;
-  if (time >= ramp / 2) return 1;
-  const x = time / ramp;
-  return 0.5 + x + Math.sin(2 * Math.PI * x) / (2 * Math.PI);
-}
-
-/// The load over the ramp of the last run.
+/// The trace of the load over the ramp of the last run.
 function loadTrace({runs}) {
   const {ramp_s: ramp, time_s: times} = runs.at(-1);
   const half = ramp / 2;
   const x = [Math.min(-half, times[0]), ...Array.from({length: 41}, (_, i) => half * (i / 20 - 1)), times.at(-1)];
-  return {x, y: x.map((time) => loadShare(time, ramp)), yaxis: "y2", mode: "lines", name: "load", showlegend: false, hoverinfo: "skip",
-    line: {color: currentInks().ink, width: 1.6}};
+  return {x, y: x.map((time) => shareOfLoad(time, ramp)), yaxis: "y2", mode: "lines", name: "load",
+    showlegend: false, hoverinfo: "skip", line: {color: currentInks().ink, width: 1.6}};
 }

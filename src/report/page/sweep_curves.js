@@ -1,33 +1,29 @@
-"use strict";
+/// The curves of the tasks of a sweep, each {quantity, task, stage, load, boundary, method, values, x, y}; `values` are
+/// those of the swept keys, by the path of the key. Of several grids only the best one is kept.
 
-/// The curves of all tasks, each {quantity, task, stage, load, boundary, method, values, label, x, y}, `values` being those
-/// of the swept keys. Of several grids there is only the one that tells most.
+import {data, sweep} from "./data.js";
+import {boundNames, methodNames} from "./names.js";
+import {distinct, groupsOf, own} from "./records.js";
 
-const sweep = data.sweep;
-
-/// The swept keys: {path, label, values, numbers}, `numbers` only where all values are numbers in one unit.
-const sweptKeys = sweep.keys.map((path) => {
+/// The swept keys: {path, label, values, isSeed, numbers, unit}; `numbers` are the values in one unit if all have one.
+export const sweptKeys = sweep.keys.map((path) => {
   const values = [...new Set(sweep.tasks.map((task) => task.values[path]))];
   return {path, label: labelOfKey(path), values, isSeed: path.split(".").at(-1) === "seed", ...numbersOf(path, values)};
 });
 
-/// The last step of a path, or all of it where another key ends like it.
-function labelOfKey(path) {
+/// The last part of the path of a key, or all of it if another swept key has the same last part.
+export function labelOfKey(path) {
   const last = (text) => text.split(".").at(-1);
   return sweep.keys.filter((other) => last(other) === last(path)).length === 1 ? last(path) : path;
 }
 
-/// Quantities of different units are numbers in that of the first.
+/// The values of a key as numbers, {numbers, unit}, or {} if they are none. The numbers of quantities stand in
+/// sweep.json, in the unit of the first one.
 function numbersOf(path, values) {
-  const quantity = sweep.quantities?.[path];
-  if (quantity !== undefined) {
-    const taskWith = (value) => sweep.tasks.findIndex((task) => task.values[path] === value);
-    return {numbers: values.map((value) => quantity.numbers[taskWith(value)]), unit: quantity.unit};
-  }
-  const read = values.map((value) => /^([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*(.*)$/.exec(String(value)));
-  const units = new Set(read.map((match) => match?.[2]));
-  if (read.includes(null) || units.size > 1) return {};
-  return {numbers: read.map((match) => Number(match[1])), unit: read[0][2]};
+  const quantity = own(sweep.quantities ?? {}, path);
+  if (quantity === undefined) return values.every(Number.isFinite) ? {numbers: values, unit: ""} : {};
+  const taskWith = (value) => sweep.tasks.findIndex((task) => task.values[path] === value);
+  return {numbers: values.map((value) => quantity.numbers[taskWith(value)]), unit: quantity.unit};
 }
 
 function isBetterGrid(cells, other) {
@@ -36,16 +32,18 @@ function isBetterGrid(cells, other) {
 
 const testFields = ["quantity", "stage", "load", "boundary", "method"];
 
-function sweepCurves() {
+/// The curves of all tasks that are done.
+export function sweepCurves() {
   const all = data.curves.map((curve) => ({...curve, quantity: curve.load === "bulk" ? "bulk" : "shear",
     values: sweep.tasks[curve.task].values, x: curve.time_s, y: curve.modulus_Pa}));
   return groupsOf(all, ["task", ...testFields]).map((grids) =>
     grids.reduce((best, one) => (isBetterGrid(one.cells, best.cells) ? one : best)));
 }
 
-/// What curves can differ in: the fields of a test and the swept keys, each {name, label, values}. A field that is the
-/// same throughout each task says only what a key says.
-function dimensionsOf(curves) {
+/// What the curves differ in, tests and swept keys: [{name, label, values, textOf, of}], `of` giving the value of a
+/// curve and `textOf` its text. A property of the test counts only if a task has several values of it; otherwise it is
+/// a swept key that changes it.
+export function dimensionsOf(curves) {
   const names = {boundary: boundNames, method: methodNames};
   const tasks = groupsOf(curves, ["task"]);
   const isFree = (name) => name !== "quantity" && tasks.some((task) => distinct(task, name).length > 1);
@@ -57,8 +55,8 @@ function dimensionsOf(curves) {
   return [...fields, ...keys].filter(({values}) => values.length > 1);
 }
 
-/// The curve that differs from another in one dimension alone, where it has a given value.
-function partnerOf(curve, dimension, value, curves, dimensions) {
+/// The curve that has the given value in one dimension and agrees with another curve in all others.
+export function partnerOf(curve, dimension, value, curves, dimensions) {
   return curves.find((other) => other.quantity === curve.quantity && dimensions.every((one) =>
     one.of(other) === (one.name === dimension.name ? value : one.of(curve))));
 }

@@ -1,12 +1,21 @@
-"use strict";
+/// The figure with the curves of all tasks. Its choice holds for the figure against a key (key_figure.js) too.
 
-/// The figure with the curves of all tasks. What is chosen for it holds for the figure against a key too.
+import {isDark} from "./colours.js";
+import {sweep} from "./data.js";
+import {deviationOf, deviationsFrom} from "./deviation.js";
+import {chips, chooser, element} from "./elements.js";
+import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
+import {csvOf, fileName, save} from "./files.js";
+import {quantities} from "./names.js";
+import {distinct} from "./records.js";
+import {dimensionsOf, partnerOf, sweptKeys} from "./sweep_curves.js";
 
-/// Colours that can be told apart, for keys without order.
+/// Colours that are easy to tell apart, for values without an order.
 const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999", "#bb5500", "#777777"];
 
-/// What is shown: `values` by dimension, the dimension that colours tell, and what the curves are compared with.
-function sweepChoice(curves) {
+/// The choice of what is shown: the dimensions, the `values` shown of each, the dimension that the colours stand for,
+/// the `reference` that the curves are compared with, and the quantity.
+export function sweepChoice(curves) {
   const dimensions = dimensionsOf(curves);
   const coloured = dimensions.findLast(({name}) => sweep.keys.includes(name)) ?? dimensions.at(-1);
   const isKept = ({name}) => name !== "stage";
@@ -16,8 +25,8 @@ function sweepChoice(curves) {
     quantity: quantities.find(({name}) => name === curves[0].quantity)};
 }
 
-/// What is shown, as it is or as deviations, and what it is.
-function sweepContents(curves, choice) {
+/// The curves that are shown, by themselves or as deviations from the reference, and their quantity.
+export function sweepContents(curves, choice) {
   const {dimensions, values, quantity, reference} = choice;
   const seen = curves.filter((curve) => curve.quantity === quantity.name &&
     dimensions.every((one) => values[one.name].has(one.of(curve))))
@@ -35,8 +44,8 @@ function nameOfValue(dimension, value) {
   return typeof value === "string" ? dimension.textOf(value) : `${dimension.label} ${value}`;
 }
 
-/// Only what tells the shown curves apart.
-function labelOfSweepCurve(curve, dimensions, values) {
+/// The label of a curve: the values in which the shown curves differ.
+export function labelOfSweepCurve(curve, dimensions, values) {
   return dimensions.filter(({name}) => values[name].size > 1)
     .map((one) => nameOfValue(one, one.of(curve))).join(", ") || sweep.title;
 }
@@ -49,7 +58,8 @@ function colourOfSweepCurve(curve, {coloured}) {
   return `hsl(${260 - 235 * i / (coloured.values.length - 1)}, 70%, ${isDark() ? 62 : 42}%)`;
 }
 
-function lineOfSweepCurve(curve, choice) {
+/// The line of a curve: colour by choice, dashes by method, width by boundary.
+export function lineOfSweepCurve(curve, choice) {
   return {color: colourOfSweepCurve(curve, choice), dash: curve.method === "dynamic" ? "dash" : "solid",
     width: {displacement: 2.2, periodic: 1.6, traction: 1.1}[curve.boundary]};
 }
@@ -61,7 +71,8 @@ function noteOnSweep(curves) {
   return notes.join(" ");
 }
 
-function sweepFigure(curves, choice, drawAll) {
+/// Fills the section and returns the function that draws the figure.
+export function sweepFigure(curves, choice, drawAll) {
   const plot = document.getElementById("curve-plot");
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
@@ -78,13 +89,7 @@ function sweepFigure(curves, choice, drawAll) {
   return draw;
 }
 
-function chooser(id, label, options, changed) {
-  const select = element("select", {id, ariaLabel: label, onchange: () => changed(options[select.selectedIndex][0])},
-    ...options.map(([, text]) => element("option", {}, text)));
-  return select;
-}
-
-/// Each choice only where there is something to choose.
+/// The controls of the figure; each only if it has something to choose from.
 function sweepChoices(curves, choice, drawAll) {
   const {dimensions, values} = choice;
   const rows = [];

@@ -1,4 +1,12 @@
-"use strict";
+/// The page of a sweep.
+
+import {sweep} from "./data.js";
+import {keepFigures} from "./figure.js";
+import {keyFigure} from "./key_figure.js";
+import {sweepCurves} from "./sweep_curves.js";
+import {sweepChoice, sweepFigure} from "./sweep_figure.js";
+import {showSpread, showSweepProvenance, showSweepSummary, showTasks} from "./sweep_tables.js";
+import {showDeck} from "./table.js";
 
 showSweepSummary();
 showTasks();

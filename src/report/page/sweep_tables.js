@@ -1,8 +1,16 @@
-"use strict";
+/// The summary and the tables of a sweep.
 
-/// The words and the tables of a sweep.
+import {readTable, sweep} from "./data.js";
+import {element} from "./elements.js";
+import {boundNames, gridName, listed, methodNames} from "./names.js";
+import {display, duration, percent} from "./numbers.js";
+import {groupsOf} from "./records.js";
+import {decades, valueAt} from "./sampling.js";
+import {labelOfKey, sweptKeys} from "./sweep_curves.js";
+import {table} from "./table.js";
 
-function showSweepSummary() {
+/// Shows the title, what was swept, and what failed.
+export function showSweepSummary() {
   document.getElementById("title").textContent = sweep.title;
   const what = sweptKeys.map(({path, values}) => `${path}: ${listed(values.map(String))}`);
   document.getElementById("summary").append(
@@ -17,7 +25,8 @@ function showSweepSummary() {
   list.hidden = warnings.length === 0;
 }
 
-function showTasks() {
+/// Shows the tasks, with links to their reports.
+export function showTasks() {
   const rows = sweep.tasks.map((task) => {
     const name = task.state === "done" ? element("a", {href: `${encodeURIComponent(task.name)}/report.html`}, task.name)
       : task.name;
@@ -31,8 +40,8 @@ function showTasks() {
     element("tbody", {}, ...rows))));
 }
 
-/// Mean and spread over the seeds, at whole decades.
-function showSpread() {
+/// Shows the mean and the standard deviation over the seeds, at whole decades.
+export function showSpread() {
   const rows = readTable("spread.csv");
   document.getElementById("spread").hidden = rows.length === 0;
   const keys = sweep.keys.filter((path) => rows.length > 0 && Object.hasOwn(rows[0], path));
@@ -50,7 +59,8 @@ function showSpread() {
   }
 }
 
-function showSweepProvenance() {
+/// Shows what made the results, and from what.
+export function showSweepProvenance() {
   document.getElementById("deck-text").append(element("p", {className: "note"},
     `${sweep.program} ${sweep.version}, ${sweep.deck}`));
 }

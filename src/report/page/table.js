@@ -1,13 +1,9 @@
-"use strict";
+/// Tables, and the text of the deck.
 
-/// Words in a row, tables, and the deck.
+import {element} from "./elements.js";
 
-function listed(words) {
-  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
-}
-
-/// A table; columns of numbers are set to the right, long texts may break.
-function table(heads, rows) {
+/// A table, from its column heads and its rows of texts. Columns of numbers are aligned right, long texts may wrap.
+export function table(heads, rows) {
   const isNumber = heads.map((_, i) => rows.every((row) => /^[-−–<]?[\d.]|^$|^∞/.test(row[i])));
   const kind = (i, text) => ({className: isNumber[i] ? "number" : text.length > 40 ? "long" : ""});
   const head = element("tr", {}, ...heads.map((text, i) => element("th", kind(i, ""), text)));
@@ -16,8 +12,8 @@ function table(heads, rows) {
     element("tbody", {}, ...body)));
 }
 
-/// The deck of a record, study.json or sweep.json.
-function showDeck({overrides, deck_text}) {
+/// Shows the deck of a run or a sweep, given its study.json or sweep.json.
+export function showDeck({overrides, deck_text}) {
   const place = document.getElementById("deck-text");
   if (overrides.length > 0) {
     place.append(element("p", {}, "Overridden on the command line:"), element("pre", {}, overrides.join("\n")));

@@ -1,20 +1,15 @@
-"use strict";
+/// The summary, the warnings and the tables of a run.
 
-/// The words and the tables.
+import {readTable, study} from "./data.js";
+import {element} from "./elements.js";
+import {boundNames, listed, methodNames, nameOfTest, wordsOnStage} from "./names.js";
+import {display, duration, percent, percentOfWhole} from "./numbers.js";
+import {distinct, groupsOf} from "./records.js";
+import {decades, valueAt} from "./sampling.js";
+import {table} from "./table.js";
 
-function wordsOnStage(stage) {
-  const box = `a box of ${display(stage.box_m, "m")}`;
-  if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
-  const {particles, fraction} = stage.microstructure;
-  return `${particles} particles of ${stage.filler} fill ${percentOfBox(fraction)} of ${box} of ${stage.matrix}`;
-}
-
-/// Shares of areas.
-function percentOfBox(share) {
-  return `${(100 * share).toFixed(1)} %`;
-}
-
-function showSummary() {
+/// Shows the title, and what was computed of which stages.
+export function showSummary() {
   document.getElementById("title").textContent = study.title;
   const tests = study.stages.flatMap((stage) => stage.tests);
   const sentences = study.stages.map((stage, i) => {
@@ -32,7 +27,8 @@ function showSummary() {
   document.getElementById("summary").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), list);
 }
 
-function showWarnings() {
+/// Shows what the reader should know before using the results.
+export function showWarnings() {
   const warnings = study.stages.flatMap((stage) => stage.warnings);
   if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
   const list = document.getElementById("warnings");
@@ -40,8 +36,8 @@ function showWarnings() {
   list.hidden = warnings.length === 0;
 }
 
-/// Measured and computed moduli at whole decades, and where they agree best and worst.
-function showComparison() {
+/// Shows measured and computed moduli at whole decades, and where they agree best and worst.
+export function showComparison() {
   const rows = readTable("comparison.csv");
   document.getElementById("comparison").hidden = rows.length === 0;
   const place = document.getElementById("comparison-tables");
@@ -71,18 +67,15 @@ function showComparison() {
   }
 }
 
-function nameOfTest(stage, test) {
-  return [stage.name, test.load, boundNames[test.boundary], methodNames[test.method]];
-}
-
-/// Of each stage a sentence, as `breccia run` has printed it.
+/// Shows the sentence on the quality of each stage, as `breccia run` prints it.
 function showSummaries() {
   const known = study.stages.filter((stage) => stage.quality?.summary);
   document.getElementById("quality-summary").append(
     ...known.map((stage) => element("li", {}, `${stage.name}, this box: ${stage.quality.summary}.`)));
 }
 
-function showQuality() {
+/// Shows the errors of tests, fits and extrapolations.
+export function showQuality() {
   showSummaries();
   const tests = study.stages.flatMap((stage) => stage.tests.map((test) => ({stage, test})));
   const place = document.getElementById("quality-tables");
@@ -110,6 +103,7 @@ function showQuality() {
       methodNames[one.method], percent(one.shear_fit_error), percent(one.bulk_fit_error)])));
 }
 
+/// Half the width of the band of each extrapolated curve over its value: the smallest, the largest, and its time.
 function extrapolationRows() {
   const rows = readTable("extrapolation.csv");
   return groupsOf(rows, ["stage", "load", "boundary", "method"]).map((group) => {
@@ -121,7 +115,8 @@ function extrapolationRows() {
   });
 }
 
-function showProvenance() {
+/// Shows what made the results, from what, and how long it took.
+export function showProvenance() {
   const place = document.getElementById("provenance-tables");
   const seconds = study.wall_time_s;
   place.append(table(["", ""], [
@@ -133,7 +128,7 @@ function showProvenance() {
     ["wall time", seconds === null || seconds === undefined ? "not complete" : duration(seconds)],
   ].map((row) => row.map(String))));
   place.append(table(["stage", "particles", "fraction", "smallest gap", "gap in cells", "seed", "packed in"],
-    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percentOfBox(made.fraction),
+    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percentOfWhole(made.fraction),
       made.smallest_gap_m === null ? "" : display(made.smallest_gap_m, "m", 3),
       made.smallest_gap_cells === null ? "" : String(Number(made.smallest_gap_cells.toPrecision(3))),
       String(made.seed ?? ""), display(made.wall_time_s, "s", 2)])));

@@ -1,23 +1,26 @@
-"use strict";
+/// Linear viscoelasticity of Prony series. A series is {equilibrium_Pa, terms: [{relaxation_time_s, modulus_Pa}]}, as
+/// in study.json: M(t) = M_inf + sum of M_i exp(-t / tau_i).
 
-/// A Prony series is {equilibrium_Pa, terms: [{relaxation_time_s, modulus_Pa}]}, as in study.json.
+import {nonNegativeLeastSquares} from "./linear_algebra.js";
+import {logarithmic} from "./sampling.js";
 
-/// M(t) = M_inf + sum of M_i exp(-t / tau_i)
-function relaxationModulus(series, time) {
+/// The relaxation modulus M(t) [Pa] at a time [s].
+export function relaxationModulus(series, time) {
   let modulus = series.equilibrium_Pa;
   for (const term of series.terms) modulus += term.modulus_Pa * Math.exp(-time / term.relaxation_time_s);
   return modulus;
 }
 
-/// s M~(s), what the correspondence principle puts in the place of an elastic modulus.
-function carsonModulus(series, s) {
+/// The Carson modulus s M~(s) [Pa] at a real Laplace variable s [1/s]. By the correspondence principle it takes the
+/// place of the elastic modulus.
+export function carsonModulus(series, s) {
   let modulus = series.equilibrium_Pa;
   for (const {relaxation_time_s: tau, modulus_Pa} of series.terms) modulus += (modulus_Pa * s * tau) / (1 + s * tau);
   return modulus;
 }
 
-/// M'(w) and M''(w)
-function storageModulus(series, frequency) {
+/// The storage modulus M' [Pa] at an angular frequency [rad/s].
+export function storageModulus(series, frequency) {
   let modulus = series.equilibrium_Pa;
   for (const {relaxation_time_s, modulus_Pa} of series.terms) {
     const x = (frequency * relaxation_time_s) ** 2;
@@ -26,7 +29,8 @@ function storageModulus(series, frequency) {
   return modulus;
 }
 
-function lossModulus(series, frequency) {
+/// The loss modulus M'' [Pa] at an angular frequency [rad/s].
+export function lossModulus(series, frequency) {
   let modulus = 0;
   for (const {relaxation_time_s, modulus_Pa} of series.terms) {
     const x = frequency * relaxation_time_s;
@@ -35,28 +39,47 @@ function lossModulus(series, frequency) {
   return modulus;
 }
 
-/// The series with all relaxation times multiplied by a_T.
-function shiftedSeries(series, factor) {
+/// The series with all relaxation times multiplied by the shift factor a_T (time-temperature superposition).
+export function shiftedSeries(series, factor) {
   const terms = series.terms.map(({relaxation_time_s, modulus_Pa}) => ({
     relaxation_time_s: factor * relaxation_time_s, modulus_Pa}));
   return {equilibrium_Pa: series.equilibrium_Pa, terms};
 }
 
-/// log10 a_T of the law of Williams, Landel and Ferry, temperatures in K.
-function decadesOfShift(law, temperature) {
+/// log10 of the shift factor a_T by the law of Williams, Landel and Ferry {c1, c2_K, reference_K} at a temperature [K].
+export function decadesOfShift(law, temperature) {
   const excess = temperature - law.reference_K;
   return (-law.c1 * excess) / (law.c2_K + excess);
 }
 
-/// The series whose Carson moduli are those given, at Laplace variables that rise: a fit with relative weights and no
-/// negative term.
-function seriesOfCarsonModuli(variables, moduli) {
-  // A few close times stand well for one between them: errors in time are some 1e-4.
-  const beyond = 30, perDecade = 30;
-  const times = logarithmic(1 / (beyond * variables.at(-1)), beyond / variables[0], perDecade);
-  const columns = [variables.map((_, j) => 1 / moduli[j]),
-    ...times.map((tau) => variables.map((s, j) => (s * tau) / (1 + s * tau) / moduli[j]))];
-  const [equilibrium, ...strengths] = nonNegativeLeastSquares(columns, variables.map(() => 1));
+/// The bulk modulus K of a solid with the plane-strain bulk modulus K + G/3 and the shear modulus G, all in [Pa]. It
+/// holds for elastic moduli, and so for Carson moduli at one Laplace variable.
+export function bulkModulus(planeStrainBulk, shear) {
+  return planeStrainBulk - shear / 3;
+}
+
+/// The series with the given Carson moduli [Pa] at rising Laplace variables [1/s]: a least-squares fit of the relative
+/// deviations without negative terms.
+export function seriesOfCarsonModuli(variables, moduli) {
+  const beyond = 30;
+  return fittedSeries([1 / (beyond * variables.at(-1)), beyond / variables[0]], variables, moduli,
+    (s, tau) => (s * tau) / (1 + s * tau));
+}
+
+/// The series with the given relaxation moduli [Pa] at rising times [s], by the same fit.
+export function seriesOfRelaxationModuli(times, moduli) {
+  const before = 10, beyond = 30;
+  return fittedSeries([times[0] / before, beyond * times.at(-1)], times, moduli, (t, tau) => Math.exp(-t / tau));
+}
+
+/// Fits a series with relaxation times in a range [s] to moduli at the given abscissas; `shape` is the value of a term
+/// of modulus 1 at an abscissa.
+function fittedSeries([shortest, longest], abscissas, moduli, shape) {
+  // Thirty relaxation times a decade: the two nearest stand for one between them with an error of M(t) of some 1e-4.
+  const times = logarithmic(shortest, longest, 30);
+  const columns = [abscissas.map((_, j) => 1 / moduli[j]),
+    ...times.map((tau) => abscissas.map((x, j) => shape(x, tau) / moduli[j]))];
+  const [equilibrium, ...strengths] = nonNegativeLeastSquares(columns, abscissas.map(() => 1));
   const terms = times.map((relaxation_time_s, i) => ({relaxation_time_s, modulus_Pa: strengths[i]}));
   return {equilibrium_Pa: equilibrium, terms: terms.filter((term) => term.modulus_Pa > 0)};
 }
