@@ -4,6 +4,7 @@
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
+#include "breccia/study/chain.hpp"
 
 namespace breccia::cli {
 
