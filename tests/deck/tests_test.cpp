@@ -124,7 +124,7 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
   EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
-  EXPECT_THAT(with_times("bounds = [\"lowest\"]"), HasSubstr("got \"lowest\", did you mean \"lower\"?"));
+  EXPECT_THAT(with_times("boundaries = [\"tracton\"]"), HasSubstr("got \"tracton\", did you mean \"traction\"?"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
   EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected one of \"last\", \"none\""));
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));

@@ -44,9 +44,12 @@ TEST(Grid, VisitsCellsAndNodesInTheOrderOfTheirLists) {
 }
 
 TEST(Grid, VisitsNothingInAnEmptyRange) {
-  int visits = 0;
-  for_each_index(Index<3>{0, 2, 0}, Index<3>{3, 2, 4}, [&](const Index<3>&) { ++visits; });
-  EXPECT_EQ(visits, 0);
+  const std::vector<Index<3>> ends = {{3, 2, 4}, {0, 5, 4}, {3, 5, -1}};
+  for (const auto& end : ends) {
+    int visits = 0;
+    for_each_index(Index<3>{0, 2, 0}, end, [&](const Index<3>&) { ++visits; });
+    EXPECT_EQ(visits, 0);
+  }
 }
 
 TEST(Grid, PointsFollowTheirLattice) {
