@@ -1,12 +1,10 @@
 // Writes to the standard output, as JSON, numbers by which the tests of the page's scripts judge them: what the library
 // makes of some Prony series, temperature shifts, ramps, grids, reduced responses and quantities for display.
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
-#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
