@@ -59,6 +59,9 @@ Classical<dim>::Classical(DynamicProblem<dim> given, int threads)
   const auto& grid = problem().discretisation.grid();
   grid.for_each_cell([&](const Index<dim>& cell) { add_points(cell); });
   nodes_.resize(grid.node_count());
+  for (int node = 0; node < CellShape<dim>::nodes; ++node) {
+    node_offsets_[static_cast<std::size_t>(node)] = grid.node_index(CellShape<dim>::corner(node));
+  }
   mean_stress_.resize(grid.cell_count());
   sort_points();
 }
@@ -186,11 +189,9 @@ void Classical<dim>::extrapolate_momenta(std::int64_t step) {
 template <int dim>
 std::array<std::size_t, Classical<dim>::nodes_per_cell> Classical<dim>::nodes_of(int cell) const noexcept {
   const auto& grid = problem().discretisation.grid();
+  auto nodes = node_offsets_;
   const auto lowest = grid.node_index(grid.cell_at(static_cast<std::size_t>(cell)));
-  std::array<std::size_t, nodes_per_cell> nodes{};
-  for (int node = 0; node < CellShape<dim>::nodes; ++node) {
-    nodes[static_cast<std::size_t>(node)] = lowest + grid.node_index(CellShape<dim>::corner(node));
-  }
+  for (auto& node : nodes) node += lowest;
   return nodes;
 }
 

@@ -109,6 +109,7 @@ class Classical final : public DynamicSolver<dim> {
   std::vector<double> mean_stress_;      ///< mean of the normal stresses (in 2D of those in the plane) of the points of
                                          ///< each cell [Pa]
   std::vector<Node> nodes_;
+  std::array<std::size_t, nodes_per_cell> node_offsets_{};  ///< of the nodes of a cell, from its lowest one
   std::vector<double> history_;
   double initial_volume_ = 0.0;  ///< of all points [m^dim]
 };

@@ -33,11 +33,12 @@ struct Grid {
   /// The cell at a place in a list of cells.
   [[nodiscard]] Index<dim> cell_at(std::size_t place) const noexcept {
     Index<dim> cell{};
-    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+    for (std::size_t axis = 0; axis + 1 < cell.size(); ++axis) {
       const auto along = static_cast<std::size_t>(cells[axis]);
       cell[axis] = static_cast<int>(place % along);
       place /= along;
     }
+    cell.back() = static_cast<int>(place);
     return cell;
   }
   /// Place in a list of points that follows their lattice, which has two points to a cell along each axis. `point` is
