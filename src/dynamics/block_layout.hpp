@@ -10,8 +10,8 @@
 
 namespace breccia::dynamics {
 
-/// Some rows of cells of a discretisation, [first_row, end_row), as blocks of eight, with the history that their
-/// Maxwell terms need and nothing for elastic points. Rows are filled up with cells without points.
+/// Rows of cells [first_row, end_row) of a discretisation as blocks of eight cells, with the histories of their Maxwell
+/// terms. Elastic points have no history. Rows are filled up with cells without points.
 class BlockLayout {
  public:
   BlockLayout(const DynamicProblem<2>& problem, int first_row, int end_row);
@@ -32,7 +32,7 @@ class BlockLayout {
   [[nodiscard]] std::span<const double> history() const noexcept { return {history_.data(), history_.size() - lanes}; }
   [[nodiscard]] std::span<double> history() noexcept { return {history_.data(), history_.size() - lanes}; }
 
-  /// What the kernel reads of the materials, and what it reads and writes of their histories [B].
+  /// Size of the materials, which the kernel reads, and of the histories, which it reads and writes [B].
   [[nodiscard]] std::size_t material_bytes() const noexcept {
     return blocks_.size() * sizeof(Block) + shares_.size() * sizeof(Share);
   }

@@ -49,9 +49,9 @@ BRECCIA_INLINE Modes strain_modes(const NodeValues& below, const NodeValues& abo
   return {0.5 * (ux0 + ux1), 0.5 * vy, 0.5 * (uy + (vx0 + vx1)), ux1 - ux0, vx1 - vx0};
 }
 
-/// Histories that are 8 KB away are asked for, since the processor by itself looks no further than the end of a page.
-/// The requests are best spread among the terms; but there they keep the compiler from arranging the arithmetic where a
-/// block takes several registers, and stand before the block.
+/// Histories 8 KB ahead are prefetched, since the hardware prefetcher stops at the end of a page. Prefetches are best
+/// spread among the terms. Where a block takes several registers they would keep the compiler from reordering the
+/// arithmetic there, and stand before the block instead.
 constexpr int fetch_distance = 1024;
 constexpr bool fetches_among_terms = parts == 1;
 

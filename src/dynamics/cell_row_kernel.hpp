@@ -48,7 +48,7 @@ struct Block {
   bool relaxes;  ///< at least one material has history
 };
 
-/// One component pair of nodal values along a row of nodes.
+/// A pair of components of nodal values along a row of nodes.
 struct NodeValues {
   const double* x;
   const double* y;

@@ -12,6 +12,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/phases.hpp"
+#include "breccia/study/soundness.hpp"
 
 #include "comparison.hpp"
 #include "matrix_moduli.hpp"
@@ -100,6 +101,7 @@ StudyResult solve(const Study& study, const SolveOptions& options, const StudyOb
 
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink) {
   const auto begin = std::chrono::steady_clock::now();
+  require_sound(study);
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
   StudyResult result;
   for (const auto& stage : study.stages) {

@@ -11,9 +11,9 @@ namespace breccia {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The first t >= 0 at which |r + v t| = distance + rate t: two growing balls touch, `r` and `v` being their relative
-/// position and velocity, `distance` the sum of their radii. `never` if they do not. Balls that overlap by roundoff
-/// touch now if they approach, and not at all if they separate.
+/// The first t >= 0 at which two growing balls touch, |r + v t| = distance + rate t, or `never`. `r` and `v` are their
+/// relative position and velocity, `distance` is the sum of their radii. Balls that overlap by roundoff touch at t = 0
+/// if they approach, and never if they separate.
 template <std::size_t dim>
 [[nodiscard]] inline double contact_time(const std::array<double, dim>& r, const std::array<double, dim>& v,
                                          double distance, double rate) noexcept {

@@ -8,19 +8,20 @@
 
 namespace breccia {
 
-/// The next event of every ball, and the first of them: a four-ary heap of (time, ball) that knows where each ball is.
+/// The next event of every ball, with access to the earliest: a four-ary heap of (time, ball) that knows the place of
+/// each ball.
 class EventQueue {
  public:
   explicit EventQueue(std::size_t balls) : heap_(balls), place_(balls) {
     for (std::uint32_t ball = 0; ball < balls; ++ball) put(ball, {never, ball});
   }
-  /// As another queue was: of each place in the heap the ball, each of them once, and its time.
+  /// Restores a queue: the ball at each place in the heap, every ball once, and the times of their events.
   EventQueue(const std::vector<std::uint32_t>& balls, const std::vector<double>& times)
       : heap_(balls.size()), place_(balls.size()) {
     for (std::size_t place = 0; place < balls.size(); ++place) put(place, {times[place], balls[place]});
   }
 
-  /// Which of two balls with events at the same time is the first depends on where they are in the heap.
+  /// Of two balls with events at the same time, their places in the heap decide which is first.
   [[nodiscard]] std::vector<std::uint32_t> balls() const {
     std::vector<std::uint32_t> all;
     all.reserve(heap_.size());
@@ -34,7 +35,7 @@ class EventQueue {
     return all;
   }
 
-  /// The place above another in the heap; the first is above itself.
+  /// The parent of a place in the heap; the first place is its own parent.
   [[nodiscard]] static std::size_t above(std::size_t place) noexcept { return place > 0 ? (place - 1) / arity : 0; }
 
   [[nodiscard]] std::uint32_t first() const noexcept { return heap_.front().ball; }

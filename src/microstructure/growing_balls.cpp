@@ -12,7 +12,8 @@ namespace breccia {
 
 namespace {
 constexpr std::uint64_t events_per_ball_and_epoch = 20;
-// Balls part at least this fast, or roundoff could make them touch again at once and for ever.
+// Least speed at which balls separate after a contact: with less, roundoff could make them touch again at once,
+// forever.
 constexpr double least_parting_speed = 1e-9;
 
 /// Uniform in [0, 1), the same on every platform.
@@ -111,7 +112,8 @@ void GrowingBalls<dim>::make_lists(double largest_scale) {
   for (const Body& body : bodies_) cubes += std::pow(2.0 * scale_ * body.radius, dim);
   const double room = std::max(0.0, 1.0 - cubes / std::pow(side_, dim));
   const double spacing = side_ * std::pow(static_cast<double>(bodies_.size()), -1.0 / dim);
-  // Wide domains where there is room to fly, narrow ones where neighbours are many; less or more costs little.
+  // Wide domains in a dilute packing, narrow ones in a dense one, where neighbours are many; the exact width matters
+  // little.
   skin_ = std::min((0.15 + 0.5 * room) * spacing, 0.1 * side_);
   std::vector<Vector<dim>> anchors;
   std::vector<double> domains;
@@ -179,7 +181,8 @@ void GrowingBalls<dim>::advance(Body& body) noexcept {
   body.time = now_;
 }
 
-/// Elastic in the frame of the growing surfaces: the balls part as fast as the surfaces met, plus the growth.
+/// A contact that is elastic in the frame of the growing surfaces: the balls separate as fast as the surfaces met, plus
+/// the speed of the growth.
 template <int dim>
 void GrowingBalls<dim>::collide(Body& body, Body& partner, Image image) noexcept {
   Vector<dim> normal = difference(displaced(partner.position, 1.0, images_.shift(image)), body.position);
@@ -257,7 +260,7 @@ void GrowingBalls<dim>::schedule(std::uint32_t ball, const Event& event, double 
   queue_.set(ball, time);
   if (event.kind != EventKind::contact) return;
   Event& of_partner = next_[event.partner];
-  // Whom the partner would have met now has no partner. It has nothing to do before that time, and then looks again.
+  // The ball that the partner would have met has lost its partner. It looks for its next event at the time of that one.
   if (of_partner.kind == EventKind::contact) next_[of_partner.partner].kind = EventKind::none;
   of_partner = {EventKind::contact, ball, PeriodicImages<dim>::opposite(event.image)};
   bodies_[event.partner].next_event = time;

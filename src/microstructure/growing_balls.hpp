@@ -16,14 +16,15 @@ namespace breccia {
 /// Hard balls that move freely, collide, and grow in proportion to their final size: the molecular dynamics of
 /// Lubachevsky and Stillinger (1990), event by event. Lengths are in mean final diameters; speeds are of order one.
 ///
-/// Time passes in epochs. Between two epochs all balls are at one time, the clock is set back to zero (so it loses no
-/// digits), the heat of the growth is taken out, and the neighbour lists are made for the growth to come.
+/// Time passes in epochs. Between two epochs all balls are advanced to the same time, the clock is set back to zero (so
+/// that it loses no digits), the kinetic energy gained from the growth is removed, and the neighbour lists are made for
+/// the growth of the next epoch.
 template <int dim>
 class GrowingBalls {
  public:
   /// Points at random places with random velocities. `diameters` are the final ones, at scale 1.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, std::uint64_t seed);
-  /// As others were between two epochs.
+  /// Continues from a state between two epochs.
   GrowingBalls(double side, Walls walls, const std::vector<double>& diameters, const PackingState<dim>& state);
 
   /// Present size of the balls, as a share of the final one.
@@ -51,11 +52,11 @@ class GrowingBalls {
     double next_event;  // time
   };
   enum class EventKind : std::uint8_t {
-    none,       // the partner has found another: look again
+    none,       // the partner has found another one: look for the next event again
     contact,    // with another ball
     low_wall,   // at 0
     high_wall,  // at the side
-    leave       // its domain
+    leave       // the ball leaves its domain
   };
   struct Event {
     EventKind kind = EventKind::none;

@@ -15,7 +15,7 @@
 
 namespace breccia {
 
-/// Finds the balls near a place, for balls of very different sizes: balls whose radii agree within a factor of two
+/// Finds the balls near a place when balls have very different sizes: balls whose radii agree within a factor of two
 /// share a level, and each level has its own cells, about as large as its balls.
 template <int dim>
 class LevelGrid {
@@ -33,8 +33,8 @@ class LevelGrid {
   void insert(std::uint32_t ball, const Vector<dim>& centre);
   void remove(std::uint32_t ball);
 
-  /// Calls visit(ball, image) for every ball of the grid whose surface may be nearer than `reach` [m] to `centre`:
-  /// for all that are, and some that are not. `centre` is in the box; a periodic box shows the images next to it.
+  /// Calls visit(ball, image) for every ball of the grid whose surface is nearer than `reach` [m] to `centre`, and for
+  /// some others. `centre` is in the box; a periodic box shows the images next to it.
   template <class Visit>
   void visit_near(const Vector<dim>& centre, double reach, Visit&& visit) const;
 
@@ -131,7 +131,7 @@ template <class Visit>
 void LevelGrid<dim>::visit_near(const Vector<dim>& centre, double reach, Visit&& visit) const {
   for (const Level& level : levels_) {
     if (level.present == 0) continue;
-    // in a periodic box the cells go on to the images, in a box with walls they end
+    // in a periodic box the cells continue into the images; in a box with walls they end
     const std::int64_t lowest = walls_ == Walls::periodic ? -level.cells : 0;
     const std::int64_t highest = (walls_ == Walls::periodic ? 2 * level.cells : level.cells) - 1;
     Cell from;

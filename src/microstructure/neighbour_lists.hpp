@@ -16,9 +16,9 @@
 
 namespace breccia {
 
-/// Which balls may touch which. Every ball has a domain, a larger ball around the place where its list was made (its
-/// anchor); its neighbours are the balls whose domains overlap its own. So the lists hold until a ball leaves its
-/// domain, and then only the lists with this ball change (Donev, Torquato, Stillinger 2005).
+/// Lists of the balls that a ball may touch. Every ball has a domain, a larger ball around the place where its list was
+/// made (its anchor); its neighbours are the balls whose domains overlap its own. The lists stay valid until a ball
+/// leaves its domain, and then only the lists with this ball change (Donev, Torquato, Stillinger 2005).
 template <int dim>
 class NeighbourLists {
  public:
@@ -28,7 +28,7 @@ class NeighbourLists {
     Image image;  // in which the neighbour is seen
   };
 
-  /// All lists anew. `anchors` are in the box; `domains` are the radii of the domains [m].
+  /// Makes all lists. `anchors` are in the box; `domains` are the radii of the domains [m].
   NeighbourLists(double side, Walls walls, std::vector<Vector<dim>> anchors, std::vector<double> domains);
 
   [[nodiscard]] std::span<const Neighbour> of(std::size_t ball) const noexcept { return lists_[ball]; }
@@ -55,7 +55,7 @@ NeighbourLists<dim>::NeighbourLists(double side, Walls walls, std::vector<Vector
       domains_(std::move(domains)),
       grid_(side, walls, domains_),
       lists_(anchors_.size()) {
-  // Large balls first: a ball then looks only for larger ones, which are few.
+  // Large balls first: a ball then looks for larger ones alone, which are few.
   std::vector<std::uint32_t> order(anchors_.size());
   std::iota(order.begin(), order.end(), 0U);
   std::ranges::stable_sort(order, {}, [this](std::uint32_t ball) { return grid_.level(ball); });

@@ -57,8 +57,8 @@ double fraction(const PackingRequest& request, double gap) {
   return cubes * std::numbers::pi / (2.0 * dim);
 }
 
-/// The densest that discs can be whose diameters have at least this ratio, smallest to largest: Florian, Rendiconti del
-/// Circolo Matematico di Palermo 9 (1960) 300. For equal discs the hexagonal packing, pi / sqrt(12).
+/// Upper bound of the area fraction of discs whose diameters have at least this ratio, smallest to largest: Florian,
+/// Rendiconti del Circolo Matematico di Palermo 9 (1960) 300. For equal discs the hexagonal packing, pi / sqrt(12).
 double densest_packing_of_discs(double ratio) {
   return (std::numbers::pi * ratio * ratio + 2.0 * (1.0 - ratio * ratio) * std::asin(ratio / (1.0 + ratio))) /
          (2.0 * ratio * std::sqrt(1.0 + 2.0 * ratio));
@@ -107,7 +107,7 @@ std::vector<double> inflated_diameters(const PackingRequest& request) {
   return inflated;
 }
 
-/// A queue of events holds every ball once, and none before the one above it.
+/// True if a queue of events holds every ball once, and no ball earlier than its parent in the heap.
 bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, const std::vector<double>& times) {
   if (balls.size() != count || times.size() != count) return false;
   std::vector<bool> is_there(count, false);
@@ -119,7 +119,7 @@ bool is_queue_of(std::size_t count, const std::vector<std::uint32_t>& balls, con
   return true;
 }
 
-/// Do balls of their present size overlap, each other or hard walls? In a box of the same unit of length.
+/// True if balls of their present size overlap each other or hard walls. The box is in the same unit of length.
 template <int dim>
 bool overlap(double side, Walls walls, const PackingState<dim>& state, const std::vector<double>& diameters) {
   constexpr double roundoff = 1e-6;
@@ -207,7 +207,7 @@ void PackingRun<dim>::advance() {
   const double before = balls_->scale();
   balls_->grow(rate);
   const double scale = balls_->scale();
-  // Near jamming each epoch brings a constant part of the little way that is left, and collisions without number.
+  // Near jamming an epoch brings only a constant part of the growth that is left, with more and more collisions.
   if (is_done() || scale - before >= 0.01 * rate * (1.0 - scale)) return;
   largest_scale_ = std::max(largest_scale_, scale);
   if (jams_ + 1 < growth_rate_shares.size()) {

@@ -9,13 +9,17 @@
 
 namespace breccia {
 
-/// The 3^dim copies of a periodic box around and including itself. An image is a number: its digits in base 3 say, axis
-/// by axis, whether the copy lies one side below (0), in place (1) or one side above (2).
+/// A periodic box and the copies of it that touch it, 3^dim in all. An image is a number; its digits in base 3 say,
+/// axis by axis, whether the copy lies one side below (0), in place (1) or one side above (2).
 template <int dim>
 class PeriodicImages {
  public:
   using Image = std::uint32_t;
-  static constexpr Image count = dim == 2 ? 9 : 27;
+  static constexpr Image count = [] {
+    Image images = 1;
+    for (int axis = 0; axis < dim; ++axis) images *= 3;
+    return images;
+  }();
   static constexpr Image in_place = (count - 1) / 2;
   [[nodiscard]] static constexpr Image opposite(Image image) noexcept { return count - 1 - image; }
 

@@ -105,7 +105,7 @@ SizeDistribution SizeDistribution::truncated(double from, double to) const {
   result.smallest_ = std::max(smallest_, from);
   result.largest_ = std::min(largest_, to);
   if (result.largest_ >= result.smallest_) {
-    // What has exactly the diameter `smallest_` is inside.
+    // Particles of exactly the diameter `smallest_` belong to the truncated distribution.
     result.below_ = untruncated(std::nextafter(result.smallest_, 0.0));
     result.within_ = untruncated(result.largest_) - result.below_;
   }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_microstructure_state.hpp"
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"

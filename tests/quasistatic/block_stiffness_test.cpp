@@ -16,7 +16,7 @@ double difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 class RandomBlock : public testing::TestWithParam<double> {
  protected:
-  std::vector<CellMatrix> cells_ = test::random_cells(shape.columns * shape.rows, GetParam(), 3);
+  std::vector<CellShape<2>::Stiffness> cells_ = test::random_cells(shape.columns * shape.rows, GetParam(), 3);
   BlockStiffness stiffness_{test::block_of(shape, cells_), 1.0};
   Eigen::MatrixXd dense_ = test::dense_stiffness(shape, cells_);
   Eigen::MatrixXd a_ii_ = dense_.topLeftCorner(inside, inside);

@@ -30,7 +30,7 @@ struct Pair {
   }
 };
 
-Eigen::MatrixXd condensed(const Block& shape, const std::vector<CellMatrix>& cells) {
+Eigen::MatrixXd condensed(const Block& shape, const std::vector<CellShape<2>::Stiffness>& cells) {
   return BlockStiffness(test::block_of(shape, cells), 1.0).condensed();
 }
 
@@ -100,10 +100,10 @@ TEST_P(RandomEdge, LeavesNoJumpWhoseEnergyAveragingMultipliesByMoreThanTheTolera
 INSTANTIATE_TEST_SUITE_P(Contrasts, RandomEdge, testing::Values(1.0, 1e2, 1e4));
 
 /// Stiffness of a cell of one isotropic material.
-CellMatrix uniform_cell(double bulk, double shear) {
-  std::array<Moduli, points_per_cell> moduli{};
+CellShape<2>::Stiffness uniform_cell(double bulk, double shear) {
+  CellShape<2>::PointModuli moduli{};
   moduli.fill({.bulk = bulk, .shear = shear});
-  return cell_stiffness(moduli, Volumetric::averaged);
+  return CellShape<2>::stiffness(moduli, Volumetric::averaged);
 }
 
 TEST(EdgeAverage, OfMirroredBlocksIsTheMean) {
@@ -121,8 +121,8 @@ TEST(EdgeAverage, OfMirroredBlocksIsTheMean) {
 TEST(EdgeAverage, FollowsTheStifferBlock) {
   Pair pair;
   const auto soft = uniform_cell(2.0, 1.0);
-  pair.lower = condensed(pair.lower_shape, std::vector<CellMatrix>(30, 1e6 * soft));
-  pair.upper = condensed(pair.upper_shape, std::vector<CellMatrix>(24, soft));
+  pair.lower = condensed(pair.lower_shape, std::vector<CellShape<2>::Stiffness>(30, 1e6 * soft));
+  pair.upper = condensed(pair.upper_shape, std::vector<CellShape<2>::Stiffness>(24, soft));
   EXPECT_LT((pair.average().lower_weight - Eigen::MatrixXd::Identity(10, 10)).norm(), 1e-5);
 }
 

@@ -15,8 +15,8 @@ struct SolveOptions {
 
 /// Solves a study: packs its stages and runs their tests, one stage after the other, each as the matrix of the stages
 /// that build on it. Everything stays in the memory but for what a sink takes; no file is written. Throws InputError
-/// where the study cannot be (a packing, a stage without its matrix) or will not fit into the memory, NumericalError
-/// where a calculation fails, and what observer and sink throw.
+/// where the study is not sound (require_sound), its particles cannot be placed, or it will not fit into the memory,
+/// NumericalError where a calculation fails, and what observer and sink throw.
 StudyResult solve(const Study& study, const SolveOptions& options = {}, const StudyObserver& observer = {});
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink);
 

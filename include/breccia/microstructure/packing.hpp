@@ -11,23 +11,23 @@
 
 namespace breccia {
 
-/// What is to be packed, and how.
+/// The particles to pack, the box, and how to pack them.
 struct PackingRequest {
   double side = 0.0;  ///< of the box [0, side]^dim [m]
   Walls walls = Walls::hard;
   std::vector<double> diameters;  ///< [m]
   double minimum_gap = 0.0;       ///< between surfaces [m]; half of it to a hard wall
   std::uint64_t seed = 1;         ///< the same seed gives the same packing
-  /// Speed at which particles of mean diameter grow in diameter, in units of the speed at which they move; at most 1. A
-  /// packing that jams early is tried again, more slowly. Slow growth packs denser and takes longer.
+  /// Growth rate of the mean diameter, in units of the speed at which particles move; at most 1. A packing that jams
+  /// too early is repeated with slower growth. Slow growth packs denser and takes longer.
   double growth_rate = 0.1;
 };
 
-/// What keeps particles from being packed.
+/// Why particles cannot be packed.
 enum class PackingObstacle {
-  size,     ///< the largest of them, with the gap, is wider than the box
-  density,  ///< no arrangement of such particles is so dense
-  jam       ///< they have jammed at every growth rate
+  size,     ///< the largest particle, with the gap, is wider than the box
+  density,  ///< no arrangement of particles of such sizes is so dense
+  jam       ///< the particles jammed at every growth rate
 };
 
 /// A packing that is impossible.
@@ -36,8 +36,8 @@ class PackingError : public NumericalError {
   PackingError(PackingObstacle obstacle, double attainable_fraction, const std::string& message)
       : NumericalError(message), obstacle_(obstacle), attainable_fraction_(attainable_fraction) {}
   [[nodiscard]] PackingObstacle obstacle() const noexcept { return obstacle_; }
-  /// Of the particles with half the gap around each: the volume fraction at which they have jammed, or that of the
-  /// densest arrangement [-]; 0 where one of them does not fit into the box.
+  /// Volume fraction of the particles, each with half the gap around it, at which they jammed, or of their densest
+  /// arrangement [-]; 0 where a particle does not fit into the box.
   [[nodiscard]] double attainable_fraction() const noexcept { return attainable_fraction_; }
 
  private:
@@ -51,25 +51,25 @@ template <int dim>
 
 extern template double inflated_fraction<2>(const PackingRequest&);
 
-/// How far a packing has come.
+/// Progress of a packing.
 struct PackingProgress {
   std::uint64_t events;      ///< collisions and other events so far
-  double fraction;           ///< volume fraction of the particles at their present size; falls when a jam is loosened
-  double fraction_to_reach;  ///< and at their final size
+  double fraction;           ///< volume fraction at the present size of the particles; falls when a jam is loosened
+  double fraction_to_reach;  ///< volume fraction at their final size
 };
 
-/// A packing on its way: with the request, all that it takes to go on to the same bits. Lengths are in mean final
-/// diameters with the gap; of time there is no unit but the one that makes the mean speed of order one.
+/// State of an unfinished packing. With the request it has all that is needed to continue to the same bits. The unit of
+/// length is the mean final diameter with the gap; the unit of time makes the mean speed of order one.
 template <int dim>
 struct PackingState {
-  std::size_t jams = 0;                 ///< that were loosened
-  double largest_scale = 0.0;           ///< at which it has jammed, as a share of the final size [-]
-  double scale = 0.0;                   ///< present size of the particles, as a share of the final one [-]
+  std::size_t jams = 0;                 ///< number of jams that were loosened
+  double largest_scale = 0.0;           ///< largest scale at which it has jammed [-]
+  double scale = 0.0;                   ///< present size of the particles over their final size [-]
   std::uint64_t events = 0;             ///< so far
   std::vector<Vector<dim>> positions;   ///< of the particles
   std::vector<Vector<dim>> velocities;  ///< of the particles
-  /// The particles as the heap of their events has them. Which of two that meet is moved first, and so the last digit,
-  /// depends on it.
+  /// The particles in the order of the heap of events. It decides which of two particles that meet is moved first, and
+  /// so the last digits.
   std::vector<std::uint32_t> queue;
   std::vector<double> queue_times;  ///< of the event of each particle of `queue`
 };
@@ -86,14 +86,15 @@ template <int dim>
 class GrowingBalls;
 
 /// Places balls at random by the method of Lubachevsky and Stillinger (1990): points with random places and velocities
-/// grow, and collide, until they have the diameters asked for. Step by step, so that it can be followed and
+/// grow, and collide, until they have the diameters asked for. It runs step by step, so that it can be followed and
 /// interrupted.
 template <int dim>
 class PackingRun {
  public:
   /// Throws InputError on arguments without meaning, PackingError if the packing is impossible.
   explicit PackingRun(PackingRequest request);
-  /// Goes on from where another run with this request was. Throws InputError, too, if the state is of no such run.
+  /// Continues another run with this request from its state. Also throws InputError if the state belongs to another
+  /// request.
   PackingRun(PackingRequest request, const PackingState<dim>& state);
   PackingRun(PackingRun&&) noexcept;
   PackingRun& operator=(PackingRun&&) noexcept;
@@ -102,8 +103,8 @@ class PackingRun {
   ~PackingRun();
 
   [[nodiscard]] bool is_done() const noexcept;
-  /// As far as the particles grow by a tenth, or twenty events come to each. Throws PackingError if they jam at every
-  /// growth rate before they have the diameters asked for (the message says how far it came).
+  /// Runs until the particles have grown by a tenth, or each has had twenty events on average. Throws PackingError if
+  /// they jam at every growth rate before they have the diameters asked for (the message says how far they came).
   void advance();
   [[nodiscard]] PackingProgress progress() const noexcept;
   [[nodiscard]] PackingState<dim> state() const;
@@ -119,7 +120,7 @@ class PackingRun {
 
 extern template class PackingRun<2>;
 
-/// A packing in one go. Throws as the members of PackingRun do.
+/// A whole packing in one call. Throws as the members of PackingRun do.
 template <int dim>
 [[nodiscard]] Packing<dim> pack(const PackingRequest& request);
 

@@ -22,10 +22,11 @@ class SizeDistribution {
   [[nodiscard]] static SizeDistribution monodisperse(double diameter);
   /// A sum of lognormal distributions, its weights made to sum to 1.
   [[nodiscard]] static SizeDistribution lognormal_mixture(std::vector<LognormalComponent> components);
-  /// Points of F: strictly rising diameters [m], and F there, rising from 0 to 1. Between them F is linear in log d.
+  /// A table of F: strictly rising diameters [m] and the values of F there, rising from 0 to 1. Between them F is
+  /// linear in log d.
   [[nodiscard]] static SizeDistribution tabulated(std::vector<double> diameters, std::vector<double> cumulative);
 
-  /// The particles of diameter `from` to `to` [m] alone, their volume scaled to 1.
+  /// The distribution of the particles of diameter `from` to `to` [m] alone.
   [[nodiscard]] SizeDistribution truncated(double from, double to) const;
 
   /// F(d), d in [m].
@@ -56,7 +57,7 @@ class SizeDistribution {
   double within_ = 1.0;  // share of the law from `smallest_` to `largest_`
 };
 
-/// More particles in a box are taken for a mistake, which would run for days.
+/// More particles in a box are refused as a mistake: their packing would run for days.
 inline constexpr std::size_t most_particles = 1'000'000;
 
 /// Diameters [m], from the largest down, of balls that fill `fraction` of a box of this side [m] in `dim` dimensions

@@ -20,7 +20,7 @@ std::vector<Moduli> AffineStiffness::moduli_at(std::span<const double> parameter
   return moduli;
 }
 
-AffineStiffness affine_stiffness(const std::vector<Material>& materials, MaterialIndex matrix) {
+AffineStiffness affine_stiffness(const std::vector<Material>& materials, PhaseIndex matrix) {
   const auto count = materials.size();
   AffineStiffness stiffness = {std::vector<Moduli>(count, {0.0, 0.0}), {}};
   for (std::size_t m = 0; m < count; ++m) {

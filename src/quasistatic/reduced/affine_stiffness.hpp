@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "breccia/discretisation/cell.hpp"
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/moduli.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -26,6 +26,6 @@ struct AffineStiffness {
 
 /// The affine stiffness of a composite in which the moduli of the matrix vary and all other materials are elastic.
 /// Throws InputError when another material relaxes.
-AffineStiffness affine_stiffness(const std::vector<Material>& materials, MaterialIndex matrix);
+AffineStiffness affine_stiffness(const std::vector<Material>& materials, PhaseIndex matrix);
 
 }  // namespace breccia::quasistatic

@@ -50,15 +50,15 @@ BlockStiffness::BlockStiffness(const BlockKind& kind, double stiffness_of_held)
 /// Adds the stiffness of a cell to A_ii (in the place of its factor), A_ib and A_bb. Its nodes have the numbers of
 /// numbers_of_nodes().
 void BlockStiffness::add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes,
-                              const CellMatrix& stiffness) {
+                              const CellShape<2>::Stiffness& stiffness) {
   const auto is_held = [&](int node, Eigen::Index unknown) {
     return node < 0 && held[static_cast<std::size_t>(unknown)];
   };
-  for (int a = 0; a < cell_dofs; ++a) {
+  for (int a = 0; a < CellShape<2>::dofs; ++a) {
     const int node = nodes[static_cast<std::size_t>(a / 2)];
     const Eigen::Index i = 2 * (node < 0 ? -node - 1 : node) + a % 2;
     if (is_held(node, i)) continue;
-    for (int b = 0; b < cell_dofs; ++b) {
+    for (int b = 0; b < CellShape<2>::dofs; ++b) {
       const int other = nodes[static_cast<std::size_t>(b / 2)];
       const Eigen::Index j = 2 * (other < 0 ? -other - 1 : other) + b % 2;
       if (is_held(other, j)) continue;

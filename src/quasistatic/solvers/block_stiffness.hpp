@@ -38,7 +38,8 @@ class BlockStiffness {
  private:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  void add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes, const CellMatrix& stiffness);
+  void add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes,
+                const CellShape<2>::Stiffness& stiffness);
   void factorise();
   template <class Rows>
   void solve_lower(Rows& right) const;

@@ -1,0 +1,39 @@
+#include "breccia/campaign/run.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "study/two_stages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+
+// Two studies without a hash could not be told apart on the disk.
+TEST(RunStudy, RefusesAStudyWithoutAHash) {
+  const test::TemporaryDirectory directory;
+  const auto results = directory.path() / "results";
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(test::two_stages(), results)); }),
+              HasSubstr("does not come from a deck"));
+  EXPECT_FALSE(std::filesystem::exists(results));
+}
+
+TEST(RunStudy, LeavesNothingBehindWhereItFailsAtOnce) {
+  auto study = test::two_stages();
+  study.provenance.hash = "0123456789abcdef";
+  study.stages[0].filler->sizes = SingleSize{10.0};
+  const test::TemporaryDirectory directory;
+  const auto results = directory.path() / "results";
+  EXPECT_THROW(static_cast<void>(run_study(study, results)), Error);
+  EXPECT_FALSE(std::filesystem::exists(results));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,114 @@
+#include "breccia/homogenisation/solve.hpp"
+
+#include <filesystem>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/campaign/run.hpp"
+#include "breccia/error.hpp"
+
+#include "study/two_stages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+// Without particles the box is its matrix: the modulus is that of the material at all times.
+TEST(Solve, ABoxWithoutParticlesHasTheModulusOfItsMatrix) {
+  Study study;
+  study.stages = {{.name = "plain", .matrix = test::binder, .side = 1e-3, .cells = 4, .filler = std::nullopt}};
+  study.tests.first_time = 1e-4;
+  study.tests.last_time = 0.1;
+  study.tests.boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
+  const auto result = solve(study);
+  ASSERT_THAT(result.stages, SizeIs(1));
+  ASSERT_THAT(result.stages.front().tests, SizeIs(3));
+  for (const auto& test : result.stages.front().tests) {
+    for (const auto& [time, modulus] : test.modulus) {
+      EXPECT_NEAR(modulus / test::binder.shear.at(time), 1.0, 1e-8) << name_of(test.id.boundary) << ", " << time;
+    }
+  }
+}
+
+TEST(Solve, GivesTheBitsOfARunInADirectory) {
+  auto study = test::two_stages();
+  study.tests.methods = {Method::quasistatic, Method::dynamic};
+  const auto solved = solve(study);
+  const test::TemporaryDirectory directory;
+  study.provenance.hash = "0123456789abcdef";
+  const auto run = run_study(study, directory.path() / "results");
+  ASSERT_EQ(solved.stages.size(), run.stages.size());
+  for (std::size_t i = 0; i < run.stages.size(); ++i) {
+    const auto &one = solved.stages[i].tests, &other = run.stages[i].tests;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t test = 0; test < one.size(); ++test) {
+      EXPECT_EQ(one[test].id, other[test].id);
+      EXPECT_EQ(one[test].modulus, other[test].modulus);
+      EXPECT_EQ(one[test].compliance, other[test].compliance);
+    }
+  }
+}
+
+TEST(Solve, KeepsFieldsInTheMemoryAndWritesNoFile) {
+  auto study = test::two_stages();
+  study.tests.field_times = {study.tests.last_time};
+  const auto entries = [] {
+    const std::filesystem::directory_iterator all(std::filesystem::current_path());
+    return std::distance(begin(all), end(all));
+  };
+  const auto before = entries();
+  const auto result = solve(study);
+  EXPECT_EQ(entries(), before);
+  const auto& in_shear = result.stages.back().tests.front();
+  ASSERT_THAT(in_shear.fields, SizeIs(1));
+  EXPECT_EQ(in_shear.fields.front().time, study.tests.last_time);
+  EXPECT_THAT(in_shear.fields.front().fields.stress, SizeIs(result.stages.back().points));
+  EXPECT_THAT(in_shear.field_files, IsEmpty());
+}
+
+/// Writes down what it is told.
+class Recorder final : public StudySink {
+ public:
+  void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }
+  void tested(const Stage& stage, const StudyResult& result) override {
+    calls.push_back("tested " + stage.name + " " + name_of(result.stages.back().tests.back().id.load));
+  }
+  void all_loads_tested(const Stage& stage, const StudyResult&) override { calls.push_back("all of " + stage.name); }
+  void stage_finished(const Stage& stage, const StudyResult&) override { calls.push_back("finished " + stage.name); }
+
+  std::vector<std::string> calls;
+};
+
+TEST(Solve, HandsItsPartsToASinkAsTheyAreFound) {
+  auto study = test::two_stages();
+  study.tests.boundaries = {Boundary::displacement};
+  Recorder recorder;
+  const auto result = solve(study, {.threads = 1}, {}, recorder);
+  EXPECT_THAT(recorder.calls,
+              ElementsAre("packed fine", "tested fine shear", "tested fine bulk", "all of fine", "finished fine",
+                          "packed coarse", "tested coarse shear", "all of coarse", "finished coarse"));
+  EXPECT_TRUE(result.seconds.has_value());
+}
+
+TEST(Solve, RefusesAStudyThatIsNotSound) {
+  auto study = test::two_stages();
+  study.stages[0].matrix = EarlierStage{"none"};
+  EXPECT_THROW(static_cast<void>(solve(study)), InputError);
+}
+
+TEST(Solve, WhatAnObserverThrowsEndsIt) {
+  StudyObserver observer;
+  observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
+  EXPECT_THROW(static_cast<void>(solve(test::two_stages(), {}, observer)), Interrupted);
+}
+
+}  // namespace
+}  // namespace breccia

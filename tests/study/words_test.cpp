@@ -1,0 +1,32 @@
+#include "breccia/words.hpp"
+
+#include <set>
+#include <string>
+#include <type_traits>
+
+#include <gtest/gtest.h>
+
+#include "breccia/dynamics/dynamic_problem.hpp"
+#include "breccia/study/tests.hpp"
+
+namespace breccia {
+namespace {
+
+template <class Enum>
+class Words : public testing::Test {};
+using Enumerations =
+    testing::Types<Load, Boundary, Method, Volumetric, Solver, SampledRange, LinearMethod, Formulation, Start>;
+TYPED_TEST_SUITE(Words, Enumerations);
+
+TYPED_TEST(Words, LeadThereAndBack) {
+  std::set<std::string> names;
+  for (const auto& [word, value] : words<TypeParam>) {
+    EXPECT_EQ(name_of(value), word);
+    EXPECT_EQ(value_named<TypeParam>(word), value);
+    EXPECT_TRUE(names.insert(std::string(word)).second) << word << " stands twice";
+  }
+  EXPECT_EQ(value_named<TypeParam>("none of them"), std::nullopt);
+}
+
+}  // namespace
+}  // namespace breccia
