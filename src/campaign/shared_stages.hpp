@@ -14,7 +14,8 @@ namespace breccia {
 struct Sweep;
 
 /// What has become of stages that several tasks of a sweep have in common: the first task that comes to one computes
-/// it, the others take it over. Stages are known by the hash of all that their results depend on (Provenance::stage_hashes).
+/// it, the others take it over. Stages are known by the hash of all that their results depend on
+/// (Provenance::stage_hashes).
 class SharedStages {
  public:
   struct Entry {

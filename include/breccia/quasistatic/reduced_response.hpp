@@ -27,7 +27,7 @@ struct Snapshot {
 enum class ElasticModulus { shear, bulk };
 
 /// Name of the phase that a composite's matrix is.
-inline constexpr std::string_view matrix_phase = "matrix";
+inline constexpr std::string_view name_of_matrix_phase = "matrix";
 
 /// A modulus of a phase.
 struct PhaseModulus {

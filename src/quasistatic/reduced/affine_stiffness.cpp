@@ -35,7 +35,7 @@ AffineStiffness affine_stiffness(const std::vector<Material>& materials, PhaseIn
   const auto add_part = [&](ElasticModulus modulus, const Moduli& one) {
     std::vector<Moduli> unit(count, {0.0, 0.0});
     unit.at(matrix) = one;
-    stiffness.parts.push_back({{std::string(matrix_phase), modulus}, std::move(unit)});
+    stiffness.parts.push_back({{std::string(name_of_matrix_phase), modulus}, std::move(unit)});
   };
   add_part(ElasticModulus::shear, {.bulk = 0.0, .shear = 1.0});
   add_part(ElasticModulus::bulk, {.bulk = 1.0, .shear = 0.0});

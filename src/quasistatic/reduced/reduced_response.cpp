@@ -74,12 +74,12 @@ CreepCompliance sum_of_poles(const ReducedResponse& response, double bulk, const
 }  // namespace
 
 std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk) {
-  const std::string phase(matrix_phase);
+  const std::string phase(name_of_matrix_phase);
   return {{{phase, ElasticModulus::shear}, std::move(shear)}, {{phase, ElasticModulus::bulk}, std::move(bulk)}};
 }
 
 const Eigen::MatrixXd& ReducedResponse::part(ElasticModulus modulus) const {
-  const PhaseModulus wanted = {std::string(matrix_phase), modulus};
+  const PhaseModulus wanted = {std::string(name_of_matrix_phase), modulus};
   const auto found = std::ranges::find(parts, wanted, &AffinePart::parameter);
   if (found == parts.end()) throw InputError("reduced response: no part of its stiffness belongs to the matrix");
   return found->stiffness;
@@ -89,7 +89,7 @@ std::vector<double> ReducedResponse::parameters(const Moduli& matrix) const {
   std::vector<double> parameters;
   parameters.reserve(parts.size());
   for (const auto& [parameter, stiffness] : parts) {
-    if (parameter.phase != matrix_phase) {
+    if (parameter.phase != name_of_matrix_phase) {
       throw InputError(
           fmt::format("reduced response: the moduli of {} vary too, not those of the matrix alone", parameter.phase));
     }
