@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/campaign/run.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
+#include "breccia/study/chain.hpp"
 
 namespace breccia::cli {
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/display.hpp"
+#include "breccia/results/sweep_spread.hpp"
 
 namespace breccia::cli {
 namespace {

@@ -69,8 +69,10 @@ void Classical<dim>::sort_points() {
   for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) cell_begin_[cell + 1] += cell_begin_[cell];
 }
 
+template void Classical<2>::bring_back(Classical<2>::Point&, std::int64_t) const;
 template void Classical<2>::locate_points(std::int64_t);
 template void Classical<2>::sort_points();
+template void Classical<3>::bring_back(Classical<3>::Point&, std::int64_t) const;
 template void Classical<3>::locate_points(std::int64_t);
 template void Classical<3>::sort_points();
 

@@ -1,9 +1,11 @@
-#include "breccia/campaign/sweep.hpp"
+#include "breccia/deck/sweep.hpp"
 
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "breccia/results/sweep_spread.hpp"
 
 #include "decks.hpp"
 
@@ -250,7 +252,7 @@ TEST_F(SweepDeck, SpreadsAreOverTheSeedsAlone) {
   const auto sweep = read("[sweep]\n\"stages.*.cells\" = [10, 20]\n\"stages.*.packing.seed\" = [1, 2, 3]\n");
   SweepResult result(6);
   const auto done = [&](std::size_t task, double modulus) {
-    result[task] = {TaskState::done, {{"HB-1", "shear", "displacement", "quasistatic", "10", {{1.0, modulus}}}}};
+    result[task] = {TaskState::done, {{"HB-1", {.grid = TestGrid(10)}, {{1.0, modulus}}}}};
   };
   done(0, 1e6);
   done(1, 2e6);

@@ -11,13 +11,13 @@
 namespace breccia {
 namespace {
 
-TEST(Discretisation<2>, StartsAsMatrix) {
+TEST(Discretisation, StartsAsMatrix) {
   const Discretisation<2> box(Grid<2>{{3, 2}, 0.5});
   EXPECT_EQ(box.points(), 24U);
   EXPECT_EQ(box.fractions(2), (std::vector<double>{1.0, 0.0}));
 }
 
-TEST(Discretisation<2>, PointsLieAQuarterFromTheCentre) {
+TEST(Discretisation, PointsLieAQuarterFromTheCentre) {
   const Discretisation<2> box(Grid<2>{{4, 4}, 2.0});
   EXPECT_EQ(box.position({0, 0}, 0), (Vector<2>{0.5, 0.5}));
   EXPECT_EQ(box.position({1, 2}, 1), (Vector<2>{3.5, 4.5}));
@@ -25,14 +25,14 @@ TEST(Discretisation<2>, PointsLieAQuarterFromTheCentre) {
   EXPECT_EQ(box.position({3, 3}, 3), (Vector<2>{7.5, 7.5}));
 }
 
-TEST(Discretisation<2>, SamplesTheAreaOfADisc) {
+TEST(Discretisation, SamplesTheAreaOfADisc) {
   const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.6}}};
   const double exact = std::numbers::pi * 0.09;
   EXPECT_NEAR(discretise(one_disc, 50, 0, 1).fractions(2)[1], exact, 0.01 * exact);
   EXPECT_NEAR(discretise(one_disc, 400, 0, 1).fractions(2)[1], exact, 0.001 * exact);
 }
 
-TEST(Discretisation<2>, SeesTheImagesInAPeriodicBox) {
+TEST(Discretisation, SeesTheImagesInAPeriodicBox) {
   Microstructure<2> corner_disc = {1.0, Walls::periodic, {Disc{{0.01, 0.02}, 0.5}}};
   const double exact = std::numbers::pi * 0.0625;
   EXPECT_NEAR(discretise(corner_disc, 200, 0, 1).fractions(2)[1], exact, 0.005 * exact);
@@ -40,7 +40,7 @@ TEST(Discretisation<2>, SeesTheImagesInAPeriodicBox) {
   EXPECT_LT(discretise(corner_disc, 200, 0, 1).fractions(2)[1], 0.35 * exact);
 }
 
-TEST(Discretisation<2>, DiscsAndTheirTestAgreePointByPoint) {
+TEST(Discretisation, DiscsAndTheirTestAgreePointByPoint) {
   const Disc disc = {{0.43, 0.61}, 0.37};
   Discretisation<2> by_disc(Grid<2>{{37, 37}, 1.0 / 37}), by_test(Grid<2>{{37, 37}, 1.0 / 37});
   by_disc.paint(disc, 1);
@@ -48,13 +48,13 @@ TEST(Discretisation<2>, DiscsAndTheirTestAgreePointByPoint) {
   EXPECT_EQ(by_disc.cells(), by_test.cells());
 }
 
-TEST(Discretisation<2>, SamplesTheVolumeOfASphereAcrossTheSides) {
+TEST(Discretisation, SamplesTheVolumeOfASphereAcrossTheSides) {
   const Microstructure<3> corner_sphere = {1.0, Walls::periodic, {{{0.01, 0.02, 0.99}, 0.6}}};
   const double exact = std::numbers::pi / 6.0 * 0.216;
   EXPECT_NEAR(discretise(corner_sphere, 30, 0, 1).fractions(2)[1], exact, 0.01 * exact);
 }
 
-TEST(Discretisation<2>, EachParticleHasItsPhase) {
+TEST(Discretisation, EachParticleHasItsPhase) {
   const Microstructure<2> two_discs = {1.0, Walls::hard, {{{0.25, 0.5}, 0.4}, {{0.75, 0.5}, 0.2}}};
   const std::vector<PhaseIndex> phases = {2, 0};
   const auto box = discretise(two_discs, 200, 1, phases);
@@ -66,7 +66,7 @@ TEST(Discretisation<2>, EachParticleHasItsPhase) {
   EXPECT_THROW((void)discretise(two_discs, 4, 1, std::vector<PhaseIndex>{2}), InputError);
 }
 
-TEST(Discretisation<2>, RefusesABoxWithoutCells) {
+TEST(Discretisation, RefusesABoxWithoutCells) {
   EXPECT_THROW(Discretisation<2>(Grid<2>{{0, 3}, 1.0}), InputError);
   EXPECT_THROW(Discretisation<2>(Grid<2>{{3, 3}, 0.0}), InputError);
 }

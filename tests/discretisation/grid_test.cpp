@@ -8,7 +8,7 @@
 namespace breccia {
 namespace {
 
-TEST(Grid<2>, CountsCellsAndNodes) {
+TEST(Grid, CountsCellsAndNodes) {
   const Grid<2> plane{{3, 2}, 0.5};
   EXPECT_EQ(plane.cell_count(), 6U);
   EXPECT_EQ(plane.node_count(), 12U);
@@ -19,7 +19,7 @@ TEST(Grid<2>, CountsCellsAndNodes) {
   EXPECT_DOUBLE_EQ(space.volume(), 3.0);
 }
 
-TEST(Grid<2>, TheFirstAxisRunsFastest) {
+TEST(Grid, TheFirstAxisRunsFastest) {
   const Grid<3> grid{{3, 2, 4}, 1.0};
   EXPECT_EQ(grid.cell_index({1, 0, 0}), 1U);
   EXPECT_EQ(grid.cell_index({0, 1, 0}), 3U);
@@ -30,7 +30,7 @@ TEST(Grid<2>, TheFirstAxisRunsFastest) {
   EXPECT_EQ((Grid<2>{{3, 2}, 1.0}.node_index({2, 1})), 6U);
 }
 
-TEST(Grid<2>, VisitsCellsAndNodesInTheOrderOfTheirLists) {
+TEST(Grid, VisitsCellsAndNodesInTheOrderOfTheirLists) {
   const Grid<3> grid{{3, 2, 4}, 1.0};
   std::size_t cells = 0, nodes = 0;
   grid.for_each_cell([&](const Index<3>& cell) {
@@ -43,13 +43,13 @@ TEST(Grid<2>, VisitsCellsAndNodesInTheOrderOfTheirLists) {
   EXPECT_EQ(nodes, grid.node_count());
 }
 
-TEST(Grid<2>, VisitsNothingInAnEmptyRange) {
+TEST(Grid, VisitsNothingInAnEmptyRange) {
   int visits = 0;
   for_each_index(Index<3>{0, 2, 0}, Index<3>{3, 2, 4}, [&](const Index<3>&) { ++visits; });
   EXPECT_EQ(visits, 0);
 }
 
-TEST(Grid<2>, PointsFollowTheirLattice) {
+TEST(Grid, PointsFollowTheirLattice) {
   // Two cells side by side: the lower row of points is that of points 0 and 1 of both.
   const Grid<2> two{{2, 1}, 1.0};
   EXPECT_EQ(two.point_index({0, 0}, 1), 1U);

@@ -100,7 +100,7 @@ TEST(StableTimeStep, RefusesIncompleteProblems) {
   EXPECT_THROW((void)stable_time_step(nothing, {soft}, Volumetric::averaged, 1.0), InputError);
 }
 
-TEST(DynamicProblem<2>, RefusesATimeStepAboveTheStableOne) {
+TEST(DynamicProblem, RefusesATimeStepAboveTheStableOne) {
   DynamicProblem<2> problem{testing_materials::disc_in_box(10), {soft, stiff}};
   const double limit = stable_time_step(problem.discretisation, problem.materials, problem.volumetric, 1.0);
   problem.time_step = limit;

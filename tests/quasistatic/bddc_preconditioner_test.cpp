@@ -20,7 +20,7 @@ std::vector<Moduli> moduli_with(double contrast) {
 
 /// Points of two materials at random.
 Discretisation<2> random_points(int cells, std::uint64_t seed) {
-  Discretisation<2> discretisation({{cells, cells}, 1.0});
+  Discretisation<2> discretisation(Grid<2>{{cells, cells}, 1.0});
   std::mt19937_64 random(seed);
   discretisation.paint([&](const Vector<2>&) { return random() % 2 == 0; }, 1);
   return discretisation;

@@ -34,7 +34,8 @@ class Displacements : public testing::Test {
     return copy;
   }
 
-  ElasticOperator<2> elastic_operator_{Discretisation<2>({{2, 1}, 1.0}), Volumetric::averaged, Boundary::traction};
+  ElasticOperator<2> elastic_operator_{Discretisation<2>(Grid<2>{{2, 1}, 1.0}), Volumetric::averaged,
+                                       Boundary::traction};
 };
 
 TEST_F(Displacements, AddAndScaleBothParts) {
@@ -80,7 +81,7 @@ TEST_F(Displacements, KeepTheirBitsInAState) {
   EXPECT_EQ(values(restored), values(saved));
   EXPECT_NO_THROW(require_as_many_processes(reader));
 
-  const ElasticOperator<2> larger(Discretisation<2>({{3, 1}, 1.0}), Volumetric::averaged, Boundary::traction);
+  const ElasticOperator<2> larger(Discretisation<2>(Grid<2>{{3, 1}, 1.0}), Volumetric::averaged, Boundary::traction);
   auto too_large = larger.zero();
   EXPECT_THROW(restore(reader, "/displacement", too_large), FileError);
 }

@@ -69,14 +69,14 @@ class Basis {
 
 /// The left half is hard.
 Discretisation<2> layers() {
-  Discretisation<2> discretisation({{8, 8}, 1.0});
+  Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
   discretisation.paint([](const Vector<2>& place) { return place[0] < 4.0; }, 1);
   return discretisation;
 }
 
 /// A hard square in the middle.
 Discretisation<2> inclusion() {
-  Discretisation<2> discretisation({{8, 8}, 1.0});
+  Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
   discretisation.paint(
       [](const Vector<2>& place) { return std::abs(place[0] - 4.0) < 2.0 && std::abs(place[1] - 4.0) < 2.0; }, 1);
   return discretisation;

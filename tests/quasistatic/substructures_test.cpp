@@ -10,7 +10,7 @@ namespace {
 
 TEST(Substructures, OfAHomogeneousBoxDifferByTheSidesThatAreHeld) {
   // 5 x 5 blocks of 8 x 8 cells: four corners, four sides, and those inside.
-  const ElasticOperator<2> elastic_operator(Discretisation<2>({{40, 40}, 1.0}), Volumetric::averaged,
+  const ElasticOperator<2> elastic_operator(Discretisation<2>(Grid<2>{{40, 40}, 1.0}), Volumetric::averaged,
                                             Boundary::displacement);
   const Substructures blocks(elastic_operator);
   EXPECT_EQ(blocks.grid().blocks(), 25);
@@ -29,7 +29,7 @@ TEST(Substructures, OfAHomogeneousBoxDifferByTheSidesThatAreHeld) {
 
 TEST(Substructures, OfOneKindHaveTheSameCellsAndNeighbours) {
   // Stripes of two blocks' width repeat across a periodic box of eight blocks.
-  Discretisation<2> discretisation({{64, 32}, 1.0});
+  Discretisation<2> discretisation(Grid<2>{{64, 32}, 1.0});
   discretisation.paint([](const Vector<2>& place) { return static_cast<int>(place[0]) % 16 < 5; }, 1);
   const ElasticOperator<2> elastic_operator(discretisation, Volumetric::averaged, Boundary::periodic);
   const Substructures blocks(elastic_operator);

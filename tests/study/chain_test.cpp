@@ -31,7 +31,8 @@ TEST(Chain, AMatrixIsTestedInShearAndBulk) {
 }
 
 TEST(Chain, AStageHasItsGridsFromTheCoarsest) {
-  Stage stage{.name = "A", .matrix = test::binder, .side = 1.0, .cells = 40, .coarser_cells = {10, 20}};
+  const Stage stage{
+      .name = "A", .matrix = test::binder, .side = 1.0, .cells = 40, .coarser_cells = {10, 20}, .filler = std::nullopt};
   EXPECT_THAT(stage.grids(), ElementsAre(10, 20, 40));
   EXPECT_EQ(stage.cell_size(), 0.025);
 }
