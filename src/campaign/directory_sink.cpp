@@ -52,7 +52,7 @@ void DirectorySink::tested(const Stage& /*stage*/, const StudyResult& result) {
 }
 
 void DirectorySink::all_loads_tested(const Stage& stage, const StudyResult& result) {
-  write_once([&] { write_responses(directory_ / stage.name, study_, stage, result.stages.back()); });
+  write_once([&] { write_responses(directory_ / stage.name, responses_of(study_, stage, result.stages.back())); });
 }
 
 void DirectorySink::stage_finished(const Stage& stage, const StudyResult& result) {
@@ -69,7 +69,7 @@ void DirectorySink::take_over(const Stage& stage, const std::filesystem::path& f
     const auto& done = result.stages.back();
     make_directory(directory);
     write_microstructure(directory, stage, done.microstructure);
-    write_responses(directory, study_, stage, done);
+    write_responses(directory, responses_of(study_, stage, done));
     write_histories(directory, study_, stage, done.tests);
     copy_fields(files, directory, done.tests);
     write_curves(directory_, result);

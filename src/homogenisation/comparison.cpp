@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/homogenisation/study_result.hpp"
 
 namespace breccia {
 
@@ -13,7 +13,7 @@ std::vector<Comparison> compare(const Study& study, const Stage& stage, const st
     if (measurement.stage != stage.name) continue;
     for (const auto boundary : study.tests.boundaries) {
       for (const auto method : study.tests.methods) {
-        const auto& test = representative(tests, Load::shear, boundary, method);
+        const auto& test = preferred_test(tests, Load::shear, boundary, method);
         const auto known = measurement.known_within({test.modulus.front().time, test.modulus.back().time});
         if (!known) continue;
         Comparison comparison{measurement.label, test.id, {}};

@@ -160,6 +160,39 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
 
 }  // namespace
 
+StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result) {
+  const auto& tests = study.tests;
+  StoredResponses responses = {.stage = stage.name,
+                               .matrix = stage.matrix,
+                               .filler_density = stage.filler ? stage.filler->material.density : 0.0,
+                               .filler_fraction = result.microstructure.fraction,
+                               .side = stage.side,
+                               .deck_hash = study.provenance.hash,
+                               .fit_tolerance = tests.fit_tolerance,
+                               .times = {tests.first_time, tests.last_time},
+                               .points_per_decade = tests.points_per_decade,
+                               .range = tests.quasistatic.range,
+                               .entries = {}};
+  for (const auto& test : result.tests) {
+    const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+    const auto cells = test.id.grid.cells();
+    if (record == nullptr || !record->response.reduced || !cells) continue;
+    responses.entries.push_back({*cells, *record->response.reduced});
+  }
+  return responses;
+}
+
+std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result) {
+  std::vector<StoredResponses> responses;
+  for (const auto& done : result.stages) {
+    const auto stage = std::ranges::find(study.stages, done.name, &Stage::name);
+    if (stage == study.stages.end()) throw InputError(fmt::format("the study has no stage {}", done.name));
+    auto of_stage = responses_of(study, *stage, done);
+    if (!of_stage.entries.empty()) responses.push_back(std::move(of_stage));
+  }
+  return responses;
+}
+
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times) {
   return or_tell_covered_times(times.value_or(stored.times), [&](const TimeWindow& window) {
     auto result = respond_within(

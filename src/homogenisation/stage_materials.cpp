@@ -33,18 +33,6 @@ void require_good_fit(const Study& study, const Stage& stage, const StageMateria
 
 }  // namespace
 
-const TestResult& representative(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method) {
-  const TestResult* best = nullptr;
-  for (const auto& test : tests) {
-    const auto& id = test.id;
-    if (id.load != load || id.boundary != boundary || id.method != method) continue;
-    if (best == nullptr || is_preferred(id, best->id)) best = &test;
-  }
-  if (best != nullptr) return *best;
-  throw InputError(fmt::format("no test under {} with the {} boundary by the {} method", name_of(load),
-                               name_of(boundary), name_of(method)));
-}
-
 const Material& matrix_of(const Stage& stage, const std::vector<StageResult>& earlier, Boundary boundary,
                           Method method) {
   if (const auto* material = std::get_if<Material>(&stage.matrix)) return *material;
@@ -70,7 +58,7 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
   for (const auto boundary : study.tests.boundaries) {
     for (const auto method : study.tests.methods) {
       const auto curve = [&](Load load) {
-        return curve_at(representative(result.tests, load, boundary, method), stage, result.tests, times);
+        return curve_at(preferred_test(result.tests, load, boundary, method), stage, result.tests, times);
       };
       const auto& matrix = matrix_of(stage, earlier, boundary, method);
       const double density = density_of(stage, matrix, result.microstructure.fraction);

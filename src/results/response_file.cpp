@@ -1,6 +1,5 @@
 #include "breccia/results/response_file.hpp"
 
-#include <optional>
 #include <string>
 
 #include <Eigen/Dense>
@@ -86,33 +85,28 @@ ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) 
 
 }  // namespace
 
-void write_responses(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                     const StageResult& result) {
-  std::optional<Hdf5Writer> file;
-  for (const auto& test : result.tests) {
-    const auto* record = std::get_if<QuasistaticRecord>(&test.record);
-    if (record == nullptr || !record->response.reduced) continue;
-    if (!file) {
-      file.emplace(directory / "response.h5");
-      file->write_attribute("/", "format_version", format_version);
-      file->write_attribute("/", "deck_hash", study.provenance.hash);
-      file->write_attribute("/", "stage", stage.name);
-      file->write_attribute("/", "matrix", name_of(stage.matrix));
-      const bool is_material = std::holds_alternative<Material>(stage.matrix);
-      file->write_attribute("/", "matrix_is", std::string(is_material ? "material" : "stage"));
-      file->write_attribute("/", "filler_density_kg_per_m3", stage.filler ? stage.filler->material.density : 0.0);
-      file->write_attribute("/", "filler_fraction", result.microstructure.fraction);
-      file->write_attribute("/", "box_m", stage.side);
-      file->write_attribute("/", "times_s", std::vector<double>{study.tests.first_time, study.tests.last_time});
-      file->write_attribute("/", "sampled_range", name_of(study.tests.quasistatic.range));
-      file->write_attribute("/", "fit_tolerance", study.tests.fit_tolerance);
-      file->write_attribute("/", "points_per_decade", std::int64_t{study.tests.points_per_decade});
-    }
-    write_response(*file,
-                   fmt::format("/{}/{}/{}", name_of(test.id.boundary), name_of(test.id.load), name_of(test.id.grid)),
-                   *record->response.reduced);
+void write_responses(const std::filesystem::path& directory, const StoredResponses& responses) {
+  if (responses.entries.empty()) return;
+  Hdf5Writer file(directory / "response.h5");
+  file.write_attribute("/", "format_version", format_version);
+  file.write_attribute("/", "deck_hash", responses.deck_hash);
+  file.write_attribute("/", "stage", responses.stage);
+  file.write_attribute("/", "matrix", name_of(responses.matrix));
+  const bool is_material = std::holds_alternative<Material>(responses.matrix);
+  file.write_attribute("/", "matrix_is", std::string(is_material ? "material" : "stage"));
+  file.write_attribute("/", "filler_density_kg_per_m3", responses.filler_density);
+  file.write_attribute("/", "filler_fraction", responses.filler_fraction);
+  file.write_attribute("/", "box_m", responses.side);
+  file.write_attribute("/", "times_s", std::vector<double>{responses.times.begin, responses.times.end});
+  file.write_attribute("/", "sampled_range", name_of(responses.range));
+  file.write_attribute("/", "fit_tolerance", responses.fit_tolerance);
+  file.write_attribute("/", "points_per_decade", std::int64_t{responses.points_per_decade});
+  for (const auto& [cells, response] : responses.entries) {
+    write_response(
+        file, fmt::format("/{}/{}/{}", name_of(response.boundary), name_of(response.load), name_of(TestGrid(cells))),
+        response);
   }
-  if (file) file->commit();
+  file.commit();
 }
 
 StoredResponses read_responses(const std::filesystem::path& path) {

@@ -24,6 +24,24 @@ void check(const Material& material, const std::string& where, std::vector<std::
   }
 }
 
+/// Sizes and fraction that the packing of a filler takes.
+void check(const Filler& filler, const std::string& where, std::vector<std::string>& mistakes) {
+  check(filler.material, where, mistakes);
+  if (!(filler.gap >= 0.0) || !std::isfinite(filler.gap))
+    mistakes.push_back(where + ": expected a gap of zero or more");
+  if (std::holds_alternative<ExplicitPacking>(filler.packing)) return;
+  if (!filler.sizes) {
+    mistakes.push_back(where + ": expected sizes; only an explicit packing has none");
+  } else if (std::holds_alternative<RegularPacking>(filler.packing)) {
+    if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
+      mistakes.push_back(where + ": expected a single size for a regular packing");
+    }
+  } else if (!std::holds_alternative<ListedSizes>(*filler.sizes)) {
+    const double fraction = filler.fraction.value_or(0.0);
+    if (!(fraction > 0.0 && fraction < 1.0)) mistakes.push_back(where + ": expected a fraction between 0 and 1");
+  }
+}
+
 void check_grids(const Stage& stage, std::vector<std::string>& mistakes) {
   constexpr int fewest_cells = 2;
   const auto grids = stage.grids();
@@ -48,7 +66,7 @@ void check(const Study& study, const Stage& stage, std::vector<std::string>& mis
         std::any_of(study.stages.begin(), this_one, [&earlier](const Stage& other) { return other.name == earlier; });
     if (!is_there) mistakes.push_back(fmt::format("{}: no earlier stage \"{}\" for its matrix", stage.name, earlier));
   }
-  if (stage.filler) check(stage.filler->material, stage.name + ", filler", mistakes);
+  if (stage.filler) check(*stage.filler, stage.name + ", filler", mistakes);
 }
 
 void check(const Tests& tests, std::vector<std::string>& mistakes) {

@@ -46,6 +46,27 @@ TEST(RequireSound, RefusesTwoStagesOfOneName) {
   EXPECT_THAT(mistakes_of(study), HasSubstr("fine: two stages have this name"));
 }
 
+TEST(RequireSound, RefusesAFillerThatItsPackingCannotTake) {
+  auto study = test::two_stages();
+  auto& filler = *study.stages[0].filler;
+  filler.packing = LubachevskyStillingerPacking{};
+  filler.gap = -1e-6;
+  EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr("fine, filler: expected a fraction between 0 and 1"),
+                                        HasSubstr("fine, filler: expected a gap of zero or more")));
+  filler.sizes.reset();
+  EXPECT_THAT(mistakes_of(study), HasSubstr("fine, filler: expected sizes"));
+  filler.packing = RegularPacking{2, 2};
+  filler.sizes = ListedSizes{{1e-3, 2e-3}};
+  EXPECT_THAT(mistakes_of(study), HasSubstr("fine, filler: expected a single size for a regular packing"));
+}
+
+TEST(RequireSound, RandomPackingsOfListedSizesNeedNoFraction) {
+  auto study = test::two_stages();
+  study.stages[0].filler->packing = LubachevskyStillingerPacking{};
+  study.stages[0].filler->sizes = ListedSizes{{1e-3, 2e-3}};
+  EXPECT_NO_THROW(require_sound(study));
+}
+
 TEST(RequireSound, RefusesAStudyWithoutStages) {
   EXPECT_THAT(mistakes_of({}), HasSubstr("a study without a stage"));
 }

@@ -7,13 +7,14 @@
 
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
-#include "breccia/study/stage.hpp"
+#include "breccia/study/study.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
 
-/// The reduced responses of a stage, as kept in `response.h5`: its microstructure under all boundaries and loads that
-/// were tested, ready for another matrix.
+/// The reduced responses of a stage: its microstructure under all boundaries and loads that were tested, ready for
+/// another matrix. They follow from a solution in the memory (responses_of) or from a file `response.h5`
+/// (results/response_file.hpp).
 struct StoredResponses {
   struct Entry {
     int cells = 0;  ///< per side
@@ -21,17 +22,24 @@ struct StoredResponses {
   };
 
   std::string stage;
-  StageMatrix matrix;            ///< the earlier stage that made it, or a material of which the name alone is known
-  double filler_density = 0.0;   ///< [kg/m^3]; unused (0) without filler
-  double filler_fraction = 0.0;  ///< [-]
-  double side = 0.0;             ///< of the box [m]
-  std::string deck_hash;         ///< of the study that left it
-  double fit_tolerance = 0.0;    ///< of that study
-  TimeWindow times;              ///< of the study [s]
-  int points_per_decade = 20;    ///< of its curves
+  StageMatrix matrix;                         ///< an earlier stage, or a material, of which a file keeps the name alone
+  double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
+  double filler_fraction = 0.0;               ///< [-]
+  double side = 0.0;                          ///< of the box [m]
+  std::string deck_hash;                      ///< of the study that left it; empty for a study without a deck
+  double fit_tolerance = 0.0;                 ///< of that study
+  TimeWindow times;                           ///< of the study [s]
+  int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
   std::vector<Entry> entries;
 };
+
+/// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
+/// quasi-static method with the reduced solver.
+StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);
+
+/// The same of all stages of a study that have such tests, in their order.
+std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
 /// Throws InputError where the matrix leaves the sampled range, telling both and the times that are covered.

@@ -17,8 +17,4 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
 const Material& matrix_of(const Stage& stage, const std::vector<StageResult>& earlier, Boundary boundary,
                           Method method);
 
-/// The preferred grid of a test: the extrapolation if there is one, else the finest grid. Throws InputError where there
-/// is no such test.
-const TestResult& representative(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method);
-
 }  // namespace breccia

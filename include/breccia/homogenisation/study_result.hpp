@@ -45,6 +45,11 @@ struct TestResult {
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
+/// The test under a load and a boundary that stands for all grids: the extrapolation if there is one, else the finest
+/// grid. Throws InputError where there is no such test.
+const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+                                 Method method = Method::quasistatic);
+
 /// The result of a stage under one boundary and by one method, as a material.
 struct StageMaterial {
   Boundary boundary = Boundary::displacement;

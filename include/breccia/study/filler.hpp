@@ -72,13 +72,13 @@ enum class GapSource {
 /// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
 struct Filler {
   Material material;
-  std::optional<double> fraction;  ///< share of the box [-]
-  std::optional<double> smallest;  ///< sizes are cut below this diameter [m]
-  std::optional<double> largest;   ///< sizes are cut above this diameter [m]
-  std::optional<Sizes> sizes;
+  std::optional<double> fraction = {};  ///< share of the box [-]
+  std::optional<double> smallest = {};  ///< sizes are cut below this diameter [m]
+  std::optional<double> largest = {};   ///< sizes are cut above this diameter [m]
+  std::optional<Sizes> sizes = {};
   double gap = 0.0;  ///< smallest distance between particles, and between a particle and a wall [m]
   GapSource gap_source = GapSource::length;
-  PackingMethod packing;
+  PackingMethod packing = {};
 };
 
 }  // namespace breccia

@@ -28,7 +28,7 @@ struct Stage {
   double side = 0.0;                    ///< of the square box [m]
   int cells = 0;                        ///< per side; of the finest grid where there are several
   std::vector<int> coarser_cells = {};  ///< per side of the coarser grids from which curves are extrapolated, rising
-  std::optional<Filler> filler;
+  std::optional<Filler> filler = {};
   std::vector<std::string> warnings = {};  ///< what is doubtful in the deck itself, without the name of the stage
 
   /// Side of a cell of the finest grid [m].

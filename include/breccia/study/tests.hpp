@@ -32,8 +32,8 @@ struct Tests {
   std::vector<double> field_times = {};  ///< at which the fields of the first load are left, rising [s]
   /// Largest relative deviation that the fit of a stage's result may have where a later stage builds on it [-].
   double fit_tolerance = 0.03;
-  QuasistaticOptions quasistatic;
-  DynamicOptions dynamic;
+  QuasistaticOptions quasistatic = {};
+  DynamicOptions dynamic = {};
 };
 
 }  // namespace breccia

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/load.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+
+namespace breccia {
+
+/// The apparent moduli [Pa] of an elastic composite: mean stress over mean strain of the box under each of the loads,
+/// with the boundary condition of the problem. Throws InputError when a material relaxes, NumericalError when a linear
+/// system cannot be solved.
+std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span<const Load> loads);
+
+}  // namespace breccia

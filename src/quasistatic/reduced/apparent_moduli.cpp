@@ -1,0 +1,28 @@
+#include "breccia/quasistatic/apparent_moduli.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/quasistatic/sampling.hpp"
+
+namespace breccia {
+
+std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span<const Load> loads) {
+  for (const auto& material : problem.materials) {
+    if (material.bulk.is_elastic() && material.shear.is_elastic()) continue;
+    throw InputError(fmt::format("apparent moduli: {} relaxes; expected elastic materials", material.name));
+  }
+  if (problem.materials.empty()) throw InputError("apparent moduli: expected a material for each phase");
+  // The reduced basis of a single elastic solution is exact for the moduli of that solution.
+  const auto& first = problem.materials.front();
+  const Moduli moduli = {.bulk = first.bulk.equilibrium(), .shear = first.shear.equilibrium()};
+  std::vector<double> apparent;
+  for (const auto& response : sample_responses(problem, 0, loads, std::array{moduli}).responses) {
+    apparent.push_back(response.modulus(moduli));
+  }
+  return apparent;
+}
+
+}  // namespace breccia
