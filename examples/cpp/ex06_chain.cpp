@@ -71,7 +71,7 @@ int main(int argument_count, char** arguments) {
   }
   const bool is_same = are_same(result, solve(read_study(arguments[1])));
   fmt::print("\nThe deck gives the same bits: {}\n", is_same ? "yes" : "no");
-  std::filesystem::create_directory("ex06_chain");
-  write_curves("ex06_chain", result);
+  std::filesystem::create_directory("ex06_results");
+  write_curves("ex06_results", result);
   return is_same ? 0 : 1;
 }

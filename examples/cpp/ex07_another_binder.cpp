@@ -41,7 +41,7 @@ int main() {
   const double factor = law.shift_factor(313.15);
   const auto warm = respond(responses, shifted(binder, factor));
 
-  // Half of the plasticiser, say: a binder with another spectrum.
+  // Another binder has a bulk modulus and a spectrum of its own.
   const Material other = {"other binder", 1000.0, PronySeries(1.1e9), PronySeries(0.2e6, {{3.0, 1e6}, {0.05, 3e6}})};
   const auto exchanged = respond(responses, other);
   const StudyResult solved_anew = solve(study_with(other));
