@@ -216,26 +216,28 @@ typename Classical<dim>::Components Classical<dim>::strain_step(const Point& poi
 }
 
 template <int dim>
-double Classical<dim>::mean_volumetric_step(int cell) const {
-  const auto c = static_cast<std::size_t>(cell);
-  double sum = 0.0;
-  for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) sum += trace<dim>(strain_step(points_[p]));
-  return sum / static_cast<double>(cell_begin_[c + 1] - cell_begin_[c]);
-}
-
-template <int dim>
 void Classical<dim>::update_strains() {
   const bool averaged = problem().volumetric == Volumetric::averaged;
   const auto cells = static_cast<int>(mean_stress_.size());
-#pragma omp parallel for num_threads(threads_)
-  for (int cell = 0; cell < cells; ++cell) {
-    const auto c = static_cast<std::size_t>(cell);
-    if (cell_begin_[c] == cell_begin_[c + 1]) continue;
-    const double mean = averaged ? mean_volumetric_step(cell) : 0.0;
-    for (std::size_t p = cell_begin_[c]; p < cell_begin_[c + 1]; ++p) {
-      auto step = strain_step(points_[p]);
-      if (averaged) add_to_normal<dim>(step, (mean - trace<dim>(step)) / dim);
-      update_stress(points_[p], step);
+#pragma omp parallel num_threads(threads_)
+  {
+    std::vector<Components> steps;  // of the points of a cell
+#pragma omp for
+    for (int cell = 0; cell < cells; ++cell) {
+      const auto c = static_cast<std::size_t>(cell);
+      const auto begin = cell_begin_[c], count = cell_begin_[c + 1] - begin;
+      if (count == 0) continue;
+      steps.resize(count);
+      double sum = 0.0;
+      for (std::size_t p = 0; p < count; ++p) {
+        steps[p] = strain_step(points_[begin + p]);
+        sum += trace<dim>(steps[p]);
+      }
+      const double mean = sum / static_cast<double>(count);
+      for (std::size_t p = 0; p < count; ++p) {
+        if (averaged) add_to_normal<dim>(steps[p], (mean - trace<dim>(steps[p])) / dim);
+        update_stress(points_[begin + p], steps[p]);
+      }
     }
   }
 }

@@ -91,7 +91,6 @@ class Classical final : public DynamicSolver<dim> {
   void sort_points();
   void update_stress(Point& point, const Components& strain_step);
   void update_mean_stresses();
-  [[nodiscard]] double mean_volumetric_step(int cell) const;
   [[nodiscard]] Components strain_step(const Point& point) const;
   void bring_back(Point& point, std::int64_t step) const;
   [[nodiscard]] Vector<dim> load_velocity(const Index<dim>& node, std::int64_t step) const;
