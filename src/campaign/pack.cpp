@@ -1,7 +1,9 @@
 #include "breccia/campaign/pack.hpp"
 
 #include "breccia/campaign/resume.hpp"
+#include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/results/provenance.hpp"
+#include "breccia/study/soundness.hpp"
 
 #include "checkpoints.hpp"
 #include "directory_sink.hpp"
@@ -13,6 +15,7 @@ namespace breccia {
 
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                        const RunObserver& observer) {
+  require_sound(study);
   const ResultPlace results(study, directory, [&] { return directory_to_pack_in(study, directory, options); });
   const auto& place = results.place();
   // A run has written more than packings already, and is to go on.

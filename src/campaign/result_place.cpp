@@ -1,10 +1,15 @@
 #include "result_place.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "breccia/error.hpp"
+#include "breccia/io/safe_name.hpp"
 #include "breccia/results/provenance.hpp"
+#include "breccia/study/result_names.hpp"
 
 #include "first_process.hpp"
 #include "result_directory.hpp"
@@ -34,6 +39,15 @@ fs::path chosen_by_first(const Choose& choose) {
   return answer.substr(1);
 }
 
+/// Names of stages become names of directories.
+void require_names_of_directories(const Study& study) {
+  const auto reserved = reserved_names();
+  for (const auto& stage : study.stages) {
+    if (is_safe_name(stage.name) && std::ranges::find(reserved, stage.name) == reserved.end()) continue;
+    throw InputError(fmt::format("\"{}\" cannot be the name of a stage: it names a directory", stage.name));
+  }
+}
+
 /// A study without a hash could not be told from others.
 void require_hash(const Study& study) {
   if (!study.provenance.hash.empty()) return;
@@ -49,6 +63,7 @@ ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::func
       directory_(std::move(directory)),
       place_(chosen_by_first([&] {
         require_hash(study);
+        require_names_of_directories(study);
         lock_.emplace(directory_);
         return choose();
       })),

@@ -4,9 +4,11 @@
 #include <exception>
 
 #include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/provenance.hpp"
 #include "breccia/results/report.hpp"
+#include "breccia/study/soundness.hpp"
 
 #include "checkpoints.hpp"
 #include "directory_sink.hpp"
@@ -27,7 +29,7 @@ void run_stage(const Study& study, const Stage& stage, const std::filesystem::pa
   const RemoveIfEmpty kept_stage(place / stage.name);
   if (const auto* known = shared.find(hash)) {
     if (known->failure) std::rethrow_exception(known->failure);
-    result.stages.push_back(known->result);
+    adopt_stage(study, stage, known->result, result);
     if (observer.taken_over) observer.taken_over(known->result, known->directory);
     sink.take_over(stage, known->directory, result);
     return;
@@ -35,7 +37,7 @@ void run_stage(const Study& study, const Stage& stage, const std::filesystem::pa
   shared.keep_failure_of(hash, [&] {
     pack_stage(study, stage, observer, sink, result);
     write_once([&] { write_provenance(place, study, result); });
-    test_stage(study, stage, {.threads = options.threads}, observer, sink, result);
+    test_stage(study, stage, options.threads, observer, sink, result);
   });
   shared.keep(hash, {result.stages.back(), place / stage.name});
 }
@@ -51,6 +53,7 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                       const RunObserver& observer, SharedStages& shared) {
   const auto begin = std::chrono::steady_clock::now();
+  require_sound(study);
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
   const ResultPlace results(study, directory, [&] { return directory_to_run_in(study, directory, options); });
   const auto& place = results.place();

@@ -13,19 +13,6 @@
 namespace breccia {
 namespace {
 
-/// The test of some load, boundary and method that stands for those on other grids: extrapolated before the finest
-/// grid. Null where there is none.
-const TestResult* best_test(const StageResult& result, Load load, Boundary boundary, Method method) {
-  const TestResult* best = nullptr;
-  for (const auto& test : result.tests) {
-    const auto& id = test.id;
-    const bool is_meant = id.load == load && id.boundary == boundary && id.method == method;
-    if (!is_meant || test.modulus.empty()) continue;
-    if (best == nullptr || is_preferred(id, best->id)) best = &test;
-  }
-  return best;
-}
-
 /// Half the width of the band of an extrapolated test [Pa] at the time nearest to the one wanted.
 std::optional<double> half_band(const TestResult& test, double time) {
   const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
@@ -111,8 +98,8 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
   std::vector<LoadQuality> all;
   for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
     for (const auto method : {Method::quasistatic, Method::dynamic}) {
-      const auto* upper = best_test(result, load, Boundary::displacement, method);
-      const auto* lower = best_test(result, load, Boundary::traction, method);
+      const auto* upper = find_preferred_test(result.tests, load, Boundary::displacement, method);
+      const auto* lower = find_preferred_test(result.tests, load, Boundary::traction, method);
       if (upper != nullptr || lower != nullptr) all.push_back({load, method, bounds_at_times(upper, lower)});
     }
   }

@@ -138,6 +138,12 @@ void warn_of_unknown_times(StageResult& result, const Material& matrix, const Ti
   if (warning) result.warnings.push_back(fmt::format("{}: {}", result.name, *warning));
 }
 
+const Material& material_named(const std::string& name, const std::map<std::string, Material>& matrices) {
+  const auto material = matrices.find(name);
+  if (material != matrices.end()) return material->second;
+  throw InputError(fmt::format("no new material for \"{}\", which is the matrix of a stage", name));
+}
+
 /// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
 std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
                                         const std::map<std::string, Material>& matrices, const TimeWindow& window) {
@@ -146,7 +152,7 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
   while (done.size() < stored.size()) {
     const auto& next = *next_stage(stored, done);
     auto stage = stage_of(next);
-    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = matrices.at(name_of(next.matrix));
+    if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = material_named(name_of(next.matrix), matrices);
     const MatrixUnder matrix_under = [&](Boundary boundary) -> const Material& {
       return matrix_of(stage, done, boundary, Method::quasistatic);
     };

@@ -1,98 +1,13 @@
 #include "breccia/homogenisation/solve.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <iterator>
-#include <optional>
-#include <utility>
 
 #include "breccia/homogenisation/memory.hpp"
-#include "breccia/homogenisation/packed_stage.hpp"
-#include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/study/chain.hpp"
-#include "breccia/study/phases.hpp"
 #include "breccia/study/soundness.hpp"
 
-#include "comparison.hpp"
-#include "matrix_moduli.hpp"
-#include "stage_extrapolation.hpp"
-#include "stage_tests.hpp"
-
 namespace breccia {
-namespace {
-
-/// The tests of the last stage of a result, each added to it as soon as it is done.
-class StageSolution {
- public:
-  StageSolution(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result)
-      : study_(study), stage_(stage), observer_(observer), sink_(sink), result_(result), done_(result.stages.back()) {}
-
-  void run(int threads) {
-    for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_,
-                           discretise(done_.microstructure.microstructure, cells, matrix_phase, filler_phase), threads};
-      for (const auto boundary : study_.tests.boundaries) {
-        for (const auto method : study_.tests.methods) run(grid, boundary, method);
-      }
-    }
-    for (auto& test : extrapolate_tests(stage_, done_.tests)) add(std::move(test));
-    if (serves_as_matrix(study_, stage_)) done_.materials = materials_from(study_, stage_, result_.stages, done_);
-    done_.comparisons = compare(study_, stage_, done_.tests);
-    sink_.stage_finished(stage_, result_);
-  }
-
- private:
-  void run(const StageGrid& grid, Boundary boundary, Method method) {
-    const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
-    if (method == Method::quasistatic) {
-      auto moduli = matrix_moduli(study_, stage_, result_.stages, boundary);
-      for (auto& test : run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_)) {
-        add(std::move(test));
-      }
-      sink_.all_loads_tested(stage_, result_);
-      return;
-    }
-    for (const auto load : loads_of(study_, stage_)) {
-      add(run_dynamic(grid, matrix, boundary, load, observer_, sink_));
-    }
-  }
-
-  void add(TestResult test) {
-    done_.tests.push_back(std::move(test));
-    const auto& added = done_.tests.back();
-    std::ranges::copy(warnings_of(stage_, added), std::back_inserter(done_.warnings));
-    sink_.tested(stage_, result_);
-    if (observer_.finished) observer_.finished(stage_, added);
-  }
-
-  const Study& study_;
-  const Stage& stage_;
-  const StudyObserver& observer_;
-  StudySink& sink_;
-  StudyResult& result_;
-  StageResult& done_;
-};
-
-}  // namespace
-
-void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result) {
-  auto checkpoint = sink.packing_checkpoint(stage);
-  const auto follow = [&](const PackingProgress& progress) {
-    if (observer.packing) observer.packing(stage, progress);
-  };
-  auto microstructure = make_microstructure(stage, follow, checkpoint ? &*checkpoint : nullptr);
-  result.stages.push_back(packed_stage(study, stage, std::move(microstructure)));
-  sink.packed(stage, result);
-  if (observer.packed) observer.packed(stage, result.stages.back());
-}
-
-void test_stage(const Study& study, const Stage& stage, const SolveOptions& options, const StudyObserver& observer,
-                StudySink& sink, StudyResult& result) {
-  StageSolution(study, stage, observer, sink, result).run(options.threads);
-}
 
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer) {
   StudySink nothing_is_kept;
@@ -106,7 +21,7 @@ StudyResult solve(const Study& study, const SolveOptions& options, const StudyOb
   StudyResult result;
   for (const auto& stage : study.stages) {
     pack_stage(study, stage, observer, sink, result);
-    test_stage(study, stage, options, observer, sink, result);
+    test_stage(study, stage, options.threads, observer, sink, result);
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

@@ -25,8 +25,8 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double needed = std::ceil(cells_per_gap * stage.side / gap);
   constexpr double affordable = 20000.0;
   return fmt::format(
-      "the smallest gap between particles or to a wall, {}, is {:.2g} {} wide; below {:g} the "
-      "modulus at long times comes out several times too high, and tens of times at 1{}",
+      "the smallest gap between particles or to a wall, {}, is {:.2g} {} wide; below {:g} cells "
+      "the modulus at long times comes out several times too high, at 1 cell tens of times{}",
       readable(gap, Dimension::length), cells, cells == 1.0 ? "cell" : "cells", cells_per_gap,
       needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
 }

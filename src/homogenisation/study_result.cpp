@@ -16,13 +16,19 @@ double distance_from_one(const ComparedSample& sample) {
 
 }  // namespace
 
-const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method) {
+const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+                                      Method method) {
   const TestResult* best = nullptr;
   for (const auto& test : tests) {
     const auto& id = test.id;
     if (id.load != load || id.boundary != boundary || id.method != method) continue;
     if (best == nullptr || is_preferred(id, best->id)) best = &test;
   }
+  return best;
+}
+
+const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary, Method method) {
+  const auto* best = find_preferred_test(tests, load, boundary, method);
   if (best != nullptr) return *best;
   throw InputError(fmt::format("no test under {} with the {} boundary by the {} method", name_of(load),
                                name_of(boundary), name_of(method)));

@@ -20,13 +20,4 @@ struct SolveOptions {
 StudyResult solve(const Study& study, const SolveOptions& options = {}, const StudyObserver& observer = {});
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink);
 
-/// Packs one stage of a study and adds it to the result, without tests.
-void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result);
-
-/// Runs all tests of the stage that was added to the result last, and what follows from them: extrapolation, the
-/// material that later stages build on, the comparison with measurements.
-void test_stage(const Study& study, const Stage& stage, const SolveOptions& options, const StudyObserver& observer,
-                StudySink& sink, StudyResult& result);
-
 }  // namespace breccia

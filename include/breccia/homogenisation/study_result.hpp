@@ -45,8 +45,10 @@ struct TestResult {
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
-/// The test under a load and a boundary that stands for all grids: the extrapolation if there is one, else the finest
-/// grid. Throws InputError where there is no such test.
+/// The test under a load and a boundary that stands for all grids (is_preferred); null where there is none.
+const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
+                                      Method method = Method::quasistatic);
+/// The same; throws InputError where there is no such test.
 const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                  Method method = Method::quasistatic);
 

@@ -31,8 +31,9 @@ class StudySink {
   virtual void packed(const Stage&, const StudyResult&) {}
   /// A time domain of a dynamic test is done, the one of this number, from 1.
   virtual void domain_finished(const Stage&, const TestId&, std::size_t /*number*/, const TimeDomain&) {}
-  /// A test has found fields on a discretisation. Returns the files to which they have been written; where nothing is
-  /// returned they stay in the result.
+  /// A test has found fields on a discretisation. Returns the files to which they have been written, on every process
+  /// of a group or on none; where nothing is returned they stay in the result. States of tests do not hold fields: a
+  /// sink that leaves states must take the fields, or they are lost to whoever goes on from there.
   virtual std::optional<std::vector<FieldRecord>> fields(const Stage&, const TestId&, const Discretisation<2>&,
                                                          const std::vector<TimedFields<2>>&) {
     return std::nullopt;

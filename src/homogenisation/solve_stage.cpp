@@ -1,0 +1,104 @@
+#include "breccia/homogenisation/solve_stage.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/packed_stage.hpp"
+#include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/study/chain.hpp"
+#include "breccia/study/phases.hpp"
+
+#include "comparison.hpp"
+#include "matrix_moduli.hpp"
+#include "stage_extrapolation.hpp"
+#include "stage_tests.hpp"
+
+namespace breccia {
+namespace {
+
+/// The tests of the last stage of a result, each added to it as soon as it is done.
+class StageSolution {
+ public:
+  StageSolution(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
+                StudyResult& result)
+      : study_(study), stage_(stage), observer_(observer), sink_(sink), result_(result), done_(result.stages.back()) {}
+
+  void run(int threads) {
+    for (const int cells : stage_.grids()) {
+      const StageGrid grid{&study_, &stage_,
+                           discretise(done_.microstructure.microstructure, cells, matrix_phase, filler_phase), threads};
+      for (const auto boundary : study_.tests.boundaries) {
+        for (const auto method : study_.tests.methods) run(grid, boundary, method);
+      }
+    }
+    for (auto& test : extrapolate_tests(stage_, done_.tests)) add(std::move(test));
+    if (serves_as_matrix(study_, stage_)) done_.materials = materials_from(study_, stage_, result_.stages, done_);
+    done_.comparisons = compare(study_, stage_, done_.tests);
+    sink_.stage_finished(stage_, result_);
+  }
+
+ private:
+  void run(const StageGrid& grid, Boundary boundary, Method method) {
+    const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
+    if (method == Method::quasistatic) {
+      auto moduli = matrix_moduli(study_, stage_, result_.stages, boundary);
+      for (auto& test : run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_)) {
+        add(std::move(test));
+      }
+      sink_.all_loads_tested(stage_, result_);
+      return;
+    }
+    for (const auto load : loads_of(study_, stage_)) {
+      add(run_dynamic(grid, matrix, boundary, load, observer_, sink_));
+    }
+  }
+
+  void add(TestResult test) {
+    done_.tests.push_back(std::move(test));
+    const auto& added = done_.tests.back();
+    std::ranges::copy(warnings_of(stage_, added), std::back_inserter(done_.warnings));
+    sink_.tested(stage_, result_);
+    if (observer_.finished) observer_.finished(stage_, added);
+  }
+
+  const Study& study_;
+  const Stage& stage_;
+  const StudyObserver& observer_;
+  StudySink& sink_;
+  StudyResult& result_;
+  StageResult& done_;
+};
+
+}  // namespace
+
+void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
+                StudyResult& result) {
+  auto checkpoint = sink.packing_checkpoint(stage);
+  const auto follow = [&](const PackingProgress& progress) {
+    if (observer.packing) observer.packing(stage, progress);
+  };
+  auto microstructure = make_microstructure(stage, follow, checkpoint ? &*checkpoint : nullptr);
+  result.stages.push_back(packed_stage(study, stage, std::move(microstructure)));
+  sink.packed(stage, result);
+  if (observer.packed) observer.packed(stage, result.stages.back());
+}
+
+void test_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
+                StudyResult& result) {
+  if (result.stages.empty() || result.stages.back().name != stage.name) {
+    throw InputError(
+        fmt::format("stage {} is not the last one of the result, so that it cannot be tested", stage.name));
+  }
+  StageSolution(study, stage, observer, sink, result).run(threads);
+}
+
+void adopt_stage(const Study& study, const Stage& stage, StageResult computed, StudyResult& result) {
+  computed.comparisons = compare(study, stage, computed.tests);
+  result.stages.push_back(std::move(computed));
+}
+
+}  // namespace breccia
