@@ -16,7 +16,7 @@ if(BRECCIA_SANITIZE)
   # Instrumented code looks uninitialised, and copies of texts look as if they overlap, to g++ where they do not.
   target_compile_options(breccia_options INTERFACE
     -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict>)
+    "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-restrict>")
   target_link_options(breccia_options INTERFACE -fsanitize=address,undefined)
 endif()
 if(BRECCIA_BUILD_FUZZ)
