@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "breccia/deck/prony_file.hpp"
-#include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/io/printable.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"

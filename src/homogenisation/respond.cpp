@@ -1,12 +1,10 @@
 #include "breccia/homogenisation/respond.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"

@@ -1,9 +1,6 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include <fmt/format.h>

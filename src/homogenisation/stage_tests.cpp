@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "breccia/error.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/virtual_test/dynamic_test_state.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"

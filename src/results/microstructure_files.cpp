@@ -1,8 +1,5 @@
 #include "breccia/results/microstructure_files.hpp"
 
-#include <cstdint>
-#include <iterator>
-#include <string>
 #include <vector>
 
 #include <fmt/format.h>

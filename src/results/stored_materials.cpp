@@ -1,6 +1,5 @@
 #include "breccia/results/stored_materials.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
