@@ -23,38 +23,38 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// `sweep.json` of a directory; nothing where there is none, or none that Breccia wrote.
-Json sweep_record(const fs::path& directory) {
+nlohmann::json sweep_record(const fs::path& directory) {
   const auto file = directory / "sweep.json";
-  return is_record_of_breccia(file) ? Json::parse(read_text(file), nullptr, false) : Json();
+  return is_record_of_breccia(file) ? nlohmann::json::parse(read_text(file), nullptr, false) : nlohmann::json();
 }
 
-bool has_task(const Sweep& sweep, const Json& earlier) {
+bool has_task(const Sweep& sweep, const nlohmann::json& earlier) {
   return std::ranges::any_of(sweep.tasks, [&](const SweepTask& task) {
-    return earlier.value("name", Json()) == task.name && earlier.value("hash", Json()) == task.study.provenance.hash;
+    return earlier.value("name", nlohmann::json()) == task.name &&
+           earlier.value("hash", nlohmann::json()) == task.study.provenance.hash;
   });
 }
 
 /// Do the tables of a directory hold finished tasks that the sweep does not have?
-bool holds_other_tasks(const Sweep& sweep, const Json& record) {
-  const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
-  return tasks.is_array() && std::ranges::any_of(tasks, [&](const Json& task) {
-           return task.is_object() && task.value("state", Json()) == "done" && !has_task(sweep, task);
+bool holds_other_tasks(const Sweep& sweep, const nlohmann::json& record) {
+  const auto tasks = record.is_object() ? record.value("tasks", nlohmann::json()) : nlohmann::json();
+  return tasks.is_array() && std::ranges::any_of(tasks, [&](const nlohmann::json& task) {
+           return task.is_object() && task.value("state", nlohmann::json()) == "done" && !has_task(sweep, task);
          });
 }
 
 /// The results that the sweep of an earlier process was to replace by those of a task that it has not done.
-std::vector<std::string> replaceable_by(const SweepTask& task, const Json& record) {
-  const auto tasks = record.is_object() ? record.value("tasks", Json()) : Json();
+std::vector<std::string> replaceable_by(const SweepTask& task, const nlohmann::json& record) {
+  const auto tasks = record.is_object() ? record.value("tasks", nlohmann::json()) : nlohmann::json();
   std::vector<std::string> hashes;
   if (!tasks.is_array()) return hashes;
   for (const auto& one : tasks) {
-    const bool is_waiting = one.is_object() && one.value("name", Json()) == task.name &&
-                            one.value("hash", Json()) == task.study.provenance.hash &&
-                            one.value("state", Json()) != "done";
-    const auto known = is_waiting ? one.value("may_replace", Json::array()) : Json::array();
+    const bool is_waiting = one.is_object() && one.value("name", nlohmann::json()) == task.name &&
+                            one.value("hash", nlohmann::json()) == task.study.provenance.hash &&
+                            one.value("state", nlohmann::json()) != "done";
+    const auto known = is_waiting ? one.value("may_replace", nlohmann::json::array()) : nlohmann::json::array();
     for (const auto& hash : known) {
       if (hash.is_string()) hashes.push_back(hash.get<std::string>());
     }
@@ -92,7 +92,7 @@ std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, c
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   std::vector<RunOptions> all(sweep.tasks.size(), options);
   if (sweep.keys.empty()) return all;
-  const auto record = options.resume ? sweep_record(directory) : Json();
+  const auto record = options.resume ? sweep_record(directory) : nlohmann::json();
   for (std::size_t task = 0; task < all.size(); ++task) {
     all[task].overwrite = false;
     if (options.resume) all[task].replaceable = replaceable_by(sweep.tasks[task], record);

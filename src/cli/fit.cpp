@@ -14,6 +14,7 @@
 #include "command.hpp"
 #include "fit_data.hpp"
 #include "fit_results.hpp"
+#include "quantities.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -140,13 +141,6 @@ class Fitter {
   const FitArguments& arguments_;
   FitOptions options_;
 };
-
-std::string time(double value) {
-  return readable(value, Dimension::time);
-}
-std::string pressure(double value) {
-  return readable(value, Dimension::pressure);
-}
 
 std::string shifts(const FitResult& result) {
   std::string text = fmt::format("\n{:>12}  {:>12}  {:>8}\n", "temperature", "log10 a_T", "+-");

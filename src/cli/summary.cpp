@@ -12,19 +12,11 @@
 #include "breccia/study/gap.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 
+#include "quantities.hpp"
+
 namespace breccia::cli {
 
 namespace {
-
-std::string length(double value) {
-  return readable(value, Dimension::length);
-}
-std::string time(double value) {
-  return readable(value, Dimension::time);
-}
-std::string pressure(double value) {
-  return readable(value, Dimension::pressure);
-}
 
 std::string describe(const PronySeries& modulus) {
   if (modulus.is_elastic()) return pressure(modulus.equilibrium());

@@ -16,10 +16,6 @@
 namespace breccia::cli {
 namespace {
 
-std::string time(double value) {
-  return display_time(value);
-}
-
 /// Those that a table shows: of several grids their limit alone.
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   const bool has_limits =
@@ -46,7 +42,7 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
     for (const auto* test : shown) text += fmt::format("  {:>12}", heading(*test)[line]);
   }
   for (const double t : logarithmic_times(times, 1)) {
-    text += fmt::format("\n{:>12}", time(t));
+    text += fmt::format("\n{:>12}", display_time(t));
     for (const auto* test : shown) {
       text += fmt::format("  {:>12}", display(smoothed_at(test->modulus, t), "Pa"));
     }
@@ -70,7 +66,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   for (const auto* comparison : compared) text += fmt::format("  {:>12}", name_of(comparison->test.method));
   text += fmt::format("  {:>12}", "measured");
   for (const double t : logarithmic_times(times, 1)) {
-    text += fmt::format("\n{:>12}", time(t));
+    text += fmt::format("\n{:>12}", display_time(t));
     double measured = 0.0;
     for (const auto* comparison : compared) {
       const auto at = std::ranges::find_if(
@@ -83,9 +79,9 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   }
   for (const auto* comparison : compared) {
     const auto &best = comparison->best(), &worst = comparison->worst();
-    text +=
-        fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->test.boundary),
-                    name_of(comparison->test.method), best.ratio(), time(best.time), worst.ratio(), time(worst.time));
+    text += fmt::format("\n  {}, {}: nearest {:.3f} at {}, furthest {:.3f} at {}", bound_of(comparison->test.boundary),
+                        name_of(comparison->test.method), best.ratio(), display_time(best.time), worst.ratio(),
+                        display_time(worst.time));
   }
   return text + "\n";
 }

@@ -12,10 +12,6 @@
 namespace breccia {
 namespace {
 
-std::string length(double value) {
-  return display(value, "m", 3);
-}
-
 /// The request of the stage with another gap: between hard walls the box of the packing is narrower by the gap.
 PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) {
   request.side = request.walls == Walls::hard ? stage.side - gap : stage.side;
@@ -78,7 +74,8 @@ std::optional<double> largest_fraction(const Stage& stage, const PackingRequest&
 /// "31 particles of 120 um", "102 particles of 2.02 um to 13.4 um"; with their fraction where the deck names one.
 std::string particles_of(const Stage& stage, const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
-  const auto sizes = smallest == largest ? length(largest) : fmt::format("{} to {}", length(smallest), length(largest));
+  const auto sizes = smallest == largest ? display(largest, "m")
+                                         : fmt::format("{} to {}", display(smallest, "m"), display(largest, "m"));
   const auto count = request.diameters.size();
   const auto fraction = stage.filler->fraction ? fmt::format(" at a fraction of {:.6g}", *stage.filler->fraction) : "";
   return fmt::format("{} {} of {}{}", count, count == 1 ? "particle" : "particles", sizes, fraction);
@@ -111,7 +108,8 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
   const auto advice = in_words(packing_advice(stage, request, error));
   if (error.obstacle() == PackingObstacle::size) {
     return fmt::format("a particle of {} that keeps a gap of {} does not fit into a box of {}; {}",
-                       length(std::ranges::max(request.diameters)), gap_in_words(stage), length(stage.side), advice);
+                       display(std::ranges::max(request.diameters), "m"), gap_in_words(stage), display(stage.side, "m"),
+                       advice);
   }
   const bool has_gap = request.minimum_gap > 0.0;
   const auto gap = has_gap ? fmt::format("a gap of {}", gap_in_words(stage)) : "no gap between them";

@@ -14,10 +14,6 @@ namespace {
 /// A factor between the sizes from which on a stage as a matrix is close to what it stands for.
 constexpr double enough = 5.0;
 
-std::string length(double value) {
-  return display(value, "m", 3);
-}
-
 /// The nearest stage below that has particles; null without any.
 const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   const auto* below = stage_of_matrix(study, stage);
@@ -38,18 +34,19 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
     return fmt::format(
         "its particles, up to {}, are smaller than those of its matrix {}, up to {}: the stages are in "
         "the wrong order, for a matrix holds what is far smaller {}",
-        length(own->largest), matrix->name, length(below->largest), where);
+        display(own->largest, "m"), matrix->name, display(below->largest, "m"), where);
   }
   const double factor = own->smallest / below->largest;
   const double gap = std::min(packed.gap, packed.wall_gap);
   constexpr double rounding = 1e-9;
   const bool is_near = factor < enough * (1.0 - rounding), is_narrow = gap < below->largest;
   if (!is_near && !is_narrow) return std::nullopt;
-  const auto others = fmt::format("the largest of its matrix {}, {}", matrix->name, length(below->largest));
+  const auto others = fmt::format("the largest of its matrix {}, {}", matrix->name, display(below->largest, "m"));
   const auto how_wide = factor < 1.05 ? "no wider than" : fmt::format("only {:.2g} times as wide as", factor);
   const auto sizes = fmt::format("its smallest particles, {}, are {} {} (apart would be {:g} times or more)",
-                                 length(own->smallest), how_wide, others, enough);
-  const auto gaps = fmt::format("its smallest gap, {}, is narrower than {}", length(gap), is_near ? "those" : others);
+                                 display(own->smallest, "m"), how_wide, others, enough);
+  const auto gaps =
+      fmt::format("its smallest gap, {}, is narrower than {}", display(gap, "m"), is_near ? "those" : others);
   return fmt::format("{}{}{}; the result may be tens of per cent off, and its bounds need not be bounds {}",
                      is_near ? sizes : "", is_near && is_narrow ? ", and " : "", is_narrow ? gaps : "", where);
 }

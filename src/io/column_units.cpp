@@ -66,7 +66,7 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   throw InputError(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit));
 }
 
-Conversion temperature(std::string_view unit) {
+Conversion temperature_conversion(std::string_view unit) {
   // In UDUNITS-2 C is the coulomb and F the farad.
   if (unit == "C" || unit == "deg C" || unit == "deg. C" || unit == "ºC") unit = "degC";
   if (unit == "F" || unit == "deg F" || unit == "ºF") unit = "degF";
@@ -123,7 +123,7 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::angular_frequency:
       return frequency(unit, meaning.counts_cycles);
     case Quantity::temperature:
-      return temperature(unit);
+      return temperature_conversion(unit);
     case Quantity::diameter:
     case Quantity::x:
     case Quantity::y:

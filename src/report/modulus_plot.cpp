@@ -47,7 +47,7 @@ std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
 /// A text as a string of gnuplot's language. Every sign with which a label could leave its quotes or start a command
 /// is given by its octal code, and so is every digit, which gnuplot would take as part of a code before it.
 /// What is no text, such as the end of a line, becomes a space.
-std::string quoted(std::string_view text) {
+std::string in_gnuplot_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -72,8 +72,9 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       "set xrange [{:.17g}:{:.17g}]\nset yrange [{:.17g}:{:.17g}]\n"
       "set xtics ({})\nset ytics ({})\n"
       "set xlabel {} noenhanced offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
-      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus), quoted(plot.abscissa),
-      quoted(fmt::format("{} / {}", plot.quantity, plot.unit)), quoted(plot.title));
+      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus),
+      in_gnuplot_quotes(plot.abscissa), in_gnuplot_quotes(fmt::format("{} / {}", plot.quantity, plot.unit)),
+      in_gnuplot_quotes(plot.title));
 }
 
 /// Where a label centred between two times goes, as a share of the width of the graph: it must not leave the graph.
@@ -96,7 +97,7 @@ std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
         "set object rectangle from first {0:.17g}, graph 0 to first {1:.17g}, graph 1 behind "
         "fillcolor rgb '{2}' fillstyle transparent solid 0.12 noborder\n"
         "set label {3} at graph {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
-        begin, end, is_even ? "#4477aa" : "#998866", quoted(windows[i].label),
+        begin, end, is_even ? "#4477aa" : "#998866", in_gnuplot_quotes(windows[i].label),
         label_position(windows[i], begin, end, time), is_even ? 0.96 : 0.92);
   }
   return script;
@@ -137,7 +138,7 @@ std::string curves(const std::vector<PlotCurve>& curves, const std::vector<std::
     }
     data += "END\n";
     command += fmt::format("{} $curve{} using 1:2 {} title {}", command.empty() ? "plot" : ",", i,
-                           drawing(curves[i], i), quoted(curves[i].label));
+                           drawing(curves[i], i), in_gnuplot_quotes(curves[i].label));
   }
   return data + command + "\n";
 }

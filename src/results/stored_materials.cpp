@@ -11,9 +11,7 @@
 namespace breccia {
 namespace {
 
-using Json = nlohmann::json;
-
-PronySeries series_of(const Json& json) {
+PronySeries series_of(const nlohmann::json& json) {
   std::vector<MaxwellTerm> terms;
   for (const auto& term : json.at("terms")) {
     terms.push_back({term.at("relaxation_time_s").get<double>(), term.at("modulus_Pa").get<double>()});
@@ -21,12 +19,12 @@ PronySeries series_of(const Json& json) {
   return {json.at("equilibrium_Pa").get<double>(), std::move(terms)};
 }
 
-TemperatureShift shift_of(const Json& json) {
+TemperatureShift shift_of(const nlohmann::json& json) {
   return {{json.at("c1").get<double>(), json.at("c2_K").get<double>(), json.at("reference_K").get<double>()},
           json.at("temperature_K").get<double>()};
 }
 
-StoredMaterial material_of(const Json& json) {
+StoredMaterial material_of(const nlohmann::json& json) {
   StoredMaterial stored{{json.at("name").get<std::string>(), json.at("density_kg_per_m3").get<double>(),
                          series_of(json.at("bulk")), series_of(json.at("shear"))}};
   if (json.contains("temperature_shift")) stored.shift = shift_of(json.at("temperature_shift"));
@@ -41,12 +39,12 @@ StoredMaterials read_stored_materials(const std::filesystem::path& directory) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it{}", file.string(), reason));
   };
   StoredMaterials stored;
-  const auto json = Json::parse(read_text(file), nullptr, false);
+  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
   if (!json.is_object()) refuse("");
   try {
     stored.deck_hash = json.at("hash").get<std::string>();
     for (const auto& material : json.at("materials")) stored.materials.push_back(material_of(material));
-  } catch (const Json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     refuse(fmt::format(": {}", error.what()));
   } catch (const InputError& error) {
     refuse(fmt::format(": {}", error.what()));

@@ -13,14 +13,12 @@
 namespace breccia {
 namespace {
 
-using Json = nlohmann::json;
-
-std::string text_at(const Json& json, const char* key) {
+std::string text_at(const nlohmann::json& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-std::vector<std::string> texts_at(const Json& json, const char* key) {
+std::vector<std::string> texts_at(const nlohmann::json& json, const char* key) {
   std::vector<std::string> texts;
   const auto found = json.find(key);
   if (found == json.end() || !found->is_array()) return texts;
@@ -35,7 +33,7 @@ std::vector<std::string> safe_names(std::vector<std::string> names) {
   return names;
 }
 
-void read_stages(const Json& json, StudyRecord& record) {
+void read_stages(const nlohmann::json& json, StudyRecord& record) {
   record.stages = safe_names(texts_at(json, "stage_names"));
   const auto stages = json.find("stages");
   if (stages == json.end() || !stages->is_array()) return;
@@ -70,7 +68,7 @@ bool StudyRecord::is_of(const Study& study) const {
 
 bool is_record_of_breccia(const std::filesystem::path& file) {
   if (!std::filesystem::is_regular_file(file)) return false;
-  const auto json = Json::parse(read_text(file), nullptr, false);
+  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
   return json.is_object() && text_at(json, "program") == "breccia";
 }
 
@@ -78,7 +76,7 @@ StudyRecord read_study_record(const std::filesystem::path& directory) {
   StudyRecord record;
   const auto file = directory / "study.json";
   if (!std::filesystem::is_regular_file(file)) return record;
-  const auto json = Json::parse(read_text(file), nullptr, false);
+  const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
   if (!json.is_object() || text_at(json, "program") != "breccia") return record;
   record.is_ours = true;
   record.is_complete = json.contains("complete") && json["complete"] == true;
@@ -98,8 +96,8 @@ std::string difference(const StudyRecord& before, const Study& now) {
   const auto deck = difference(before.deck_text, now.provenance.deck_text);
   if (!deck.empty()) return fmt::format("{}: {}", now.provenance.deck.string(), deck);
   if (before.overrides != now.provenance.overrides) {
-    return fmt::format("the overrides were {}, are {}", Json(before.overrides).dump(),
-                       Json(now.provenance.overrides).dump());
+    return fmt::format("the overrides were {}, are {}", nlohmann::json(before.overrides).dump(),
+                       nlohmann::json(now.provenance.overrides).dump());
   }
   return "a data file differs";
 }

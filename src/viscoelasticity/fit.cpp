@@ -4,11 +4,12 @@
 #include <cmath>
 #include <functional>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
+#include "least_squares.hpp"
 #include "non_negative_least_squares.hpp"
 
 namespace breccia {
@@ -91,9 +92,7 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   }
   const auto freedom = std::max<Eigen::Index>(1, data.size() - static_cast<Eigen::Index>(used.size()));
   const double scatter = std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom));
-  const Eigen::MatrixXd active = relative(Eigen::all, used);
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(active);
-  const Eigen::MatrixXd basis = factors.householderQ() * Eigen::MatrixXd::Identity(data.size(), factors.rank());
+  const Eigen::MatrixXd basis = orthonormal_basis(relative(Eigen::all, used));
   for (Eigen::Index i = 0; i < data.size(); ++i) quality.standard_errors.push_back(scatter * basis.row(i).norm());
   return result;
 }

@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "breccia/error.hpp"
 
+#include "least_squares.hpp"
 #include "non_negative_least_squares.hpp"
 
 namespace breccia {
@@ -107,27 +107,21 @@ Answer slope(double x) {
 /// Relative deviations of the best spectrum from all sweeps, as a function of the log10 a_T of all but the reference.
 class Projection {
  public:
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
   Projection(const std::vector<FrequencySweep>& sweeps, std::size_t reference, std::vector<double> times)
       : sweeps_(sweeps), reference_(reference), times_(std::move(times)) {
     for (const auto& sweep : sweeps) rows_ += 2 * static_cast<Eigen::Index>(sweep.frequencies.size());
   }
 
-  [[nodiscard]] int values() const { return static_cast<int>(rows_); }
+  /// Number of deviations.
+  [[nodiscard]] Eigen::Index values() const { return rows_; }
 
-  int operator()(const Eigen::VectorXd& shifts, Eigen::VectorXd& deviations) const {
+  void set_deviations(const Eigen::VectorXd& shifts, Eigen::VectorXd& deviations) const {
     const auto columns = answers(shifts);
     deviations = columns * best_spectrum(columns) - Eigen::VectorXd::Ones(rows_);
-    return 0;
   }
 
   /// The spectrum follows the shifts: what its used parts can take up does not count (Kaufman, BIT 15, 49, 1975).
-  int df(const Eigen::VectorXd& shifts, Eigen::MatrixXd& jacobian) const {
+  void set_jacobian(const Eigen::VectorXd& shifts, Eigen::MatrixXd& jacobian) const {
     const auto columns = answers(shifts);
     const auto spectrum = best_spectrum(columns);
     const auto change = slopes(shifts, spectrum);
@@ -140,7 +134,6 @@ class Projection {
     }
     const auto basis = used_part(columns, spectrum);
     jacobian -= basis * (basis.transpose() * jacobian);
-    return 0;
   }
 
   /// How many parts of the spectrum are used.
@@ -208,8 +201,7 @@ class Projection {
     for (Eigen::Index k = 0; k < spectrum.size(); ++k) {
       if (spectrum[k] > 0.0) used.push_back(k);
     }
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(columns(Eigen::all, used));
-    return factors.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), factors.rank());
+    return orthonormal_basis(columns(Eigen::all, used));
   }
 
   const std::vector<FrequencySweep>& sweeps_;
@@ -267,28 +259,27 @@ struct Shifts {
 
 Shifts best_shifts(const Projection& projection, const Eigen::VectorXd& start) {
   Shifts shifts = {start, {}};
-  auto function = projection;
-  Eigen::LevenbergMarquardt<Projection> search(function);
+  const NonlinearLeastSquares problem = {
+      .values = projection.values(),
+      .deviations = [&](const auto& x, auto& deviations) { projection.set_deviations(x, deviations); },
+      .jacobian = [&](const auto& x, auto& jacobian) { projection.set_jacobian(x, jacobian); }};
   // Far below the standard errors.
-  search.parameters.xtol = 1e-6;
-  search.parameters.ftol = 1e-8;
-  search.parameters.maxfev = 200;
-  const auto status = search.minimize(shifts.values);
-  if (status == Eigen::LevenbergMarquardtSpace::TooManyFunctionEvaluation || !shifts.values.allFinite()) {
+  const SearchLimits limits = {.relative_step = 1e-6, .relative_decrease = 1e-8, .most_evaluations = 200};
+  if (!search_least_squares(problem, limits, shifts.values) || !shifts.values.allFinite()) {
     throw NumericalError("master curve: the shift factors do not converge");
   }
   Eigen::VectorXd deviations(projection.values());
   Eigen::MatrixXd jacobian(projection.values(), start.size());
-  projection(shifts.values, deviations);
-  projection.df(shifts.values, jacobian);
+  projection.set_deviations(shifts.values, deviations);
+  projection.set_jacobian(shifts.values, jacobian);
   const auto freedom = projection.values() - projection.used_terms(shifts.values) - start.size();
   const double variance = deviations.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, freedom));
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> normal(jacobian.transpose() * jacobian);
-  if (!normal.isInvertible()) {
+  const auto unit_variances = variances(jacobian);
+  if (!unit_variances) {
     throw NumericalError(
         "master curve: the data do not tell the shift of every sweep; leave out temperatures whose sweeps are flat");
   }
-  shifts.standard_errors = (variance * normal.inverse().diagonal()).cwiseSqrt();
+  shifts.standard_errors = (variance * *unit_variances).cwiseSqrt();
   return shifts;
 }
 

@@ -5,6 +5,8 @@
 
 #include "breccia/error.hpp"
 
+#include "least_squares.hpp"
+
 namespace breccia {
 namespace {
 
@@ -12,7 +14,7 @@ using Indices = std::vector<Eigen::Index>;
 
 /// The unconstrained solution in some of the variables.
 Eigen::VectorXd solve_for(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Indices& variables) {
-  return matrix(Eigen::all, variables).colPivHouseholderQr().solve(right);
+  return least_squares(matrix(Eigen::all, variables), right);
 }
 
 /// Goes from x towards the solution in the free variables until the first of them is zero, binds that one, and so on

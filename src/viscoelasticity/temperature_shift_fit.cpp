@@ -5,9 +5,10 @@
 #include <vector>
 
 #include <Eigen/Dense>
-#include <unsupported/Eigen/NonLinearOptimization>
 
 #include "breccia/error.hpp"
+
+#include "least_squares.hpp"
 
 namespace breccia {
 namespace {
@@ -16,34 +17,24 @@ namespace {
 /// and the bend k = 1 / c2, stay finite for factors that are nearly straight, where c1 and c2 do not.
 class Deviations {
  public:
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
   Deviations(Eigen::VectorXd differences, Eigen::VectorXd factors)
       : differences_(std::move(differences)), factors_(std::move(factors)) {}
 
-  [[nodiscard]] int values() const { return static_cast<int>(factors_.size()); }
-
-  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& deviations) const {
+  void set_deviations(const Eigen::VectorXd& x, Eigen::VectorXd& deviations) const {
     for (Eigen::Index i = 0; i < factors_.size(); ++i) {
       const double reach = 1.0 + x[1] * differences_[i];
       // Beyond the pole of the law no trial is accepted.
       constexpr double forbidden = 1e6;
       deviations[i] = reach > 0.0 ? -x[0] * differences_[i] / reach - factors_[i] : forbidden;
     }
-    return 0;
   }
 
-  int df(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
+  void set_jacobian(const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) const {
     for (Eigen::Index i = 0; i < factors_.size(); ++i) {
       const double d = differences_[i], reach = 1.0 + x[1] * d;
       jacobian(i, 0) = -d / reach;
       jacobian(i, 1) = x[0] * d * d / (reach * reach);
     }
-    return 0;
   }
 
  private:
@@ -72,11 +63,11 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   const double furthest = differences.cwiseAbs().maxCoeff();
   Eigen::VectorXd x(2);
   x << mean_slope, 0.01 / furthest;
-  Deviations deviations(differences, logarithms);
-  Eigen::LevenbergMarquardt<Deviations> search(deviations);
-  search.parameters.xtol = 1e-12;
-  search.parameters.ftol = 1e-14;
-  search.minimize(x);
+  const Deviations deviations(differences, logarithms);
+  search_least_squares({.values = count,
+                        .deviations = [&](const auto& at, auto& f) { deviations.set_deviations(at, f); },
+                        .jacobian = [&](const auto& at, auto& jacobian) { deviations.set_jacobian(at, jacobian); }},
+                       {.relative_step = 1e-12, .relative_decrease = 1e-14}, x);
 
   // A bend of less than this cannot be told from none: c2 would be a thousand times the range of the data.
   constexpr double least_bend = 1e-3;
@@ -85,8 +76,8 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   WilliamsLandelFerryFit fit{{c1, c2, reference_temperature}};
   Eigen::VectorXd residual(count);
   Eigen::MatrixXd jacobian(count, 2);
-  deviations(x, residual);
-  deviations.df(x, jacobian);
+  deviations.set_deviations(x, residual);
+  deviations.set_jacobian(x, jacobian);
   Eigen::Index worst = 0;
   fit.worst_deviation = residual.cwiseAbs().maxCoeff(&worst);
   fit.worst_at = used[static_cast<std::size_t>(worst)].temperature;

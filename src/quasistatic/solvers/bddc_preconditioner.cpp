@@ -12,7 +12,7 @@ constexpr double tolerance = 8.0;
 constexpr Eigen::Index vertex_unknowns = 8;
 
 /// Values of some unknowns, zero where the number of the unknown is negative.
-Eigen::VectorXf gather(const int* unknowns, Eigen::Index count, const std::vector<double>& values) {
+Eigen::VectorXf gather_single(const int* unknowns, Eigen::Index count, const std::vector<double>& values) {
   Eigen::VectorXf local(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     local[i] = unknowns[i] < 0 ? 0.0F : static_cast<float>(values[static_cast<std::size_t>(unknowns[i])]);
@@ -181,7 +181,7 @@ void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<
   std::fill(coarse_right_.begin(), coarse_right_.end(), 0.0);
   std::copy_n(residual.begin(), vertices, coarse_right_.begin());
   for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
-    const Eigen::VectorXf forces = solvers.coarse.transpose() * gather(unknowns, solvers.local.size(), residual);
+    const Eigen::VectorXf forces = solvers.coarse.transpose() * gather_single(unknowns, solvers.local.size(), residual);
     for (std::size_t i = 0; i < coarse.size(); ++i) {
       coarse_right_[static_cast<std::size_t>(coarse[i])] += static_cast<double>(forces[static_cast<Eigen::Index>(i)]);
     }
@@ -191,8 +191,8 @@ void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<
   std::copy_n(coarse_solution_.begin(), vertices, result.begin());
   for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
     Eigen::VectorXf displacements;
-    solvers.local.multiply(gather(unknowns, solvers.local.size(), residual), displacements);
-    displacements += solvers.coarse * gather(coarse.data(), solvers.coarse.cols(), coarse_solution_);
+    solvers.local.multiply(gather_single(unknowns, solvers.local.size(), residual), displacements);
+    displacements += solvers.coarse * gather_single(coarse.data(), solvers.coarse.cols(), coarse_solution_);
     for (Eigen::Index i = 0; i < displacements.size(); ++i) {
       if (unknowns[i] >= 0) result[static_cast<std::size_t>(unknowns[i])] += static_cast<double>(displacements[i]);
     }
