@@ -36,7 +36,7 @@ class FileError : public Error {
   explicit FileError(const std::string& message) : Error(ExitCode::file_failure, message) {}
 };
 
-/// The user asked the computation to stop.
+/// The computation was stopped by its user or by a limit of time.
 class Interrupted : public Error {
  public:
   explicit Interrupted(const std::string& message) : Error(ExitCode::interrupted, message) {}
