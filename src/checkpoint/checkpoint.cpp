@@ -31,7 +31,7 @@ void require_owner(const std::filesystem::path& path, const StateOwner& found, c
   }
 }
 
-/// A damaged file must not become the older of two states.
+/// Renames a damaged file, so that it is not kept as the older state.
 void set_aside(const std::filesystem::path& path) {
   std::error_code is_gone;
   if (parallel::rank() == 0) std::filesystem::rename(path, path.string() + ".damaged", is_gone);
@@ -86,7 +86,7 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
   writer.commit();
-  // Nobody leaves, and ends the others, while the first process writes.
+  // All processes wait here: one that ended now would end the first one while it writes.
   static_cast<void>(parallel::largest(0.0));
   last_ = Clock::now();
 }

@@ -22,7 +22,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
   return text;
 }
 
-/// The error that the method makes in time, and over what.
+/// The error of the method in time, in words, and the range of moduli to which it applies.
 std::string describe_error(const QuasistaticResponse& response) {
   const double per_cent = 100.0 * response.error_estimate;
   if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
@@ -32,7 +32,7 @@ std::string describe_error(const QuasistaticResponse& response) {
                      display(softest.matrix.shear, "Pa"), display(stiffest.matrix.shear, "Pa"), per_cent);
 }
 
-/// A line on a quasi-static test; time domains have told of themselves.
+/// A line about a quasi-static test; for dynamic tests there is a line for each time domain instead.
 std::string describe(const Stage& stage, const TestResult& test) {
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   if (record == nullptr) return {};

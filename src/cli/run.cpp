@@ -61,7 +61,7 @@ SweepObserver narrate(const Sweep& sweep, Progress& progress) {
   return observer;
 }
 
-/// Throws NumericalError, naming the tasks that have failed, if some have.
+/// Throws NumericalError with the names of the failed tasks, if there are any.
 void refuse_failures(const Sweep& sweep, const SweepResult& result) {
   std::string failures;
   for (std::size_t task = 0; task < result.size(); ++task) {

@@ -11,14 +11,14 @@
 namespace breccia {
 namespace {
 
-/// A factor between the sizes from which on a stage as a matrix is close to what it stands for.
+/// Ratio of the sizes above which the homogenised stage is a good model of its particles and binder.
 constexpr double enough = 5.0;
 
 std::string length(double value) {
   return display(value, "m", 3);
 }
 
-/// The nearest stage below that has particles; null without any.
+/// The nearest earlier stage in the chain of matrices that has particles; nullptr if there is none.
 const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   const auto* below = stage_of_matrix(study, stage);
   while (below != nullptr && !below->filler) below = stage_of_matrix(study, *below);

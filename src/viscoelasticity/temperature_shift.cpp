@@ -11,7 +11,7 @@ namespace breccia {
 
 namespace {
 
-/// "172.35 K (-100.8 degC)"
+/// A temperature [K] as text: "172.35 K (-100.8 degC)".
 std::string in_both_scales(double temperature) {
   constexpr double zero_celsius = 273.15;
   return fmt::format("{:.7g} K ({:.5g} degC)", temperature, temperature - zero_celsius);
