@@ -149,8 +149,8 @@ std::string objection_to_resuming(const Study& study, const fs::path& directory)
     return objection.empty() ? objection_to_sweep(directory) : objection;
   }
   return fmt::format(
-      "{}: cannot go on from these results: {}; take another directory (--out), or run with --overwrite "
-      "in the place of --resume, which begins anew and replaces them in the end",
+      "{}: cannot resume from these results: {}; take another directory (--out), or run with --overwrite "
+      "instead of --resume, which starts anew and replaces them when the new ones are complete",
       directory.string(), difference(record, study));
 }
 

@@ -52,8 +52,8 @@ void require_names_of_directories(const Study& study) {
 void require_hash(const Study& study) {
   if (!study.provenance.hash.empty()) return;
   throw InputError(
-      "this study does not come from a deck, so that its results could not be told from those of others: read it by "
-      "read_study, give it a provenance with a hash, or solve it in the memory");
+      "this study has no provenance, so its results could not be distinguished from those of others: read it by "
+      "read_study, give it a provenance with a hash, or use solve, which writes no files");
 }
 
 }  // namespace

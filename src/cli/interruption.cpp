@@ -26,7 +26,7 @@ bool interruption_requested() {
 }
 
 void stop_if_interrupted() {
-  if (interruption_requested()) throw Interrupted("interrupted; what was finished stays in the results");
+  if (interruption_requested()) throw Interrupted("interrupted; finished results are kept");
 }
 
 }  // namespace breccia::cli

@@ -92,7 +92,8 @@ Outcome guarded_run(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {ExitCode::file_failure, fmt::format("breccia: {}", error.what())};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::numerical_failure, "not enough memory for this deck; `breccia check` tells how much it takes"};
+    return {ExitCode::numerical_failure,
+            "not enough memory for this deck; `breccia check` estimates how much it needs"};
   } catch (const std::exception& error) {
     return {ExitCode::numerical_failure, fmt::format("breccia: internal error: {}", error.what())};
   }

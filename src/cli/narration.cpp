@@ -71,13 +71,15 @@ RunObserver narrate(Progress& progress) {
                     domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
   observer.writes_beside = [&progress](const std::filesystem::path& place) {
-    progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));
+    progress.print(fmt::format("The earlier results are kept until the new ones, in {}, are complete", place.string()));
   };
   observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
-    progress.print(stage.answered_from.empty()
-                       ? fmt::format("{}: the same as in {}", stage.name, directory.string())
-                       : fmt::format("{}: at another temperature from the responses of task {}, without maps",
-                                     stage.name, stage.answered_from));
+    progress.print(
+        stage.answered_from.empty()
+            ? fmt::format("{}: the same as in {}", stage.name, directory.string())
+            : fmt::format(
+                  "{}: computed from the reduced responses of task {}, at another temperature, without field maps",
+                  stage.name, stage.answered_from));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

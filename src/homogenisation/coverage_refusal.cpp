@@ -54,7 +54,7 @@ std::string remedy_for(const StoredResponses& stored) {
     return "the study was run with tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers its "
            "own matrix at every temperature";
   }
-  return "a study with this material as its matrix covers all of it";
+  return "a new study with this material as its matrix covers all of it";
 }
 
 std::string describe(const char* modulus, const Material& matrix, const TimeWindow& window, const ModuliRange& shown,

@@ -131,7 +131,7 @@ std::string summary_of(const StageQuality& quality) {
   }
   if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown (--seeds 3)");
   if (!quality.matrix_stage.empty()) {
-    parts.push_back(fmt::format("matrix: the errors of stage {} come on top", quality.matrix_stage));
+    parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }

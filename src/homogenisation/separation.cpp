@@ -37,7 +37,7 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
   if (own->largest < below->largest) {
     return fmt::format(
         "its particles, up to {}, are smaller than those of its matrix {}, up to {}: the stages are in "
-        "the wrong order, for a matrix holds what is far smaller {}",
+        "the wrong order: the particles in a matrix must be far smaller {}",
         length(own->largest), matrix->name, length(below->largest), where);
   }
   const double factor = own->smallest / below->largest;
@@ -47,7 +47,7 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
   if (!is_near && !is_narrow) return std::nullopt;
   const auto others = fmt::format("the largest of its matrix {}, {}", matrix->name, length(below->largest));
   const auto how_wide = factor < 1.05 ? "no wider than" : fmt::format("only {:.2g} times as wide as", factor);
-  const auto sizes = fmt::format("its smallest particles, {}, are {} {} (apart would be {:g} times or more)",
+  const auto sizes = fmt::format("its smallest particles, {}, are {} {} (expected {:g} times or more)",
                                  length(own->smallest), how_wide, others, enough);
   const auto gaps = fmt::format("its smallest gap, {}, is narrower than {}", length(gap), is_near ? "those" : others);
   return fmt::format("{}{}{}; the result may be tens of per cent off, and its bounds need not be bounds {}",

@@ -66,7 +66,7 @@ std::optional<std::string> warning_of_unknown_times(const Material& matrix, cons
   if (times.begin >= fastest / decade && times.end <= slowest * decade) return std::nullopt;
   return fmt::format(
       "times reach from {} to {}, but the relaxation times of the shear modulus of its matrix, {}, from {} to {} only; "
-      "beyond them it is constant, whatever the material does",
+      "beyond them the computed modulus is constant, unlike that of a real material",
       readable(times.begin, Dimension::time), readable(times.end, Dimension::time), matrix.name,
       readable(fastest, Dimension::time), readable(slowest, Dimension::time));
 }

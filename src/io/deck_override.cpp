@@ -102,7 +102,7 @@ class Assignment {
   }
 
   void require_some(const std::string& path, std::size_t entries) {
-    if (entries == 0) report(fmt::format("{} has no entries that \"*\" could stand for", path));
+    if (entries == 0) report(fmt::format("{} has no entries for \"*\"", path));
   }
 
   void report(std::string message) { mistakes_.push_back({place_, std::move(message)}); }

@@ -108,8 +108,7 @@ void divide(int processes_each) {
   const char* started = std::getenv("SLURM_NTASKS");
   if (processes == 1 && started != nullptr && std::atoi(started) > 1 && std::getenv("SLURM_PROCID") != nullptr) {
     throw InputError(fmt::format(
-        "{} processes have been started that do not know of each other; start them by mpirun, or by srun --mpi=pmix",
-        started));
+        "{} processes were started without a connection by MPI; start them by mpirun, or by srun --mpi=pmix", started));
   }
   if (processes_each < 1 || processes % processes_each != 0) {
     throw InputError(fmt::format("{} processes cannot be divided into groups of {}", processes, processes_each));

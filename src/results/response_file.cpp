@@ -45,7 +45,7 @@ void write_response(Hdf5Writer& file, const std::string& group, const ReducedRes
 }
 
 void require(bool is_so, const std::string& group, const char* expected) {
-  if (!is_so) throw FileError(fmt::format("{}: no response of this program: expected {}", group, expected));
+  if (!is_so) throw FileError(fmt::format("{}: not a response that Breccia has written: expected {}", group, expected));
 }
 
 /// Checks that all matrices of a response have the same size of the basis.

@@ -87,11 +87,10 @@ bool DomainSequence::observe(double time, double modulus) {
 
 void DomainSequence::advance() {
   if (!window_) {
-    throw NumericalError(
-        fmt::format("time domains: with density factor {:.3g} no time up to {:.3e} s comes after {:g} there-and-back "
-                    "transits of the "
-                    "shear wave; give smaller density factors",
-                    factor_, rules_.times.end, there_and_back_transits));
+    throw NumericalError(fmt::format(
+        "time domains: with density factor {:.3g} the run is valid nowhere up to {:.3e} s, which is less than {:g} "
+        "there-and-back transits of the shear wave; give smaller density factors",
+        factor_, rules_.times.end, there_and_back_transits));
   }
   if (expired_) {
     if (!rules_.density_factors.empty()) {

@@ -60,7 +60,7 @@ CreepCompliance creep_compliance(const PronySeries& modulus) {
   std::vector<Term> terms;
   for (const auto& [time, strength] : modulus.terms()) add(terms, 1.0 / time, strength);
   const double unrelaxed = modulus.unrelaxed(), equilibrium = modulus.equilibrium();
-  if (!(unrelaxed > 0.0)) throw InputError("creep compliance: a modulus of zero has none");
+  if (!(unrelaxed > 0.0)) throw InputError("creep compliance: the modulus is zero at all times");
 
   // Zeros of s G~(s) at s = -r: -G_inf + sum_i G_i r / (p_i - r) = 0.
   const auto negative_modulus = [&](const Rate& rate) {

@@ -60,7 +60,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& matrix, const 
     free.push_back(best);
     descend(scaled, right, free, x);
   }
-  throw NumericalError("non-negative least squares: no end; are all data finite?");
+  throw NumericalError("non-negative least squares: no convergence; are all data finite?");
 }
 
 }  // namespace breccia

@@ -28,7 +28,7 @@ double WilliamsLandelFerry::shift_factor(double temperature) const {
   const double decades = -c1 * excess / (c2 + excess);
   constexpr double most_decades = 100.0;
   if (!(std::abs(decades) <= most_decades)) {
-    throw InputError(fmt::format("the WLF law shifts by 10^{:.3g} at {}, which is beyond its use", decades,
+    throw InputError(fmt::format("the WLF law shifts by 10^{:.3g} at {}, which is outside its range of use", decades,
                                  in_both_scales(temperature)));
   }
   return std::pow(10.0, decades);

@@ -21,7 +21,7 @@ TEST(RunStudy, RefusesAStudyWithoutAHash) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(test::two_stages(), results)); }),
-              HasSubstr("does not come from a deck"));
+              HasSubstr("this study has no provenance"));
   EXPECT_FALSE(std::filesystem::exists(results));
 }
 

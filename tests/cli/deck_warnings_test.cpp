@@ -93,8 +93,8 @@ TEST(DeckWarnings, TheGapIsShownWithItsSource) {
     return study.breccia("check", {"--set", "stages.A.filler.gap=" + gap}).output;
   };
   EXPECT_THAT(shown("0.12 mm"), HasSubstr("    gap      120 um (1.2 cells of 100 um)\n"));
-  EXPECT_THAT(shown("3 points"),
-              HasSubstr("    gap      150 um (1.5 cells of 100 um, from 3 points): other cells make another gap"));
+  EXPECT_THAT(shown("3 points"), HasSubstr("    gap      150 um (1.5 cells of 100 um, from 3 points): it depends on "
+                                           "the grid; other cells give another gap"));
   EXPECT_THAT(shown("12 %"), HasSubstr("    gap      120 um (1.2 cells of 100 um, 12 % of the smallest diameter)\n"));
   study.write("deck.toml", replaced(std::string(good_deck), ", gap = \"0.1 mm\"", ""));
   EXPECT_THAT(study.breccia("check").output, HasSubstr("the default of 10 % of the smallest diameter)\n"));

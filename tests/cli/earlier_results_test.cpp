@@ -77,7 +77,8 @@ TEST_F(EarlierResults, StayUntilTheNewOnesAreWhole) {
   cut_off.insert(cut_off.end(), {"--time-limit", "1 us"});
   const auto run = study_.breccia("run", cut_off);
   EXPECT_EQ(run.exit_code, 130) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("The earlier results stay until the new ones, in out/unfinished, are whole"));
+  EXPECT_THAT(run.output,
+              HasSubstr("The earlier results are kept until the new ones, in out/unfinished, are complete"));
   for (const auto& [name, bytes] : before_) EXPECT_EQ(read_text(study_.result(name)), bytes) << name;
 
   auto and_resume = other_;

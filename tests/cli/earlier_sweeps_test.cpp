@@ -110,7 +110,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceWhatCameAfterItHadBegun) {
   const auto curves = read_text(study_.result("seed-2/curves.csv"));
   const auto resumed = study_.breccia("run", other({"--resume"}));
   EXPECT_EQ(resumed.exit_code, 2);
-  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot go on from these results: the overrides were"));
+  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot resume from these results: the overrides were"));
   EXPECT_EQ(read_text(study_.result("seed-2/curves.csv")), curves);
 }
 
@@ -132,7 +132,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceWhatTookThePlaceOfADoneTask) {
   resume.emplace_back("--resume");
   const auto resumed = study_.breccia("run", resume);
   EXPECT_EQ(resumed.exit_code, 2);
-  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot go on from these results"));
+  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot resume from these results"));
   EXPECT_EQ(read_text(study_.result("seed-2/curves.csv")), curves);
 }
 

@@ -179,7 +179,7 @@ shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("from 1 us to 100 us stiff shows a shear modulus from 99 MPa to 5 GPa; the "
                                         "study has sampled"));
-  EXPECT_THAT(refused.errors, HasSubstr("a study with this material as its matrix covers all of it"));
+  EXPECT_THAT(refused.errors, HasSubstr("a new study with this material as its matrix covers all of it"));
   EXPECT_THAT(refused.errors, HasSubstr("covered from 8.7 us to 100 us: --times \"8.7 us\" \"100 us\""));
   EXPECT_FALSE(std::filesystem::exists(study->path() / "stiff"));
   auto covered = asked;
@@ -233,9 +233,8 @@ TEST(SweepOverTemperatures, IsOneRun) {
   const auto sweep = study.breccia(
       "run", {"--sweep", R"(materials.binder.temperature_shift.temperature=["20 degC", "-40 degC", "60 degC"])"});
   ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
-  EXPECT_THAT(
-      sweep.output,
-      HasSubstr("coarse: at another temperature from the responses of task temperature-20-degC, without maps\n"));
+  EXPECT_THAT(sweep.output, HasSubstr("coarse: computed from the reduced responses of task temperature-20-degC, at "
+                                      "another temperature, without field maps\n"));
   for (const std::string temperature : {"-40 degC", "60 degC"}) {
     const StudyDirectory single(chain);
     const auto run = single.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});

@@ -29,7 +29,7 @@ class Resume : public testing::Test {
       const auto outcome = study_.breccia("run", {"--resume", "--time-limit", "50 ms"});
       if (outcome.exit_code == 0) return interruptions;
       EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
-      EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
+      EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
       if (outcome.exit_code != 130) return -1;
     }
   }
@@ -102,7 +102,7 @@ TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {
   const auto refused = study_.breccia("run", {"--resume"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("out: cannot go on from these results: deck.toml: line 9 was"), HasSubstr("1.5 g/cm^3"),
+              AllOf(HasSubstr("out: cannot resume from these results: deck.toml: line 9 was"), HasSubstr("1.5 g/cm^3"),
                     HasSubstr("1.6 g/cm^3"), HasSubstr("--out"), HasSubstr("--overwrite")));
   EXPECT_EQ(study_.results(), before) << "nothing is lost";
 }
@@ -131,7 +131,7 @@ TEST_F(Resume, ATornCheckpointIsNamed) {
   const auto outcome = study_.breccia("run", {"--resume"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.errors, HasSubstr("out/A/shear-displacement-dynamic-24.checkpoint.h5: torn, or no checkpoint of "
-                                        "Breccia; this packing or test begins anew"));
+                                        "Breccia; this packing or test starts anew"));
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
 }
 

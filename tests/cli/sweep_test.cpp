@@ -130,7 +130,7 @@ TEST(Sweep, ResumingRunsWhatIsNotDone) {
 
   const auto other = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot go on from these results"), HasSubstr("out/seed-3")));
+  EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot resume from these results"), HasSubstr("out/seed-3")));
   const auto instead = study.breccia("run", {"--overwrite", "--set", "stages.A.cells=10"});
   EXPECT_EQ(instead.exit_code, 0) << instead.errors;
   EXPECT_THAT(instead.output, Not(HasSubstr("complete already")));

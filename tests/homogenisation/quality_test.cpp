@@ -84,7 +84,7 @@ TEST(Quality, SaysWhatIsUnknown) {
   stage.matrix = EarlierStage{"fine"};
   const auto upper = summary_of(quality_of(stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
   EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
-  EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine come on top"));
+  EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine add to these"));
   EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
   EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("bounds: not tested"));
   EXPECT_EQ(summary_of(quality_of(stage, result_of({}, 0))), "") << "without particles";

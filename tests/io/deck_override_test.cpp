@@ -107,7 +107,7 @@ TEST_F(DeckOverride, MistakesBehindAStar) {
   EXPECT_EQ(mistake("stages.*.cells.x=3"),
             "--set stages.*.cells.x=3: stages.HB-1.cells is 300, not a table: it has no \"x\"\n"
             "--set stages.*.cells.x=3: stages.HB-2.cells is 200, not a table: it has no \"x\"");
-  EXPECT_EQ(mistake("tests.*.courant=3"), "--set tests.*.courant=3: tests has no entries that \"*\" could stand for");
+  EXPECT_EQ(mistake("tests.*.courant=3"), "--set tests.*.courant=3: tests has no entries for \"*\"");
 }
 
 TEST_F(DeckOverride, WrongValuesNameTheOverride) {
