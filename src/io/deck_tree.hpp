@@ -61,7 +61,7 @@ DeckTable parse_deck(const std::filesystem::path& path, const std::string& text)
 /// Applies an override `key.path=value` to the tree, or adds a mistake.
 void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
 
-/// Applies a setting to the tree and returns the paths of what it has replaced, or adds mistakes.
+/// Applies a setting to the tree and returns the paths of the values that it has set, or adds mistakes.
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);
 
 /// Adds `key=value`, the key taken whole, to a table of the root, or adds a mistake.

@@ -22,8 +22,8 @@ void set_petsc_options(const std::string& options);
 /// is solved. Throws InputError when the number of processes is not a multiple of `processes_each`.
 void divide(int processes_each);
 
-/// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. What the host program
-/// has started, it must finalise itself.
+/// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. A host program finalises
+/// what it has started itself.
 void stop() noexcept;
 
 /// Ends all processes of this run with an exit code: for a failure of one process for which the others would wait.
