@@ -25,7 +25,7 @@ TEST(RunStudy, RefusesAStudyWithoutAHash) {
   EXPECT_FALSE(std::filesystem::exists(results));
 }
 
-TEST(RunStudy, LeavesNothingBehindWhereItFailsAtOnce) {
+TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
   study.provenance.hash = "0123456789abcdef";
   study.stages[0].filler->sizes = SingleSize{10.0};

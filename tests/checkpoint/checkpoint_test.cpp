@@ -129,7 +129,7 @@ TEST_F(CheckpointTest, ARunOfAnotherDeckOrVersionIsRefused) {
               HasSubstr("saved by version 1.0 of Breccia, this is version 1.1"));
 }
 
-TEST_F(CheckpointTest, AResultIsTold) {
+TEST_F(CheckpointTest, AResultIsRecognised) {
   auto checkpoint = opened();
   checkpoint.save(state(1.0));
   checkpoint.finish(state(2.0));

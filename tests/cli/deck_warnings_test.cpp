@@ -50,7 +50,7 @@ TEST(DeckWarnings, ReachCheckAndRunAndTheRecordAndTheReport) {
 }
 
 // Four discs of 2 mm in 36 mm^2 fill pi / 9, and one in the rest pi / 36; densities of 1.5 and 1 g/cm^3.
-TEST(DeckWarnings, TheFillerOfTheWholeIsTold) {
+TEST(DeckWarnings, ThePlanShowsTheFillerOfTheWhole) {
   const StudyDirectory study(two_stages());
   const auto line = HasSubstr("B: filler of the whole: 40.6 % by volume, 50.6 % by mass\n");
   const auto check = study.breccia("check");
@@ -139,7 +139,7 @@ TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
   EXPECT_THAT(read.breccia("check", {"--set", "stages.A.packing.walls=true"}).errors, HasSubstr("crosses a wall"));
 }
 
-TEST(DeckWarnings, BoundsThatCutPeriodicParticlesAreTheWishOfTheDeck) {
+TEST(DeckWarnings, BoundariesThatCutPeriodicParticlesAreOnlyUsedOnRequest) {
   const StudyDirectory study(replaced(std::string(good_deck), "seed = 1", "walls = false"));
   EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
   EXPECT_THAT(study.breccia("check", {"--set", R"(tests.boundaries=["displacement", "periodic"])"}).output,

@@ -63,7 +63,7 @@ TEST_F(EarlierResults, OfAnotherStudyAreNotReplacedUnasked) {
   }
 }
 
-TEST_F(EarlierResults, StayWhereARunFails) {
+TEST_F(EarlierResults, AreKeptIfARunFails) {
   const auto run = study_.breccia("run", jams_);
   EXPECT_EQ(run.exit_code, 3) << run.errors;
   expect_nothing_lost();
@@ -93,7 +93,7 @@ TEST_F(EarlierResults, StayUntilTheNewOnesAreWhole) {
   EXPECT_EQ(read_text(study_.result("curves.csv")), read_text(alone.result("curves.csv")));
 }
 
-TEST_F(EarlierResults, OfStagesThatAreNoMoreAreReplacedToo) {
+TEST_F(EarlierResults, OfRemovedStagesAreReplacedToo) {
   auto deck = read_text(study_.path() / "deck.toml");
   study_.write("deck.toml", test::replaced(deck, R"("A")", R"("B")"));
   const auto run = study_.breccia("run", {"--overwrite"});

@@ -82,7 +82,7 @@ class ReplacedSweep : public testing::Test {
   const StudyDirectory study_{test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12")};
 };
 
-TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsFirstTask) {
+TEST_F(ReplacedSweep, ResumesFromAnInterruptionInItsFirstTask) {
   const auto table = read_text(study_.result("sweep.csv"));
   cut_off_in_the_first_task();
   EXPECT_EQ(read_text(study_.result("sweep.csv")), table);
@@ -91,7 +91,7 @@ TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsFirstTask) {
   expect_the_results_of_the_other();
 }
 
-TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsSecondTask) {
+TEST_F(ReplacedSweep, ResumesFromAnInterruptionInItsSecondTask) {
   test::RunningCommand sweep(study_.path(), StudyDirectory::arguments("run", other({"--overwrite"})));
   ASSERT_TRUE(sweep.reaches([&] { return fs::exists(study_.result("seed-2/unfinished")); }));
   sweep.send(SIGINT);
@@ -103,7 +103,7 @@ TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsSecondTask) {
   expect_the_results_of_the_other();
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceWhatCameAfterItHadBegun) {
+TEST_F(ReplacedSweep, DoesNotReplaceResultsWrittenAfterItsStart) {
   cut_off_in_the_first_task();
   const auto run = test::run_breccia(study_.path(), third({"--out", "out/seed-2", "--overwrite"}));
   ASSERT_EQ(run.exit_code, 0) << run.errors;
@@ -114,7 +114,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceWhatCameAfterItHadBegun) {
   EXPECT_EQ(read_text(study_.result("seed-2/curves.csv")), curves);
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsThatCameAfterItHadBegun) {
+TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsWrittenAfterItsStart) {
   cut_off_in_the_first_task();
   ASSERT_EQ(test::run_breccia(study_.path(), third({"--out", "third"})).exit_code, 0);
   fs::rename(study_.path() / "third", study_.result("seed-2/unfinished"));
@@ -124,7 +124,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsThatCameAfterItHadBegun) {
   EXPECT_TRUE(fs::exists(study_.result("seed-2/unfinished/curves.csv")));
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceWhatTookThePlaceOfADoneTask) {
+TEST_F(ReplacedSweep, DoesNotReplaceOtherResultsInPlaceOfAFinishedTask) {
   const auto run = test::run_breccia(study_.path(), third({"--out", "out/seed-2", "--overwrite"}));
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto curves = read_text(study_.result("seed-2/curves.csv"));

@@ -40,7 +40,7 @@ TEST(RunFailure, OutputDirectoryUnderAFile) {
   }
 }
 
-TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
+TEST(RunFailure, ADirectoryHasTheNameOfAResultFile) {
   const StudyDirectory study(model_deck);
   fs::create_directories(study.result("curves.csv/in-the-way"));
   const auto run = study.breccia("run", {"--set", "stages.A.cells=8"});

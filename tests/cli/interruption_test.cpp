@@ -50,7 +50,7 @@ TEST_P(Interruption, KeepsAPackingOnItsWay) {
   EXPECT_THAT(study.results(), testing::ElementsAre("A/packing.checkpoint.h5", "study.json"));
 }
 
-TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {
+TEST_P(Interruption, DoesNotReachGnuplot) {
   const StudyDirectory study(test::homogeneous_deck);
   const char* const before = std::getenv("PATH");
   ASSERT_NE(before, nullptr);

@@ -38,7 +38,7 @@ TEST(New, OverwritesNothing) {
   EXPECT_EQ(read_text(directory.path() / "mine.toml"), "# a month of work\n");
 }
 
-TEST(New, RefusesNamesThatCannotBe) {
+TEST(New, RefusesInvalidNames) {
   const test::TemporaryDirectory directory;
   const auto nameless = test::run_breccia(directory.path(), {"new"});
   EXPECT_EQ(nameless.exit_code, 2);

@@ -104,7 +104,7 @@ class Respond : public ::testing::Test {
 
 std::unique_ptr<StudyDirectory> Respond::study;
 
-TEST_F(Respond, AnswersWhatRunsAtOtherTemperaturesFind) {
+TEST_F(Respond, AgreesWithRunsAtOtherTemperatures) {
   const auto answered = respond({"--temperature", "-40 degC", "--temperature", "0 degC", "--temperature", "313.15 K",
                                  "--temperature", "80 degC"});
   ASSERT_EQ(answered.exit_code, 0) << answered.errors;
@@ -131,7 +131,7 @@ TEST_F(Respond, AnswersTheTemperatureOfTheRunWithTheRun) {
             1e-9);
 }
 
-TEST_F(Respond, AStageAtATemperatureBringsThoseThatItBuildsOn) {
+TEST_F(Respond, AStageAtATemperatureIncludesTheStagesThatItBuildsOn) {
   const auto coarse = respond({"--temperature", "30 degC", "--stage", "coarse", "--out", "coarse"});
   ASSERT_EQ(coarse.exit_code, 0) << coarse.errors;
   EXPECT_THAT(coarse.output, HasSubstr("\nfine\n"));
@@ -140,7 +140,7 @@ TEST_F(Respond, AStageAtATemperatureBringsThoseThatItBuildsOn) {
   EXPECT_THAT(fine.output, Not(HasSubstr("coarse\n")));
 }
 
-TEST_F(Respond, RefusesWhatIsNoTemperature) {
+TEST_F(Respond, RefusesInvalidTemperatures) {
   study->write("binder.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
       {{"--temperature", "40"}, R"(--temperature: expected a temperature with its unit, such as "19 degC", got "40")"},
@@ -166,7 +166,7 @@ TEST_F(Respond, RefusesWhatIsNoTemperature) {
   EXPECT_FALSE(std::filesystem::exists(study->result("respond-41degC")));
 }
 
-TEST_F(Respond, TellsWhichTimesAreCovered) {
+TEST_F(Respond, ReportsTheCoveredTimes) {
   // 10 GPa / (1 + t / 1 us) at s = 1/t is more than 1.05 times the unrelaxed 993.8 MPa of the binder before 8.58 us.
   study->write("stiff.toml", R"(density = "1 g/cm^3"
 bulk    = "3 GPa"

@@ -88,7 +88,7 @@ TEST_F(Results, CurvesAreATidyTable) {
   EXPECT_THAT(lines, SizeIs(1 + 2 * 21)) << "20 a decade, both ends";
 }
 
-TEST_F(Results, ProvenanceTellsWhatWasRun) {
+TEST_F(Results, ProvenanceRecordsTheRun) {
   const auto json = provenance();
   EXPECT_EQ(json["program"], "breccia");
   EXPECT_EQ(json["title"], "Model composite");
@@ -186,7 +186,7 @@ TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {
   EXPECT_FALSE(tests[1].contains("fields")) << "of the first load alone";
 }
 
-TEST_F(Results, HistoriesTellWhatTheyBelongTo) {
+TEST_F(Results, HistoriesRecordTheirTest) {
   const auto json = provenance();
   for (const auto& test : json["stages"][0]["tests"]) {
     const auto load = test["load"].get<std::string>();

@@ -48,7 +48,7 @@ TEST_F(Resume, EndsWithTheBytesOfARunInOneGo) {
   }
 }
 
-TEST_F(Resume, WhereNothingWasLeftARunBegins) {
+TEST_F(Resume, WithoutEarlierResultsARunStartsAnew) {
   const auto outcome = study_.breccia("run", {"--resume", "--set", "tests.method=quasistatic"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
@@ -58,7 +58,7 @@ double wall_time_of_packing(const StudyDirectory& study) {
   return json["stages"][0]["microstructure"]["wall_time_s"];
 }
 
-TEST_F(Resume, PackingLeavesWhatARunHasToldAlone) {
+TEST_F(Resume, PackingDoesNotChangeTheResultsOfARun) {
   // Until the second of two tests has left its state.
   while (study_.breccia("run", {"--resume", "--time-limit", "50 ms"}).exit_code == 130 &&
          Json::parse(read_text(study_.result("study.json")))["stages"][0]["tests"].empty()) {
@@ -142,7 +142,7 @@ TEST_F(Resume, WithoutTheOptionEverythingBeginsAnew) {
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
 }
 
-TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
+TEST_F(Resume, HalfWrittenFilesOfAKilledRunAreRemoved) {
   interrupt();
   write_text(study_.result("curves.csv.123.partial"), "half");
   write_text(study_.result("A/modulus.svg.123.partial"), "half");
@@ -154,7 +154,7 @@ TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
 }
 
-TEST_F(Resume, ATimeThatIsNoneIsRefused) {
+TEST_F(Resume, InvalidTimesAreRefused) {
   for (const auto* option : {"--time-limit", "--checkpoint-interval"}) {
     const auto outcome = study_.breccia("run", {option, "2 m"});
     EXPECT_EQ(outcome.exit_code, 2);

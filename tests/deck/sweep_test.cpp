@@ -87,7 +87,7 @@ filler  = { material = "hmx", sizes = { diameter = "2 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 )";
 
-TEST_F(SweepDeck, TheSeedOfAllPackingsIsThatOfTheRandomOnes) {
+TEST_F(SweepDeck, TheSeedOfAllPackingsIsSetInRandomOnesOnly) {
   const std::string every_seed = "stages.*.packing.seed=[7, 8]";
   deck = test::join(test::materials, test::stage, regular_stage, test::tests);
   const auto sweep = read("", {every_seed});

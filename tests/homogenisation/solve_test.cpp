@@ -87,7 +87,7 @@ class Recorder final : public StudySink {
   std::vector<std::string> calls;
 };
 
-TEST(Solve, HandsItsPartsToASinkAsTheyAreFound) {
+TEST(Solve, PassesItsPartsToASinkAsTheyAreComputed) {
   auto study = test::two_stages();
   study.tests.boundaries = {Boundary::displacement};
   Recorder recorder;
@@ -104,7 +104,7 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
   EXPECT_THROW(static_cast<void>(solve(study)), InputError);
 }
 
-TEST(Solve, WhatAnObserverThrowsEndsIt) {
+TEST(Solve, AnExceptionOfAnObserverEndsIt) {
   StudyObserver observer;
   observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
   EXPECT_THROW(static_cast<void>(solve(test::two_stages(), {}, observer)), Interrupted);

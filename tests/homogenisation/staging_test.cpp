@@ -32,7 +32,7 @@ TEST(Staging, LeavesTheBinder) {
   EXPECT_NEAR(binder, 0.062, 1e-14);
 }
 
-TEST(Staging, RefusesWhatIsNoDivision) {
+TEST(Staging, RefusesInvalidDivisions) {
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {1e-6, 10e-6}, 1.0)), InputError);
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {1e-6, 10e-6}, 0.0)), InputError);
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {10e-6, 1e-6}, 0.5)), InputError);
