@@ -16,7 +16,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Two studies without a hash could not be told apart on the disk.
+// The results of studies without a hash could not be distinguished on the disk.
 TEST(RunStudy, RefusesAStudyWithoutAHash) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";

@@ -113,7 +113,7 @@ TEST_F(CheckpointTest, WithBothTornItBeginsAnew) {
 TEST_F(CheckpointTest, BetweenTwoNamesTheOlderOneIsFound) {
   auto checkpoint = opened();
   checkpoint.save(state(1.0));
-  // As a run leaves it that is killed after the first of two renamings.
+  // The files of a run that was killed after the first of two renamings.
   std::filesystem::rename(path_, older_state(path_));
   EXPECT_EQ(found(), 1.0);
 }

@@ -30,7 +30,7 @@ class DirectoryOfAnotherProcess : public testing::Test {
     for (const auto& name : study_.results()) all[name] = read_text(study_.result(name));
     return all;
   }
-  /// What the other process has written so far: all of its results, but for their names.
+  /// Writes the files of the other process so far: all of its results, still under temporary names.
   void write_unfinished(const std::string& directory) const {
     const auto whole = study_.result(directory);
     const auto copy = study_.path() / "copy";

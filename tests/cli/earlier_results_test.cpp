@@ -1,4 +1,4 @@
-// What is in a directory before a command writes to it.
+// Tests of files that are in a directory before a command writes to it.
 
 #include <map>
 #include <string>

@@ -1,4 +1,4 @@
-// What is in a directory before a sweep writes to it.
+// Tests of files that are in a directory before a sweep writes to it.
 
 #include <csignal>
 #include <string>

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 namespace fs = std::filesystem;
 
-/// What a page holds of its study.
+/// The data of the study in a page.
 Json data_of(const std::string& page) {
   const std::string begin = R"(id="data">)";
   const auto from = page.find(begin) + begin.size();

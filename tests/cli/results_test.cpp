@@ -170,7 +170,7 @@ TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {
   EXPECT_NEAR(static_cast<double>(std::accumulate(material.begin(), material.end(), std::int64_t{0})) / (48.0 * 48.0),
               provenance()["stages"][0]["filler_point_fraction"].get<double>(), 1e-12);
 
-  // Of the first load: a unit of engineering shear strain. The stress is that of the last time, up to ringing.
+  // Fields of the first load, a unit engineering shear strain. The stress is that at the last time, up to ringing.
   ASSERT_THAT(fields.shape(data + "strain"), ElementsAre(48U * 48U, 6U));
   constexpr std::size_t xx = 0, xy = 3;
   const auto strain = fields.read_numbers(data + "strain");

@@ -171,7 +171,7 @@ TEST_F(SweepDeck, TheHashOfATaskDoesNotDependOnTheOthers) {
   EXPECT_NE(few[0].study.provenance.hash, few[1].study.provenance.hash);
 }
 
-/// A sweep and what is wrong with it.
+/// A sweep with a mistake, and its message.
 struct BadSweep {
   const char* sweep;
   const char* message;

@@ -74,7 +74,7 @@ TEST(Solve, KeepsFieldsInTheMemoryAndWritesNoFile) {
   EXPECT_THAT(in_shear.field_files, IsEmpty());
 }
 
-/// Writes down what it is told.
+/// A sink that records its calls.
 class Recorder final : public StudySink {
  public:
   void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }

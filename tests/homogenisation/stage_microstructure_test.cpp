@@ -159,7 +159,7 @@ TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
                     HasSubstr("cannot be packed")));
 }
 
-/// As a run makes it that is cut off after every part of it. Counts the interruptions.
+/// Packs in a run that is interrupted after each part and resumed. Counts the interruptions.
 StageMicrostructure make_bit_by_bit(const Stage& stage, int& interruptions) {
   const test::TemporaryDirectory directory;
   const CheckpointSchedule always_ending = {.stop = [] { return true; }};

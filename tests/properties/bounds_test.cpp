@@ -1,4 +1,4 @@
-// What a modulus may be, whatever the composite (docs/verification.md).
+// Bounds that hold for the moduli of every composite (docs/verification.md).
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-// What an earlier run has left, damaged or not of this program.
+// Tests of results of earlier runs that are damaged or were not written by this program.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
