@@ -45,7 +45,7 @@ struct TestResult {
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
-/// The preferred grid (is_preferred) among the tests under a load and a boundary; nullptr if there is no such test.
+/// The test under a load and a boundary on the preferred grid (is_preferred); nullptr if there is no such test.
 const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                       Method method = Method::quasistatic);
 /// The same; throws InputError if there is no such test.
