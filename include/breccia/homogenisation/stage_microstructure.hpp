@@ -27,8 +27,8 @@ using PackingFollower = std::function<void(const PackingProgress&)>;
 
 /// Makes the microstructure of a stage: packs its particles, arranges them regularly, or takes them from its list. With
 /// a checkpoint, an earlier state is resumed, and the state and finally the result are saved.
-/// Throws InputError when the particles of a list overlap or leave the box, NumericalError when the packing is
-/// impossible, Interrupted when the run shall end (CheckpointSchedule::stop).
+/// Throws InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the
+/// box; NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
 StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
                                         Checkpoint* checkpoint = nullptr);
 
