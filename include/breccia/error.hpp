@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// What the `breccia` command returns to the shell.
+/// The exit code of the `breccia` command.
 enum class ExitCode { done = 0, bad_input = 2, numerical_failure = 3, file_failure = 4, interrupted = 130 };
 
 /// Base of every error that Breccia reports to its user. The message is complete: it needs no prefix.
@@ -24,7 +24,7 @@ class InputError : public Error {
   explicit InputError(const std::string& message) : Error(ExitCode::bad_input, message) {}
 };
 
-/// The computation cannot go on: instability, no convergence, an impossible packing.
+/// The computation cannot continue: instability, no convergence, an impossible packing.
 class NumericalError : public Error {
  public:
   explicit NumericalError(const std::string& message) : Error(ExitCode::numerical_failure, message) {}
@@ -36,7 +36,7 @@ class FileError : public Error {
   explicit FileError(const std::string& message) : Error(ExitCode::file_failure, message) {}
 };
 
-/// The user asked the computation to stop.
+/// The computation was stopped by its user or by a limit of time.
 class Interrupted : public Error {
  public:
   explicit Interrupted(const std::string& message) : Error(ExitCode::interrupted, message) {}

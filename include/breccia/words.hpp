@@ -10,7 +10,7 @@
 
 namespace breccia {
 
-/// A value of an enumeration and the word that decks, tables and messages have for it.
+/// A value of an enumeration and its word in decks, tables and messages.
 template <class Enum>
 using Word = std::pair<std::string_view, Enum>;
 

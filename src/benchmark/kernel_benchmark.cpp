@@ -22,7 +22,7 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
-/// A run that goes on from round to round.
+/// A dynamic run that continues from round to round.
 class KernelRun {
  public:
   KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock) {
@@ -35,9 +35,9 @@ class KernelRun {
     timing_.bytes_per_point_and_step = parallel::sum(static_cast<double>(footprint.moved_per_step)) / timing_.points;
   }
 
-  /// Finds how many steps take about so long [s]; the same number on all processes, since they take them together.
+  /// Finds the number of steps that take about `seconds`. It is the same on all processes, which step together.
   void calibrate(double seconds) {
-    advance();  // the first one fetches pages
+    advance();  // the first step is slower, as it touches memory for the first time
     constexpr double enough = 0.1;
     double taken = advance();
     while (taken < enough * seconds) {
@@ -55,7 +55,7 @@ class KernelRun {
   [[nodiscard]] const KernelTiming& timing() const noexcept { return timing_; }
 
  private:
-  /// Time of the slowest process [s].
+  /// Time of the work on the slowest process [s].
   double advance() {
     averages_.clear();
     const benchmark::StopWatch watch(clock_, timing_.kernel.threads);
@@ -70,7 +70,7 @@ class KernelRun {
   int steps_ = 1;
 };
 
-/// The same for the bandwidth of the memory.
+/// Measures the memory bandwidth in each round.
 class BandwidthRun {
  public:
   explicit BandwidthRun(int threads) : streams_(threads) { timing_.threads = threads; }

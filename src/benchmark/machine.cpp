@@ -8,7 +8,7 @@
 namespace breccia {
 namespace {
 
-/// Value of the first line `model name : value` that Linux tells.
+/// Value of the first line `model name : value` in /proc/cpuinfo.
 std::string processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {

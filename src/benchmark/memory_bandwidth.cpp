@@ -7,7 +7,7 @@
 namespace breccia {
 namespace {
 
-/// Bytes per second of a statement that touches three values at each place, repeated for about so long [s].
+/// Bytes per second of a statement with three array accesses per index, repeated for about `seconds`.
 template <class Statement>
 double bandwidth_of(double seconds, Clock clock, std::size_t length, int threads, Statement&& statement) {
   double sweeps = 0.0;
@@ -24,7 +24,7 @@ double bandwidth_of(double seconds, Clock clock, std::size_t length, int threads
 
 MemoryStreams::MemoryStreams(int threads)
     : threads_(threads), a_(new double[length]), b_(new double[length]), c_(new double[length]) {
-  // Each thread has its part of the arrays near it.
+  // Each thread initialises its part of the arrays, so that the pages are in its local memory.
 #pragma omp parallel for num_threads(threads_) schedule(static)
   for (std::size_t i = 0; i < length; ++i) {
     a_[i] = 0.0;

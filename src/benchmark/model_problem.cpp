@@ -10,7 +10,7 @@
 namespace breccia::benchmark {
 namespace {
 
-/// In a box of 1 m.
+/// Discs in a box of side 1 m.
 Microstructure<2> packed_box() {
   constexpr int discs = 200;
   PackingRequest request;

@@ -4,7 +4,7 @@
 
 namespace breccia::benchmark {
 
-/// 200 equal discs that fill 65 % of a box, whose matrix has so many Maxwell terms in shear, under a ramp of shear.
+/// 200 equal discs that fill 65 % of a box, under a ramp of shear. The shear modulus of the matrix has `terms` terms.
 DynamicProblem<2> model_problem(int cells, int terms);
 
 }  // namespace breccia::benchmark

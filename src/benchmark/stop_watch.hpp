@@ -6,7 +6,7 @@
 
 namespace breccia::benchmark {
 
-/// Time since it was made, of work on so many threads.
+/// Measures the time since its construction, of work on the given number of threads.
 class StopWatch {
  public:
   StopWatch(Clock clock, int threads)

@@ -9,10 +9,10 @@
 
 namespace breccia {
 
-/// The checkpoints of a study: of every packing and test one, in the directory of its stage.
+/// The checkpoints of a study: one for every packing and test, in the directory of its stage.
 class Checkpoints {
  public:
-  /// `observer` is told of files that had to be left aside. All must live as long as this.
+  /// `observer` receives a note about each damaged file that was set aside. All arguments must outlive this object.
   Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
               const RunObserver& observer);
 
@@ -29,10 +29,10 @@ class Checkpoints {
   const RunObserver* observer_;
 };
 
-/// Removes all checkpoints of a study, once it is done. Returns whether there were any.
+/// Removes all checkpoints of a finished study. Returns whether there were any.
 bool remove_checkpoints(const Study& study, const std::filesystem::path& directory);
 
-/// Removes what a killed run was writing.
+/// Removes the half-written files of a killed run.
 void remove_partial_files(const Study& study, const std::filesystem::path& directory);
 
 }  // namespace breccia

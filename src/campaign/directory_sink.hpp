@@ -10,10 +10,10 @@
 
 namespace breccia {
 
-/// Writes the results of a study to a directory as they are found, by the first of several processes.
+/// Writes the results of a study to a directory as they are computed. Only the first of several processes writes.
 class DirectorySink final : public StudySink {
  public:
-  /// All must live as long as this.
+  /// All arguments must outlive this object.
   DirectorySink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints)
       : study_(study), directory_(directory), checkpoints_(checkpoints) {}
 
@@ -29,8 +29,8 @@ class DirectorySink final : public StudySink {
   void all_loads_tested(const Stage& stage, const StudyResult& result) override;
   void stage_finished(const Stage& stage, const StudyResult& result) override;
 
-  /// Writes the last stage of a result, which another task of a sweep has computed and whose files are in another
-  /// directory.
+  /// Writes the last stage of a result, which another task of a sweep has computed, and copies its fields from the
+  /// directory of that task.
   void take_over(const Stage& stage, const std::filesystem::path& files, const StudyResult& result);
 
  private:

@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Results are written by the first of several processes.
+/// Calls a function on the first process of the group only, since that one writes the results.
 template <class Write>
 void write_once(const Write& write) {
   if (parallel::rank() == 0) write();

@@ -18,7 +18,7 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
   require_sound(study);
   const ResultPlace results(study, directory, [&] { return directory_to_pack_in(study, directory, options); });
   const auto& place = results.place();
-  // A run has written more than packings already, and is to go on.
+  // An earlier run has written results of tests, which it can continue.
   const bool has_tests = holds_tests(place);
   auto how = options;
   how.resume = options.resume || has_tests;

@@ -30,7 +30,7 @@ RemoveIfEmpty::RemoveIfEmpty(fs::path directory) : directory_(std::move(director
 RemoveIfEmpty::~RemoveIfEmpty() {
   if (parallel::rank() != 0) return;
   std::error_code is_missing;
-  // A record alone holds no result.
+  // A directory with nothing but a record has no result.
   if (count_entries(directory_) == 1) fs::remove(directory_ / "study.json", is_missing);
   remove_if_empty(directory_);
 }

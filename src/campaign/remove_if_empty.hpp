@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Removes a directory at the end of a run that has left no result in it.
+/// Removes a directory at the end of a run if the run has left no result in it.
 class RemoveIfEmpty {
  public:
   explicit RemoveIfEmpty(std::filesystem::path directory);

@@ -45,7 +45,7 @@ std::vector<std::string> own_files(const fs::path& directory, const StudyRecord&
   return names;
 }
 
-/// A line for each file that a run would replace and that Breccia did not write.
+/// A message for each file that a run would replace and that Breccia did not write.
 std::string objection_to_foreign_files(const Study& study, const fs::path& directory, const StudyRecord& record) {
   const auto ours = own_files(directory, record);
   std::string foreign;
@@ -59,8 +59,8 @@ std::string objection_to_foreign_files(const Study& study, const fs::path& direc
   return foreign;
 }
 
-/// Has a file in `unfinished` a name that Breccia writes there? Its record may be gone: a run that was killed while it
-/// cleared the directory may have left anything. The name is relative to `unfinished`.
+/// Whether a file in `unfinished` (a relative name) has a name that Breccia writes there. The name is decisive since
+/// the record may be missing: a run that was killed while it cleared the directory may have left any of the files.
 bool may_be_ours(const fs::path& unfinished, const std::string& name) {
   if (!fs::is_regular_file(fs::symlink_status(unfinished / name))) return false;
   const fs::path path(name);
@@ -72,7 +72,7 @@ bool may_be_ours(const fs::path& unfinished, const std::string& name) {
   return std::ranges::find(known, name) != known.end();
 }
 
-/// A line for each file in `unfinished` that Breccia did not write.
+/// A message for each file in `unfinished` that Breccia did not write.
 std::string objection_to_foreign_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
   std::string foreign;
@@ -84,7 +84,7 @@ std::string objection_to_foreign_unfinished(const fs::path& directory) {
   return foreign;
 }
 
-/// Which of the files from which a study comes its results would replace.
+/// A message if the results of a study would replace one of its input files.
 std::string objection_to_inputs(const Study& study, const fs::path& directory) {
   try {
     refuse_to_replace(directory, result_files_in(directory, names_of_stages(study)), study.provenance.inputs);
@@ -94,8 +94,8 @@ std::string objection_to_inputs(const Study& study, const fs::path& directory) {
   return {};
 }
 
-/// Removes files of a directory, and in some of its subdirectories what was half written; those that are empty then go,
-/// too. The record goes last: as long as it is there, the others are known as Breccia's.
+/// Removes files of a directory, the half-written files of its subdirectories, and subdirectories that are then empty.
+/// The record is removed last, since it identifies the other files as Breccia's.
 void remove_results(const fs::path& directory, std::vector<std::string> names, const std::vector<std::string>& stages) {
   const std::vector<std::string> record = {"study.json"};
   const bool has_record = std::erase(names, record.front()) > 0;
@@ -108,7 +108,7 @@ void remove_results(const fs::path& directory, std::vector<std::string> names, c
   if (has_record) remove_files(directory, record);
 }
 
-/// The directory with nothing of an earlier run in it that has finished nothing.
+/// The directory, after removing the files of an earlier run that has finished nothing.
 fs::path cleared(const fs::path& directory) {
   const auto record = read_study_record(directory);
   if (record.is_ours) remove_results(directory, own_files(directory, record), record.stages);
@@ -117,8 +117,8 @@ fs::path cleared(const fs::path& directory) {
   return directory;
 }
 
-/// Removes all of Breccia's in `unfinished`. The record goes first: what a killed process leaves must not pass for
-/// whole results, and is known by its names.
+/// Removes all files of Breccia in `unfinished`. The record is removed first, so that files left by a killed process
+/// are not taken for complete results; they are identified by their names.
 void remove_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
   auto names = unfinished_files(directory);
@@ -149,12 +149,12 @@ std::string objection_to_resuming(const Study& study, const fs::path& directory)
     return objection.empty() ? objection_to_sweep(directory) : objection;
   }
   return fmt::format(
-      "{}: cannot go on from these results: {}; take another directory (--out), or run with --overwrite "
-      "in the place of --resume, which begins anew and replaces them in the end",
+      "{}: cannot resume from these results: {}; take another directory (--out), or run with --overwrite "
+      "instead of --resume, which starts anew and replaces them when the new ones are complete",
       directory.string(), difference(record, study));
 }
 
-/// Is a record among those of the results that may be replaced?
+/// Whether the results of a record may be replaced.
 bool may_be_replaced(const fs::path& record, const RunOptions& options) {
   if (options.overwrite) return true;
   return !options.replaceable.empty() && is_record_of_breccia(record) &&
@@ -176,7 +176,7 @@ void refuse_objections(const Study& study, const fs::path& directory, const RunO
   if (const auto objection = objection_to(study, directory, options); !objection.empty()) throw InputError(objection);
 }
 
-/// Where earlier results are of the study, there is something to go on from.
+/// The directory in which a run resumes: `unfinished` if only that has results of this study, else the given directory.
 fs::path directory_to_resume_in(const Study& study, const fs::path& directory) {
   const auto record = read_study_record(directory);
   const auto unfinished = unfinished_in(directory);
@@ -207,7 +207,7 @@ void finish_interrupted_replacement(const Study& study, const fs::path& director
   if (record.is_complete_run_of(study)) {
     put_in_place(study, unfinished, directory);
   } else if (read_study_record(directory).is_complete_run_of(study)) {
-    // Another run of the same study was to replace these results, and would have ended with the same bits.
+    // An interrupted run of the same study was to replace these results, with the same bits.
     remove_unfinished(directory);
   }
 }

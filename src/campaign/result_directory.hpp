@@ -8,36 +8,36 @@
 
 namespace breccia {
 
-/// The directory to which a run writes until its results are whole: that of the results, or its subdirectory
-/// `unfinished` where earlier results stay until then. Brings a replacement to its end that was cut off, and removes
-/// what a run that begins anew finds of one that has finished nothing.
-/// Throws InputError where there is an objection to that (objection_to), and where files would be replaced that Breccia
-/// did not write. Only the holder of a DirectoryLock may call it.
+/// The directory to which a run writes until its results are complete: the directory of the results, or its
+/// subdirectory `unfinished` if earlier results are kept until then. Completes an interrupted replacement first; a run
+/// that starts anew also removes the files of an earlier run that has finished nothing. Throws InputError with the
+/// message of objection_to(), or if files would be replaced that Breccia did not write. The caller must hold the
+/// DirectoryLock.
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
-/// The same for a packing, which never removes finished tests: it goes on where those are of the same study, and throws
-/// InputError where they are of another.
+/// The same for packing without tests, which never removes finished tests: it resumes if they are of the same study,
+/// and throws InputError if they are of another study.
 std::filesystem::path directory_to_pack_in(const Study& study, const std::filesystem::path& directory,
                                            const RunOptions& options);
 
-/// Puts the results of a run into the place of earlier ones, if it has not written them there. Throws FileError. Only
-/// the holder of a DirectoryLock may call it.
+/// Replaces earlier results by those of a run, unless the run has written to their directory. Throws FileError. The
+/// caller must hold the DirectoryLock.
 void put_in_place(const Study& study, const std::filesystem::path& written, const std::filesystem::path& directory);
 
-/// Brings to its end what a killed run of the study has left half done: results that were to take the place of earlier
-/// ones. Throws FileError. Only the holder of a DirectoryLock may call it.
+/// Completes the replacement of earlier results by those of a killed run of the study. Throws FileError. The caller
+/// must hold the DirectoryLock.
 void finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
 
-/// The same for a directory that nobody has locked yet. Does nothing where it does not exist. Throws DirectoryInUse
-/// where another process writes to it.
+/// The same for a directory that is not locked yet. Does nothing if it does not exist. Throws DirectoryInUse if another
+/// process writes to it.
 void lock_and_finish_interrupted_replacement(const Study& study, const std::filesystem::path& directory);
 
-/// Hashes of the records of all earlier results in a directory and in its `unfinished`, by which a sweep knows them
-/// again (RunOptions::replaceable).
+/// Hashes of the records of all earlier results in a directory and in its `unfinished`, by which a sweep recognises
+/// them (RunOptions::replaceable).
 std::vector<std::string> hashes_of_records_in(const std::filesystem::path& directory);
 
-/// What forbids that a run goes on from what is in a directory, or begins anew and replaces it; empty if nothing does.
+/// The reason why a run must neither resume the results in a directory nor replace them; empty if it may.
 std::string objection_to(const Study& study, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The directory that the first process of a group chooses, for all of them, or the InputError that it throws.
+/// The directory that the first process of a group chooses, on all processes of the group; or its InputError.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
   constexpr char is_chosen = '+', is_refused = '-', is_in_use = '!';
@@ -39,7 +39,7 @@ fs::path chosen_by_first(const Choose& choose) {
   return answer.substr(1);
 }
 
-/// Names of stages become names of directories.
+/// Checks that the names of the stages are valid names of directories.
 void require_names_of_directories(const Study& study) {
   const auto reserved = reserved_names();
   for (const auto& stage : study.stages) {
@@ -48,12 +48,12 @@ void require_names_of_directories(const Study& study) {
   }
 }
 
-/// A study without a hash could not be told from others.
+/// Checks that the study has a hash, by which its results are distinguished from those of others.
 void require_hash(const Study& study) {
   if (!study.provenance.hash.empty()) return;
   throw InputError(
-      "this study does not come from a deck, so that its results could not be told from those of others: read it by "
-      "read_study, give it a provenance with a hash, or solve it in the memory");
+      "this study has no provenance, so its results could not be distinguished from those of others: read it by "
+      "read_study, give it a provenance with a hash, or use solve, which writes no files");
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::func
       })),
       directory_if_empty_(directory_),
       place_if_empty_(place_) {
-  // Whoever goes on from the first packing can be told by it what differs.
+  // A later run needs the record to report differences, even if this one ends in its first packing.
   write_once([&] {
     if (!fs::exists(place_ / "study.json")) write_provenance(place_, study, {});
   });

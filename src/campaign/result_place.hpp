@@ -11,8 +11,8 @@
 
 namespace breccia {
 
-/// The directory of a study's results, in which this group of processes alone is at work, and the place in it where
-/// they are written until they are whole. Both are removed in the end if no result is in them.
+/// The directory of a study's results, locked by this group of processes, and the place in it where they are written
+/// until they are complete. The destructor removes both if they have no result.
 class ResultPlace {
  public:
   /// `choose` returns the place, or throws InputError; the first process of a group calls it for all of them.
@@ -21,7 +21,7 @@ class ResultPlace {
 
   [[nodiscard]] const std::filesystem::path& directory() const noexcept { return directory_; }
   [[nodiscard]] const std::filesystem::path& place() const noexcept { return place_; }
-  /// Puts the results into the place of earlier ones, if they are beside them. Throws FileError.
+  /// Replaces earlier results by the new ones, if there are any. Throws FileError.
   void commit() const;
 
  private:

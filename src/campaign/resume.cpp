@@ -18,7 +18,7 @@ std::optional<double> time_of_complete_run(const Study& study, const std::filesy
 
 namespace {
 
-/// Does for a run that was killed at its very end what was left. The first process alone may do it.
+/// Completes a run that was killed after its last test. Only the first process may call it.
 void finish_killed_run(const Study& study, const std::filesystem::path& directory) {
   if (is_missing_or_empty(directory)) return;
   const DirectoryLock lock(directory);
@@ -32,7 +32,7 @@ void finish_killed_run(const Study& study, const std::filesystem::path& director
 
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory) {
   if (parallel::is_first()) finish_killed_run(study, directory);
-  // Nobody looks before the files are in their places.
+  // All processes wait until the files are in their places.
   static_cast<void>(parallel::gather({}));
   return time_of_complete_run(study, directory);
 }

@@ -13,29 +13,29 @@ namespace breccia {
 
 struct Sweep;
 
-/// What has become of stages that several tasks of a sweep have in common: the first task that comes to one computes
-/// it, the others take it over. Stages are known by the hash of all that their results depend on
+/// The results of stages that several tasks of a sweep have in common: the first task that needs one computes it, the
+/// others reuse its result. Stages are identified by the hash of everything that their results depend on
 /// (Provenance::stage_hashes).
 class SharedStages {
  public:
   struct Entry {
     StageResult result = {};
-    std::filesystem::path directory = {};  ///< where its files are
-    std::exception_ptr failure = nullptr;  ///< why there is no result
+    std::filesystem::path directory = {};  ///< directory of its files
+    std::exception_ptr failure = nullptr;  ///< error of a stage without result
   };
 
-  /// Of a single study: nothing is shared.
+  /// For a single study, in which nothing is shared.
   SharedStages() = default;
-  /// Of the stages that at least two tasks have.
+  /// For the stages that at least two tasks have.
   explicit SharedStages(const Sweep& sweep);
-  /// Of the stages of one study whose results are known, without files.
+  /// For the stages of one study whose results are known, without files.
   SharedStages(const Study& study, const std::vector<StageResult>& results);
 
-  /// What became of a stage; nullptr while no task has come to it.
+  /// The entry of a stage; nullptr if no task has computed it yet.
   [[nodiscard]] const Entry* find(const std::string& hash) const;
-  /// Keeps a result for other tasks that have the stage.
+  /// Stores a result for other tasks that have the stage.
   void keep(const std::string& hash, Entry entry);
-  /// Computes a stage. Where it cannot be computed, keeps the reason for other tasks that have it, and throws it.
+  /// Computes a stage. If that throws, stores the error for other tasks that have the stage, and rethrows it.
   template <class Compute>
   void keep_failure_of(const std::string& hash, const Compute& compute) {
     try {
@@ -48,15 +48,15 @@ class SharedStages {
       throw;
     }
   }
-  /// The files of a task have been moved from one directory to another.
+  /// Updates the directories of the files of a task, which have been moved.
   void move_files(const std::filesystem::path& from, const std::filesystem::path& to);
 
  private:
-  std::map<std::string, int> tasks_;  ///< how many have a stage, by its hash
+  std::map<std::string, int> tasks_;  ///< number of tasks that have a stage, by its hash
   std::map<std::string, Entry> entries_;
 };
 
-/// Runs a study as run_study does, with stages that it shares with others.
+/// Runs a study as the public run_study() does, with stages that are shared with other tasks.
 StudyResult run_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                       const RunObserver& observer, SharedStages& shared);
 

@@ -25,7 +25,7 @@ namespace breccia {
 
 namespace {
 
-/// The tasks of a sweep, with its tables written after each of them.
+/// Runs the tasks of a sweep and writes its tables after each of them.
 class SweepRun {
  public:
   SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
@@ -46,7 +46,7 @@ class SweepRun {
     if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
     if (options_.resume) write();
-    // What may be replaced must be known to whoever resumes a sweep that was cut off in its first task.
+    // Written before the first task, so that a resumed sweep knows which results it may replace.
     if (options_.overwrite) write_record();
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
@@ -76,17 +76,17 @@ class SweepRun {
     remove_partial_files(directory_);
   }
 
-  /// Before any task runs, so that several processes find the same. Without `resume` they run once more; until then the
-  /// tables hold their earlier results.
+  /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run
+  /// again; until then the tables have their earlier results.
   void find_complete_tasks() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       keep_if_done(task, take_over_complete_run(sweep_.tasks[task].study, directory_of(task)));
     }
-    // Nobody begins before all have looked.
+    // All processes finish this search before one of them starts a task.
     static_cast<void>(parallel::gather({}));
   }
 
-  /// Tasks that will hardly fit into the memory: of those that lack the same the first, and how many more.
+  /// Refuses tasks that may not fit into the memory. For equal messages it names the first task and counts the others.
   void refuse_too_large() const {
     const double available = available_memory();
     std::map<std::string, std::vector<std::string>> tasks_of;
@@ -108,12 +108,12 @@ class SweepRun {
     if (seconds) result_[task] = {TaskState::done, read_curves(directory_of(task)), *seconds};
   }
 
-  /// The groups of processes take the tasks in turn.
+  /// Whether a task belongs to this group of processes; the groups take the tasks in turn.
   [[nodiscard]] static bool is_ours(std::size_t task) {
     return task % static_cast<std::size_t>(parallel::groups()) == static_cast<std::size_t>(parallel::group());
   }
 
-  /// Learns from the other groups what became of their tasks.
+  /// Exchanges the results of the tasks between the groups.
   void exchange() {
     nlohmann::json ours = nlohmann::json::array();
     for (std::size_t task = 0; task < result_.size(); ++task) {
@@ -131,7 +131,7 @@ class SweepRun {
     }
   }
 
-  /// Takes note of what the other groups have completed by now.
+  /// Looks for tasks that the other groups have completed.
   void look_at_others() {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (is_ours(task) || result_[task].state != TaskState::waiting) continue;
@@ -139,9 +139,10 @@ class SweepRun {
     }
   }
 
-  /// The stages of a task that differs from an earlier one in temperatures alone, as its reduced responses give them.
-  /// Nothing where there is no such task, where the responses cannot be read or do not cover the materials: then the
-  /// task runs by itself. Several processes run all tasks, since files that one has moved others may not see yet.
+  /// The results of the stages of a task that differs from an earlier one only in temperatures, from the reduced
+  /// responses of the earlier task. Empty if there is no such task, or if its responses cannot be read or do not cover
+  /// the materials: the task is then computed. With several processes all tasks are computed, since moved files may not
+  /// be visible to the other processes yet.
   [[nodiscard]] std::vector<StageResult> answered(std::size_t task) const {
     const auto earlier = task_that_answers(sweep_, task);
     if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return {};
@@ -165,7 +166,7 @@ class SweepRun {
     } catch (const NumericalError& error) {
       fail(task, error);
     } catch (const DirectoryInUse&) {
-      throw;  // another process has the task, which has not failed
+      throw;  // another process is running the task, which has not failed
     } catch (const InputError& error) {
       fail(task, error);
     }
@@ -196,7 +197,7 @@ class SweepRun {
   const RunOptions& options_;
   const SweepObserver& observer_;
   SharedStages shared_;
-  std::vector<RunOptions> options_of_;  ///< by task
+  std::vector<RunOptions> options_of_;  ///< options of each task
   SweepResult result_;
 };
 

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `sweep.json` of a directory; nothing where there is none, or none that Breccia wrote.
+/// The parsed `sweep.json` of a directory; null if it is missing or was not written by Breccia.
 nlohmann::json sweep_record(const fs::path& directory) {
   const auto file = directory / "sweep.json";
   return is_record_of_breccia(file) ? nlohmann::json::parse(read_text(file), nullptr, false) : nlohmann::json();
@@ -37,7 +37,7 @@ bool has_task(const Sweep& sweep, const nlohmann::json& earlier) {
   });
 }
 
-/// Do the tables of a directory hold finished tasks that the sweep does not have?
+/// Whether the tables of a directory have finished tasks that the sweep does not have.
 bool holds_other_tasks(const Sweep& sweep, const nlohmann::json& record) {
   const auto tasks = record.is_object() ? record.value("tasks", nlohmann::json()) : nlohmann::json();
   return tasks.is_array() && std::ranges::any_of(tasks, [&](const nlohmann::json& task) {
@@ -45,7 +45,7 @@ bool holds_other_tasks(const Sweep& sweep, const nlohmann::json& record) {
          });
 }
 
-/// The results that the sweep of an earlier process was to replace by those of a task that it has not done.
+/// The results that an earlier, unfinished run of the sweep was allowed to replace by those of a task.
 std::vector<std::string> replaceable_by(const SweepTask& task, const nlohmann::json& record) {
   const auto tasks = record.is_object() ? record.value("tasks", nlohmann::json()) : nlohmann::json();
   std::vector<std::string> hashes;
@@ -62,10 +62,10 @@ std::vector<std::string> replaceable_by(const SweepTask& task, const nlohmann::j
   return hashes;
 }
 
-/// What forbids to write the tables of a sweep to a directory; empty if nothing does.
+/// The reason why the tables of a sweep must not be written to a directory; empty if they may.
 std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    // Without the slash at the end of `--out results/`.
+    // Without the trailing slash of `--out results/`.
     const auto name = directory.has_filename() ? directory : directory.parent_path();
     return fmt::format("{}: here are the results of a single study; take another directory (--out {}-sweep)",
                        directory.string(), name.string());

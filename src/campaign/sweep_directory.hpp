@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// How each task is run. A sweep that is to overwrite may replace the results that are in the directories of its tasks
-/// when it begins, and one that resumes those of them that `sweep.json` still names: not what others put there since.
+/// The options of each task. With `overwrite` a sweep may replace the results that are in the directories of its tasks
+/// when it begins. A resumed sweep may replace those of them that `sweep.json` still lists, but not later ones.
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesystem::path& directory,
                                          const RunOptions& options);
 

@@ -20,8 +20,7 @@ bool is_temperature(const SweptKey& key) {
          steps->at(3) == "temperature";
 }
 
-/// Do tests leave all that they are asked for where reduced responses answer? Maps at times of the deck's own take a
-/// run.
+/// Whether reduced responses can give all results that the tests request. Fields at times given in the deck need a run.
 bool can_be_answered(const Tests& tests) {
   const bool wants_maps =
       tests.field_times.size() > 1 || (tests.field_times.size() == 1 && tests.field_times.front() != tests.last_time);

@@ -9,13 +9,13 @@
 
 namespace breccia {
 
-/// The first task of a sweep that differs from a later one in the temperatures of materials alone. Its reduced
-/// responses answer for the later one, too. Nothing where there is none, or where the tests leave no such responses.
+/// The first task of a sweep that differs from a later one only in the temperatures of materials, so that its reduced
+/// responses give the results of the later one. Nothing if there is none, or if the tests save no reduced responses.
 std::optional<std::size_t> task_that_answers(const Sweep& sweep, std::size_t task);
 
-/// The stages of a study as the reduced responses of another give them, whose results are in a directory and which
-/// differs in temperatures alone. They are packed anew, to the same bits, and have no fields. Throws InputError where
-/// the materials leave the moduli that were sampled, and FileError.
+/// The results of the stages of a study from the reduced responses of another one, which differs only in temperatures
+/// and whose results are in a directory. The packings are computed again, with the same bits; there are no fields.
+/// Throws InputError if the materials leave the range of the sampled moduli, and FileError.
 std::vector<StageResult> answered_stages(const Study& study, const std::filesystem::path& directory);
 
 }  // namespace breccia

@@ -19,19 +19,19 @@ constexpr auto finished_name = "/is_finished";
 void require_owner(const std::filesystem::path& path, const StateOwner& found, const StateOwner& expected) {
   const auto refuse = [&](const std::string& difference) {
     throw InputError(
-        fmt::format("{}: {}; take another directory (--out), or run without --resume, which begins anew and removes "
+        fmt::format("{}: {}; take another directory (--out), or run without --resume, which starts anew and removes "
                     "this file",
                     path.string(), difference));
   };
   if (found.version != expected.version) {
-    refuse(fmt::format("left by version {} of Breccia, this is version {}", found.version, expected.version));
+    refuse(fmt::format("saved by version {} of Breccia, this is version {}", found.version, expected.version));
   }
   if (found.deck_hash != expected.deck_hash) {
-    refuse("left by a run of another deck: a value, a seed, an override or a data file differs");
+    refuse("saved by a run of another deck: a value, a seed, an override or a data file differs");
   }
 }
 
-/// A damaged file must not become the older of two states.
+/// Renames a damaged file, so that it is not kept as the older state.
 void set_aside(const std::filesystem::path& path) {
   std::error_code is_gone;
   if (parallel::rank() == 0) std::filesystem::rename(path, path.string() + ".damaged", is_gone);
@@ -62,7 +62,7 @@ std::vector<std::string> Checkpoint::look_for_earlier() {
     throw FileError(fmt::format(
         "{}: not all processes see the same checkpoints; results must be on a disk that all share", path_.string()));
   }
-  const auto* instead = earlier_ ? "the one before it is used" : "this packing or test begins anew";
+  const auto* instead = earlier_ ? "the previous checkpoint is used" : "this packing or test starts anew";
   for (auto& problem : problems) problem += fmt::format("; {}", instead);
   return problems;
 }
@@ -86,14 +86,14 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
   writer.commit();
-  // Nobody leaves, and ends the others, while the first process writes.
+  // All processes wait here: one that ended now would end the first one while it writes.
   static_cast<void>(parallel::largest(0.0));
   last_ = Clock::now();
 }
 
 void Checkpoint::save(const WriteState& write) {
   put(write, false);
-  if (ends_) throw Interrupted("interrupted; the state is on the disk, and --resume goes on from it");
+  if (ends_) throw Interrupted("interrupted; the state is saved, and --resume continues from it");
 }
 
 void Checkpoint::finish(const WriteState& write) {

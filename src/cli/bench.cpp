@@ -24,10 +24,10 @@ std::vector<std::string> known_formulations() {
 }
 
 struct BenchArguments {
-  std::vector<double> points;  ///< empty: a few and many
+  std::vector<double> points;  ///< empty: a small and a large number
   std::vector<int> terms = {0, 1, 5, 10};
-  std::vector<int> threads;               ///< empty: 1 and all cores; of several processes, 1
-  std::vector<std::string> instructions;  ///< empty: what a run takes
+  std::vector<int> threads;               ///< empty: 1 and all cores; with several processes 1
+  std::vector<std::string> instructions;  ///< empty: the instruction set that a run uses
   std::vector<std::string> formulations = known_formulations();
   double seconds = 10.0;
   int rounds = 7;
@@ -42,7 +42,7 @@ std::vector<int> threads_of(const BenchArguments& arguments) {
   return {1, cores};
 }
 
-/// Of the formulations. The classical one, by far the slowest, is measured at few points unless others are asked for.
+/// The numbers of points for a formulation. The classical one, by far the slowest, has the small number by default.
 std::vector<double> points_of(const BenchArguments& arguments, Formulation formulation) {
   constexpr double few = 1e5, many = 1e6;
   if (!arguments.points.empty()) return arguments.points;
@@ -63,7 +63,7 @@ bool wants(const BenchArguments& arguments, Formulation formulation) {
   return std::ranges::find(arguments.formulations, name_of(formulation)) != arguments.formulations.end();
 }
 
-/// All combinations; the classical formulation is the same for all instructions.
+/// All combinations of the settings; the classical formulation does not depend on the instruction set.
 std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
   std::vector<KernelCase> cases;
   const auto add = [&](Formulation formulation, InstructionSet instructions) {

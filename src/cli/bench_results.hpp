@@ -6,10 +6,10 @@
 
 namespace breccia::cli {
 
-/// Medians, for people.
+/// A table of the medians.
 std::string table_of(const BenchmarkResult& result);
 
-/// Medians and every measurement, for programs. Units end the names.
+/// The medians and every measurement as JSON, with the units at the ends of the names.
 std::string json_of(const BenchmarkResult& result);
 
 }  // namespace breccia::cli

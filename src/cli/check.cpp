@@ -22,11 +22,11 @@
 namespace breccia::cli {
 namespace {
 
-/// What tests are going to take, and the lines that say so.
+/// The estimated time and memory of tests, with the lines to be printed.
 struct Plan {
   std::string text = {};
   double seconds = 0.0;
-  double bytes = 0.0;  ///< of the test that takes most
+  double bytes = 0.0;  ///< memory of the largest test [B]
 
   void add(const Plan& further) {
     text += further.text;
@@ -65,7 +65,7 @@ bool is_direct(const Study& study, double unknowns) {
   return study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1);
 }
 
-/// Wall time [s] on a core of the year 2020, from experience.
+/// Approximate wall time [s] on a core of the year 2020, by an empirical formula.
 double quasistatic_time(const Study& study, const Stage& stage, double unknowns) {
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   constexpr double warm_up_decades = 3.0;
@@ -107,7 +107,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
   return plan;
 }
 
-/// The sum of all tests.
+/// The line with the total of all tests.
 std::string total(const Study& study, const Plan& plan) {
   const bool is_quasistatic = std::ranges::count(study.tests.methods, Method::dynamic) == 0;
   return fmt::format("together about {}{}, at most {} of memory\n", display_duration(plan.seconds),
@@ -115,7 +115,7 @@ std::string total(const Study& study, const Plan& plan) {
 }
 
 void print_plan(const Study& study) {
-  fmt::print("{}\nplan, with the composite's modulus by estimate (a run finds out and may need less)\n",
+  fmt::print("{}\nplan, with an estimate of the composite's modulus (a run computes it and may need less)\n",
              summary(study));
   Plan all;
   std::vector<double> fractions;

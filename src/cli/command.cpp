@@ -16,7 +16,7 @@
 namespace breccia::cli {
 namespace {
 
-/// A time [s] that an option gives. Throws InputError, naming the option.
+/// The time [s] in the value of an option. Throws InputError with the name of the option.
 double seconds_of(const char* option, const std::string& text) {
   try {
     return parse_quantity(text, Dimension::time);

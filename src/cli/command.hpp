@@ -11,12 +11,12 @@
 
 namespace breccia::cli {
 
-/// What every subcommand that reads a deck takes.
+/// The arguments of every subcommand that reads a deck.
 struct DeckArguments {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
   std::vector<std::string> swept;  ///< `key.path=[value, ...]`
-  int seeds = 0;                   ///< of all random packings; 0: those of the deck
+  int seeds = 0;                   ///< number of seeds for all random packings; 0: the seeds of the deck
 
   [[nodiscard]] Sweep read() const;
 };
@@ -24,7 +24,7 @@ struct DeckArguments {
 /// Adds DECK, --set, --sweep and --seeds to a subcommand. The arguments must live as long as the application.
 void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 
-/// What every subcommand that computes takes besides.
+/// The further arguments of every subcommand that computes.
 struct RunArguments {
   DeckArguments deck;
   std::filesystem::path directory;  ///< empty: results/<deck name>
@@ -33,27 +33,26 @@ struct RunArguments {
   bool resume = false;
   bool overwrite = false;
   bool ignore_memory = false;
-  int processes_per_task = 0;                  ///< of a sweep; 0: all
-  std::string petsc_options;                   ///< as on a command line of PETSc
+  int processes_per_task = 0;                  ///< processes for each task of a sweep; 0: all
+  std::string petsc_options;                   ///< in the form of a command line of PETSc
   std::string time_limit;                      ///< with its unit; empty: none
   std::string checkpoint_interval = "10 min";  ///< with its unit
 
-  /// Where the results go.
+  /// The directory for the results.
   [[nodiscard]] std::filesystem::path results() const;
-  /// How the study is to be run; a limit of time counts from now. Throws InputError, naming the option.
+  /// The options for the run; the time limit counts from now. Throws InputError with the name of the bad option.
   [[nodiscard]] RunOptions options() const;
 };
 
-/// Adds DECK, --set, --sweep, --seeds, --out, --threads and --quiet, and what tells when states are left and taken up:
-/// --resume,
+/// Adds DECK, --set, --sweep, --seeds, --out, --threads, --quiet and the options for checkpoints: --resume,
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
 
-/// Says on standard error when gnuplot cannot draw, why, and that its plots will be left out; with an addition that
-/// begins by its own punctuation.
+/// If gnuplot cannot draw, prints a warning with the reason on standard error: its plots are left out. The addition is
+/// appended with its own punctuation.
 void warn_of_missing_plots(const std::string& addition);
 
-/// The subcommands: each adds itself to the application, and does its work in a callback.
+/// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
 void add_examples(CLI::App& application);
@@ -66,7 +65,7 @@ void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 void add_stages(CLI::App& application);
 
-/// Where one who reads the help finds a deck to begin with and the keys of a deck.
+/// The end of the help: how to get a first deck and the description of the keys of a deck.
 std::string where_to_begin();
 
 }  // namespace breccia::cli

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory that the installation brings, from its place relative to that of the program. Throws FileError.
+/// A directory of the installation, found by its path relative to the program. Throws FileError if it is missing.
 fs::path installed(const char* from_program) {
   std::error_code failure;
   const auto program = fs::read_symlink("/proc/self/exe", failure);
@@ -25,7 +25,7 @@ fs::path installed(const char* from_program) {
       fmt::format("{}: no such directory; the installation of breccia is not complete", directory.string()));
 }
 
-/// What `title = "..."` says in a deck; empty without such a line.
+/// The title in the line `title = "..."` of a deck; empty if there is no such line.
 std::string title_of(const std::string& deck) {
   const auto line = deck.starts_with("title") ? 0 : deck.find("\ntitle");
   const auto begin = deck.find('"', line);
@@ -33,7 +33,7 @@ std::string title_of(const std::string& deck) {
   return line == std::string::npos || end == std::string::npos ? "" : deck.substr(begin + 1, end - begin - 1);
 }
 
-/// The decks below a directory, in alphabetical order, those of the directory itself first.
+/// The decks in a directory and its subdirectories, in alphabetical order, those of the directory itself first.
 std::vector<fs::path> decks_below(const fs::path& directory) {
   std::vector<fs::path> decks;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {

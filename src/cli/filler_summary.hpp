@@ -7,8 +7,8 @@
 
 namespace breccia::cli {
 
-/// A line on the filler of the whole for each stage that no other builds on; nothing for those without filler.
-/// `fractions` are those of the boxes of all stages.
+/// A line about the filler of the whole composite for each stage that no other stage builds on, if it has filler.
+/// `fractions` are the volume fractions of the particles in the boxes of all stages.
 std::string filler_summary(const Study& study, const std::vector<double>& fractions);
 
 }  // namespace breccia::cli

@@ -27,8 +27,8 @@ const std::map<std::string, ModulusKind> modulus_kinds = {
 
 struct FitArguments {
   std::filesystem::path file;
-  std::string modulus;  ///< of a kind; empty: what the columns say
-  std::string to;       ///< a kind of curve; empty: that of the data
+  std::string modulus;  ///< kind of modulus; empty: from the names of the columns
+  std::string to;       ///< kind of curve to write; empty: the kind of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -45,7 +45,7 @@ double quantity(const char* option, const std::string& text, Dimension dimension
   }
 }
 
-/// The temperature of the sweep that the user means.
+/// The reference temperature: that of the sweep which the user has selected.
 double reference_temperature(const FitArguments& arguments, const std::vector<FrequencySweep>& sweeps) {
   std::vector<std::string> temperatures;
   for (const auto& sweep : sweeps) {
@@ -65,7 +65,7 @@ double reference_temperature(const FitArguments& arguments, const std::vector<Fr
   throw InputError(fmt::format("--reference-temperature: no sweep at {}; {}", arguments.reference_temperature, known));
 }
 
-/// Fits whatever data there are.
+/// Fits data of each kind.
 class Fitter {
  public:
   explicit Fitter(const FitArguments& arguments) : arguments_(arguments) {
@@ -192,7 +192,7 @@ std::string time_table(const ConvertedCurve& curve, std::string_view letter, std
   return text;
 }
 
-/// The wanted curve at whole decades.
+/// A table of the wanted curve at whole decades.
 std::string table(const FitResult& result, CurveKind kind) {
   const auto curve = converted(result, kind, 1);
   if (kind == CurveKind::dynamic) return dynamic_table(curve, symbol(result.kind));
@@ -201,12 +201,12 @@ std::string table(const FitResult& result, CurveKind kind) {
                     [](double value) { return fmt::format("{:.6g} 1/Pa", value); });
 }
 
-/// Not that of a study of the same name.
+/// The default directory for the results; a study of the same name has another one.
 std::filesystem::path default_directory(const std::filesystem::path& file) {
   return std::filesystem::path("results") / (file.stem().string() + "-fit");
 }
 
-/// The options by which fits of one file differ, as on the command line. What is said by default is left out.
+/// The options that affect the fit, in the form of the command line, without those that have their default value.
 std::string options_of(const FitArguments& arguments, const FitResult& result) {
   std::vector<std::string> options;
   if (!arguments.to.empty() && kinds.at(arguments.to) != result.measured)

@@ -14,7 +14,7 @@
 namespace breccia::cli {
 namespace {
 
-/// Measured quantities have logarithms: each must be positive, and finite.
+/// Reports values that are not positive and finite, since the fits use their logarithms.
 void require_positive(const MeasuredTable& table, const std::vector<const MeasuredColumn*>& columns) {
   FileMistakes mistakes(table.path());
   constexpr std::size_t fewest = 3;
@@ -33,7 +33,7 @@ void require_positive(const MeasuredTable& table, const std::vector<const Measur
   mistakes.refuse();
 }
 
-/// The rows in an order by which a column rises.
+/// The indices of the rows, sorted by rising values of a column.
 std::vector<std::size_t> rising_rows(const std::vector<double>& column) {
   std::vector<std::size_t> rows(column.size());
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -47,7 +47,7 @@ std::vector<double> in_order(const std::vector<double>& column, const std::vecto
   return values;
 }
 
-/// Rows of one temperature, for which the chamber's scatter of some tenths of a kelvin counts as none.
+/// Groups rows of the same temperature, apart from scatter of some tenths of a kelvin in the test chamber.
 std::vector<std::vector<std::size_t>> rows_by_temperature(const std::vector<double>& temperatures) {
   constexpr double scatter = 0.5;
   std::vector<std::vector<std::size_t>> groups;
@@ -59,7 +59,7 @@ std::vector<std::vector<std::size_t>> rows_by_temperature(const std::vector<doub
   return groups;
 }
 
-/// Frequencies stand once at each temperature.
+/// Reports frequencies that occur more than once at a temperature.
 void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequencies,
                      const std::vector<std::vector<std::size_t>>& sweeps) {
   FileMistakes mistakes(table.path());
@@ -108,11 +108,11 @@ PronySeries series(const std::filesystem::path& path, ModulusKind kind) {
   return {file.equilibrium.value_or(0.0), file.terms};
 }
 
-/// The kind of the moduli in a file, of which the columns may tell one, several or none.
+/// The kind of the moduli in a file; the names of the columns may give one kind, several or none.
 ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
   auto kinds = table.kinds();
   std::erase(kinds, ModulusKind::unspecified);
-  if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is asked for
+  if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is read
   if (kinds.empty()) return ModulusKind::unspecified;
   if (kinds.size() == 1 && kinds.front() != ModulusKind::other) return kinds.front();
   throw InputError(fmt::format(
@@ -136,8 +136,8 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
       table.path().string(), table.list_of_names()));
 }
 
-/// Tables of results hold the curves of several tests, one below the other; a fit takes one. Those of a sweep may
-/// differ in the values of swept keys alone, and have each time several times then.
+/// Refuses tables of results with the curves of several tests, one below the other, since a fit takes one curve. In the
+/// table of a sweep these may differ only in the values of swept keys; then each time occurs several times.
 void refuse_several_curves(const MeasuredTable& table, std::vector<double> times) {
   table.refuse_several_series();
   const bool is_of_results = table.list_of_names().find("\"stage\"") != std::string::npos;

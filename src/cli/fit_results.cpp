@@ -36,7 +36,7 @@ std::string column_of(const char* name, ModulusKind kind) {
   return fmt::format("{}{}", column_prefix(kind), name);
 }
 
-/// Axes for curves of a kind.
+/// An empty plot with the axes for a kind of curve.
 ModulusPlot empty_plot(CurveKind kind, const std::string& title) {
   ModulusPlot plot = {.title = title, .curves = {}};
   if (kind == CurveKind::creep) {
@@ -62,7 +62,7 @@ void draw(ModulusPlot& plot, CurveKind kind, const ConvertedCurve& curve, Modulu
   }
 }
 
-/// The data as marks.
+/// The data as curves of points.
 struct DrawData {
   ModulusPlot& plot;
   const FitResult& result;
@@ -201,7 +201,7 @@ std::vector<CsvColumn> shift_columns(const FitResult& result) {
   return columns;
 }
 
-/// Files of a directory, and the names of those written.
+/// Writes files to a directory and collects their names.
 class Writer {
  public:
   explicit Writer(const FitDestination& destination) : results_(destination.directory, origin_of(destination)) {}
@@ -218,7 +218,7 @@ class Writer {
     write_text(results_.place() / name, modulus_plot(plot));
     names_.push_back(name);
   }
-  /// Puts the files into the directory and returns their names.
+  /// Moves the files into the directory and returns their names.
   std::vector<std::string> commit() {
     results_.commit();
     return std::move(names_);

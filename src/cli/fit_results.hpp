@@ -15,43 +15,43 @@
 
 namespace breccia::cli {
 
-/// The function that a curve shows.
+/// The viscoelastic function of a curve.
 enum class CurveKind { relaxation, creep, dynamic };
 
-/// What `breccia fit` has found.
+/// The result of `breccia fit`.
 struct FitResult {
   CurveKind measured = CurveKind::relaxation;
   PronySeries modulus;
   CreepCompliance compliance;
-  TimeWindow reach;                        ///< of the data; of dynamic ones 1 / omega
-  std::optional<FitQuality> quality = {};  ///< none of a Prony series as given
+  TimeWindow reach;                        ///< range of the data [s]; for dynamic data of 1 / omega
+  std::optional<FitQuality> quality = {};  ///< nothing for a given Prony series
   std::optional<MasterCurve> master_curve = {};
   std::optional<WilliamsLandelFerryFit> law = {};
-  ModulusKind kind = ModulusKind::unspecified;  ///< what the columns of the data say, or the user
+  ModulusKind kind = ModulusKind::unspecified;  ///< from the names of the columns or from the user
 };
 
-/// J, D of tension or B of pressure.
+/// The symbol of the compliance of a kind: J in shear, D in tension, B under pressure.
 std::string_view compliance_symbol(ModulusKind kind);
 
-/// A curve at logarithmic times or frequencies over the reach of the data.
+/// A curve at logarithmic times or frequencies over the range of the data.
 struct ConvertedCurve {
   std::vector<double> at;      ///< times [s] or angular frequencies [rad/s]
   std::vector<double> values;  ///< G [Pa], J [1/Pa] or G' [Pa]
-  std::vector<double> loss;    ///< G'' [Pa] of a dynamic curve
+  std::vector<double> loss;    ///< G'' [Pa], for a dynamic curve only
 };
 ConvertedCurve converted(const FitResult& result, CurveKind kind, int points_per_decade);
 
-/// Where the files of a fit go.
+/// The directory for the files of a fit, and the origin of the fit.
 struct FitDestination {
   std::filesystem::path directory;
   std::filesystem::path source;  ///< the file of the data
-  std::string options;           ///< of the command line, by which fits of one file differ
-  bool overwrite;                ///< may the fit of other data or with other options be replaced?
+  std::string options;           ///< command-line options that affect the fit
+  bool overwrite;                ///< whether a fit of other data or with other options may be replaced
 };
 
-/// Writes all files of a fit to a directory, which is made, and returns their names; pictures are left out where
-/// gnuplot cannot draw. Throws InputError where files would be replaced that are not of an earlier fit of the same
-/// data with the same options, and FileError.
+/// Writes all files of a fit to a directory, which is created if it is missing, and returns their names; without
+/// gnuplot there are no pictures. Throws InputError if files would be replaced that are not of an earlier fit of the
+/// same data with the same options (unless `overwrite`), and FileError.
 std::vector<std::string> write_fit(const FitDestination& destination, const FitData& data, const FitResult& result,
                                    CurveKind kind);
 

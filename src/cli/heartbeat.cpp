@@ -9,7 +9,7 @@
 namespace breccia::cli {
 namespace {
 
-/// While it lives, threads that are started leave all signals to the others.
+/// During its lifetime new threads are started with all signals blocked, so that other threads handle them.
 class BlockedSignals {
  public:
   BlockedSignals() {

@@ -11,7 +11,7 @@
 namespace breccia::cli {
 namespace {
 
-/// As `--help` prints it.
+/// The help of a command as `--help` prints it.
 std::string help_of(const CLI::App& command, const std::string& name) {
   return command.get_formatter()->make_help(&command, name, CLI::AppFormatMode::Normal);
 }

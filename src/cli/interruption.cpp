@@ -16,7 +16,7 @@ extern "C" void request_stop(int /*signal*/) {
 }  // namespace
 
 void watch_for_interruption() {
-  // A handler can be set for these two signals on every system.
+  // The result is ignored: a handler can be set for these two signals on every system.
   (void)std::signal(SIGINT, request_stop);
   (void)std::signal(SIGTERM, request_stop);
 }
@@ -26,7 +26,7 @@ bool interruption_requested() {
 }
 
 void stop_if_interrupted() {
-  if (interruption_requested()) throw Interrupted("interrupted; what was finished stays in the results");
+  if (interruption_requested()) throw Interrupted("interrupted; finished results are kept");
 }
 
 }  // namespace breccia::cli

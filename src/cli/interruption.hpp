@@ -2,13 +2,13 @@
 
 namespace breccia::cli {
 
-/// From now on SIGINT and SIGTERM ask the computation to stop at the next good moment.
+/// Installs handlers by which SIGINT and SIGTERM request the computation to stop at the next suitable point.
 void watch_for_interruption();
 
-/// Has one of them arrived?
+/// Whether one of these signals has arrived.
 bool interruption_requested();
 
-/// Throws Interrupted if so.
+/// Throws Interrupted if one of these signals has arrived.
 void stop_if_interrupted();
 
 }  // namespace breccia::cli

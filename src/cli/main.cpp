@@ -26,12 +26,12 @@ constexpr auto what_breccia_does =
 - Multiscale chain: small particles and binder first; the mixture is the matrix of the larger particles.
 )";
 
-/// What was printed may still be on its way, to a disk that is full.
+/// Flushes standard output. Throws FileError if it cannot be written, for example because the disk is full.
 void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw breccia::FileError("standard output: cannot write");
 }
 
-/// The words of the help that CLI11 would choose otherwise; commands that are added later take them over.
+/// Sets the wording of the help instead of that of CLI11; commands that are added later inherit it.
 void name_parts_of_help(CLI::App& application) {
   application.set_help_flag("-h,--help", "print this help");
   const auto formatter = application.get_formatter();
@@ -79,7 +79,7 @@ int run(int argc, char** argv) {
 
 struct Outcome {
   breccia::ExitCode exit_code = breccia::ExitCode::done;
-  std::string failure = {};  ///< what went wrong; empty when it has been said, or nothing has
+  std::string failure = {};  ///< the error message; empty without an error or if it was printed already
 };
 
 Outcome guarded_run(int argc, char** argv) {
@@ -92,14 +92,15 @@ Outcome guarded_run(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     return {ExitCode::file_failure, fmt::format("breccia: {}", error.what())};
   } catch (const std::bad_alloc&) {
-    return {ExitCode::numerical_failure, "not enough memory for this deck; `breccia check` tells how much it takes"};
+    return {ExitCode::numerical_failure,
+            "not enough memory for this deck; `breccia check` estimates how much it needs"};
   } catch (const std::exception& error) {
     return {ExitCode::numerical_failure, fmt::format("breccia: internal error: {}", error.what())};
   }
 }
 
-/// Of several processes that fail alike the first says so and ends all. One that fails alone is still there after a
-/// while: it speaks for itself, and ends the others, which may be waiting for it.
+/// If all processes fail in the same way, the first one prints the message and ends all of them. A process that is not
+/// ended after a while has failed alone: it prints its own message and ends the others, which may be waiting for it.
 void end_all(const Outcome& outcome) {
   namespace parallel = breccia::parallel;
   constexpr std::chrono::seconds while_the_first_speaks(3);

@@ -16,7 +16,7 @@ bool is_option(const std::string& word) {
   return word.size() > 1 && word.front() == '-';
 }
 
-/// `--threads=2` without its value.
+/// The name of an option without its value: `--threads` for `--threads=2`.
 std::string name_of_option(const std::string& word) {
   return word.substr(0, word.find('='));
 }
@@ -34,8 +34,8 @@ bool has_option(const CLI::App& command, const std::string& name) {
   return std::ranges::count(options_of(command), name) > 0;
 }
 
-/// `unknown option "--thread", did you mean "--threads"?` A beginning, such as `-t` or `--check`, means the options
-/// that begin so.
+/// The message about an unknown option: `unknown option "--thread", did you mean "--threads"?` For an abbreviation,
+/// such as `-t` or `--check`, it suggests all options that begin in this way.
 std::string unknown_option(const CLI::App& command, const std::string& name) {
   const auto known = options_of(command);
   const auto beginning = name.starts_with("--") ? name : "-" + name;
@@ -47,7 +47,7 @@ std::string unknown_option(const CLI::App& command, const std::string& name) {
   return fmt::format("unknown option \"{}\"{}", name, hint);
 }
 
-/// The names of the arguments of a command that are no options, such as DECK.
+/// The names of the positional arguments of a command, such as DECK.
 std::vector<std::string> positionals_of(const CLI::App& command) {
   std::vector<std::string> names;
   for (const auto* option : command.get_options({})) {
@@ -56,7 +56,7 @@ std::vector<std::string> positionals_of(const CLI::App& command) {
   return names;
 }
 
-/// The mistakes in options. What stands before the command is read as an option of the program itself.
+/// The mistakes in options. CLI11 takes an option before the command for one of the program itself.
 std::vector<std::string> mistaken_options(const CLI::App& application, const CLI::App& command) {
   std::vector<std::string> lines;
   for (const auto& word : application.remaining()) {
@@ -74,7 +74,7 @@ std::vector<std::string> mistaken_options(const CLI::App& application, const CLI
   return lines;
 }
 
-/// The arguments that a command has no use for.
+/// Messages about the superfluous arguments of a command.
 std::vector<std::string> unexpected_arguments(const CLI::App& application, const CLI::App& command) {
   const auto positionals = positionals_of(command);
   const auto expected = positionals.empty() ? "options alone" : fmt::format("one {}", fmt::join(positionals, ", "));
@@ -101,7 +101,7 @@ std::string describe_misuse(const CLI::App& application, const CLI::ParseError& 
 
   auto lines = mistaken_options(application, command);
   const bool is_about_extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
-  // Beside an unknown option a word too many is its value, most likely.
+  // After an unknown option a superfluous argument is probably its value, and is not reported.
   if (is_about_extras && lines.empty()) lines = unexpected_arguments(application, command);
   const bool lacks_command_alone = chosen.empty() && !lines.empty();
   if (!is_about_extras && !lacks_command_alone) lines.emplace_back(error.what());

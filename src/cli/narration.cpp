@@ -22,7 +22,7 @@ std::string describe(const Stage& stage, const StageResult& result) {
   return text;
 }
 
-/// The error that the method makes in time, and over what.
+/// The error of the method in time, in words, and the range of moduli to which it applies.
 std::string describe_error(const QuasistaticResponse& response) {
   const double per_cent = 100.0 * response.error_estimate;
   if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
@@ -32,7 +32,7 @@ std::string describe_error(const QuasistaticResponse& response) {
                      display(softest.matrix.shear, "Pa"), display(stiffest.matrix.shear, "Pa"), per_cent);
 }
 
-/// A line on a quasi-static test; time domains have told of themselves.
+/// A line about a quasi-static test; for dynamic tests there is a line for each time domain instead.
 std::string describe(const Stage& stage, const TestResult& test) {
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   if (record == nullptr) return {};
@@ -71,13 +71,15 @@ RunObserver narrate(Progress& progress) {
                     domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
   observer.writes_beside = [&progress](const std::filesystem::path& place) {
-    progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));
+    progress.print(fmt::format("The earlier results are kept until the new ones, in {}, are complete", place.string()));
   };
   observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
-    progress.print(stage.answered_from.empty()
-                       ? fmt::format("{}: the same as in {}", stage.name, directory.string())
-                       : fmt::format("{}: at another temperature from the responses of task {}, without maps",
-                                     stage.name, stage.answered_from));
+    progress.print(
+        stage.answered_from.empty()
+            ? fmt::format("{}: the same as in {}", stage.name, directory.string())
+            : fmt::format(
+                  "{}: computed from the reduced responses of task {}, at another temperature, without field maps",
+                  stage.name, stage.answered_from));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

@@ -6,7 +6,7 @@
 
 namespace breccia::cli {
 
-/// Tells on a terminal what a study does, and ends it when the user asks for that.
+/// An observer that prints the progress of a study, and ends the study when the user interrupts it.
 RunObserver narrate(Progress& progress);
 
 }  // namespace breccia::cli

@@ -16,7 +16,7 @@ void write_starter_deck(const std::filesystem::path& deck) {
   const auto name = deck.string();
   if (deck.extension() != ".toml") throw InputError(fmt::format("{}: expected a name that ends in .toml", name));
   if (std::filesystem::exists(std::filesystem::symlink_status(deck))) {
-    throw InputError(fmt::format("{}: is there already, and stays as it is; choose another name", name));
+    throw InputError(fmt::format("{}: the file exists and is not overwritten; choose another name", name));
   }
   write_text(deck, starter_deck());
   fmt::print("{} is a deck to begin with. Next:\n  breccia check {}\n  breccia run {}\n", name, name, name);

@@ -40,7 +40,7 @@ void Progress::update(std::string_view what, double share, std::string_view deta
   is_running_ = true;
 }
 
-/// Shows what is running, if it is time to; called by the heartbeat.
+/// Prints a line about the running work, if it is due; called by the heartbeat.
 void Progress::show() {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
@@ -53,7 +53,7 @@ void Progress::show() {
   const auto left = can_tell ? fmt::format(", {} left", display_duration(elapsed * (1.0 - share) / share)) : "";
   const auto line = fmt::format("{}: {:.0f} %, {}, {} so far{}", running_.what, 100.0 * share, running_.details,
                                 display_duration(elapsed), left);
-  // What cannot be shown is not worth ending a computation for.
+  // A progress line that cannot be printed is no reason to end the computation.
   (void)std::fputs((terminal_ ? "\r\x1b[K" + line : line + "\n").c_str(), stream_);
   (void)std::fflush(stream_);
   line_is_live_ = terminal_;

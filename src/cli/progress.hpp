@@ -11,26 +11,26 @@
 
 namespace breccia::cli {
 
-/// What a running computation tells: one live line on a terminal, elsewhere a plain line every minute, nothing if
-/// quiet. The lines come from a thread of their own, so that a computation that is silent for long is seen to go on.
+/// Prints the progress of a computation: one line that is updated on a terminal, elsewhere a plain line every minute,
+/// nothing if quiet. A separate thread prints the lines, so that they also appear during long steps.
 class Progress {
  public:
   using Clock = std::chrono::steady_clock;
-  /// When lines on what is running come.
+  /// The timing of progress lines.
   struct Pace {
-    Clock::duration pause;           ///< from one line to the next
-    std::chrono::milliseconds beat;  ///< between two looks at the clock
+    Clock::duration pause;           ///< time between two lines
+    std::chrono::milliseconds beat;  ///< time between two checks of the clock
   };
 
   explicit Progress(bool quiet);
-  /// Writes the lines on what is running to a stream, which stays open, at another pace than the usual one.
+  /// Writes progress lines to a stream, which is not closed, with the given timing.
   Progress(bool quiet, std::FILE* stream, const Pace& pace);
 
-  /// What is running now, the share of it that is done, and details; called as often as one likes.
+  /// Sets the running work, its finished share (0 to 1) and details; may be called as often as needed.
   void update(std::string_view what, double share, std::string_view details);
-  /// A line that stays.
+  /// Prints a permanent line.
   void print(std::string_view line);
-  /// Prints a line that nobody should miss, on standard error, even when quiet.
+  /// Prints an important line on standard error, even when quiet.
   void note(std::string_view line);
 
  private:
@@ -48,12 +48,12 @@ class Progress {
   std::FILE* stream_;
   bool terminal_;
   Clock::duration pause_;
-  std::mutex mutex_;  ///< for all below, which the heartbeat reads
+  std::mutex mutex_;  ///< protects all members below, which the heartbeat reads
   Running running_;
-  bool is_running_ = false;  ///< something has been told since the last line that stays
+  bool is_running_ = false;  ///< whether update() was called after the last permanent line
   Clock::time_point shown_;  ///< when a line was last shown
   bool line_is_live_ = false;
-  std::optional<Heartbeat> heartbeat_;  ///< last, so that it ends before what it reads
+  std::optional<Heartbeat> heartbeat_;  ///< last member, so that it ends before the members that it reads
 };
 
 }  // namespace breccia::cli

@@ -31,24 +31,24 @@ namespace fs = std::filesystem;
 
 struct RespondArguments {
   fs::path results;
-  fs::path material;                      ///< empty: temperatures are given
-  std::vector<std::string> temperatures;  ///< of the matrix of the study
-  std::string stage;                      ///< empty: all that can
+  fs::path material;                      ///< file of the new matrix; empty: temperatures are given
+  std::vector<std::string> temperatures;  ///< new temperatures of the matrix of the study
+  std::string stage;                      ///< empty: all stages with responses
   std::vector<std::string> times;
   fs::path out;
   bool overwrite = false;
   bool quiet = false;
 };
 
-/// The stages with one new matrix.
+/// The results of the stages with one new matrix.
 struct Answer {
-  std::string matrix;  ///< what the matrix is, for people
+  std::string matrix;  ///< description of the matrix
   fs::path out;
-  std::string study;  ///< hash of the study whose responses answer
+  std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};
 };
 
-/// The names of the stages that have a response, in alphabetical order.
+/// The names of the stages that have reduced responses, in alphabetical order.
 std::vector<std::string> stages_with_response(const fs::path& results) {
   if (!fs::is_directory(results)) throw InputError(fmt::format("{}: no such directory", results.string()));
   std::vector<std::string> stages;
@@ -97,13 +97,13 @@ Answer answer_for_material(const RespondArguments& arguments, const std::optiona
   const auto material = read_material_file(arguments.material);
   const auto stored = responses_of(arguments);
   const auto own = arguments.results / ("respond-" + material.name);
-  // A stage alone takes the material itself, whatever its matrix was in the study.
+  // A single stage gets the material as its matrix, even if its matrix was an earlier stage in the study.
   return {material.name, arguments.out.empty() ? own : arguments.out, stored.front().deck_hash,
           arguments.stage.empty() ? respond(stored, material, window)
                                   : std::vector{respond(stored.front(), material, window)}};
 }
 
-/// A temperature as it was asked for.
+/// A requested temperature.
 struct AskedTemperature {
   double kelvin;
   std::string name;       ///< "-40 degC"
@@ -119,7 +119,7 @@ AskedTemperature read_temperature(const std::string& text) {
           fmt::format("respond-{}{:.6g}degC", celsius < 0.0 ? "minus" : "", std::abs(celsius))};
 }
 
-/// Does what may throw InputError, and keeps the message.
+/// Runs an action and collects the message of an InputError.
 template <class Action>
 void collect(std::vector<std::string>& mistakes, const std::string& prefix, const Action& action) {
   try {
@@ -149,7 +149,7 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
   return temperatures;
 }
 
-/// The materials at one temperature that are the matrices of stages, by their names.
+/// The matrix materials of the stages at one temperature, by their names.
 std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& materials,
                                             const std::vector<StoredResponses>& stored,
                                             const AskedTemperature& temperature) {
@@ -166,14 +166,14 @@ std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& m
   return matrices;
 }
 
-/// "binder at 40 degC", and more where stages have different matrices.
+/// The new matrix in words: "binder at 40 degC", or several if stages have different matrices.
 std::string names_of(const std::map<std::string, Material>& matrices) {
   std::vector<std::string> names;
   for (const auto& [original, material] : matrices) names.push_back(material.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The stage that is asked for and those that it builds on.
+/// The responses of the requested stage and of the stages that it builds on.
 std::vector<StoredResponses> with_earlier_stages(std::vector<StoredResponses> stored, const std::string& stage) {
   std::vector<StoredResponses> chain;
   for (auto wanted = stage; chain.size() < stored.size();) {
@@ -234,7 +234,7 @@ void print(const Answer& answer, const TimeWindow& times) {
       tables_of(answer.stages, times), answer.matrix, 100.0 * error, answer.out.string());
 }
 
-/// First and last time of some stages' curves.
+/// First and last time of the curves of several stages.
 TimeWindow times_of(const std::vector<StageResult>& stages) {
   const auto& curve = stages.front().tests.front().modulus;
   return {curve.front().time, curve.back().time};

@@ -61,7 +61,7 @@ SweepObserver narrate(const Sweep& sweep, Progress& progress) {
   return observer;
 }
 
-/// Throws NumericalError, naming the tasks that have failed, if some have.
+/// Throws NumericalError with the names of the failed tasks, if there are any.
 void refuse_failures(const Sweep& sweep, const SweepResult& result) {
   std::string failures;
   for (std::size_t task = 0; task < result.size(); ++task) {
@@ -105,12 +105,13 @@ void add_run(CLI::App& application) {
   command->callback([arguments] {
     const auto options = arguments->options();
     if (options.overwrite && options.resume) {
-      throw InputError("--overwrite begins anew, --resume goes on: expected one of them");
+      throw InputError("--overwrite starts a new run, --resume continues the earlier one: expected only one of them");
     }
     const auto sweep = arguments->deck.read();
     watch_for_interruption();
     if (arguments->processes_per_task > 0) {
-      if (sweep.keys.empty()) throw InputError("--processes-per-task: the deck sweeps nothing");
+      if (sweep.keys.empty())
+        throw InputError("--processes-per-task: expected a sweep, but the deck and the options have none");
       parallel::divide(arguments->processes_per_task);
     }
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);

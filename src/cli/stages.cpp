@@ -23,7 +23,7 @@ struct StagesArguments {
   std::string from, to;
 };
 
-/// The values of options, and every mistake in them.
+/// Reads the values of options and collects all mistakes in them.
 class OptionReader {
  public:
   double length(const std::string& option, const std::string& text) {
@@ -37,14 +37,14 @@ class OptionReader {
 
   double fraction(const std::string& option, const std::string& text) {
     if (const auto share = parse_percentage(text)) return *share;
-    // A plain number is a hundred times as many per cent.
+    // A plain number, 0.94, is read as "0.94 %" and multiplied by 100.
     if (const auto share = parse_percentage(text + "%")) return 100.0 * *share;
     mistakes_.push_back(
         fmt::format(R"({}: expected a number between 0 and 1, or per cent as in "94 %", got "{}")", option, text));
     return 0.0;
   }
 
-  /// Throws InputError with the mistakes.
+  /// Throws InputError with all mistakes, if there are any.
   void finish() const {
     if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
   }

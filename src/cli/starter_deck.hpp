@@ -4,7 +4,7 @@
 
 namespace breccia::cli {
 
-/// The text of examples/starter.toml, put into the program when it is built.
+/// The text of examples/starter.toml, embedded in the program when it is built.
 std::string_view starter_deck();
 
 }  // namespace breccia::cli

@@ -87,8 +87,9 @@ std::string describe_filler(const Stage& stage) {
   text += fmt::format("\n    packing  {}\n", std::visit(DescribePacking(), filler.packing));
   if (std::holds_alternative<LubachevskyStillingerPacking>(filler.packing)) {
     const bool follows_grid = filler.gap_source == GapSource::points;
-    text += fmt::format("    gap      {}{}\n", gap_in_words(stage),
-                        follows_grid ? ": other cells make another gap, and so another material" : "");
+    text += fmt::format(
+        "    gap      {}{}\n", gap_in_words(stage),
+        follows_grid ? ": it depends on the grid; other cells give another gap, and so another material" : "");
   }
   return text;
 }

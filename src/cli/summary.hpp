@@ -6,7 +6,7 @@
 
 namespace breccia::cli {
 
-/// A study for people: materials, stages and tests as they were understood, one fact a line.
+/// A study in words: materials, stages and tests as they were read from the deck, one fact per line.
 std::string summary(const Study& study);
 
 }  // namespace breccia::cli

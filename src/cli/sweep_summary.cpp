@@ -50,14 +50,14 @@ Column column_of(const SpreadCurve& spread) {
           }};
 }
 
-/// A line of the table: what begins it, and the text of each column.
+/// A line of the table: its label, and the text of each column.
 struct Row {
   std::string begin;
   std::vector<std::string> texts;
 };
 
-/// A line for each key that tells the columns apart, with its values; a value stands above the first column of its
-/// task alone.
+/// A line for each key that distinguishes the columns, with its values; a value is only above the first column of its
+/// task.
 std::vector<Row> heading_of(const Sweep& sweep, const std::vector<Column>& columns, bool with_seeds) {
   std::vector<Row> rows;
   for (std::size_t key = 0; key < sweep.keys.size(); ++key) {
@@ -93,7 +93,7 @@ std::vector<Row> moduli_of(const std::vector<Column>& columns) {
   return rows;
 }
 
-/// Rows below each other, aligned at the right.
+/// The rows as text, with right-aligned columns.
 std::string aligned(const std::vector<Row>& rows) {
   constexpr std::size_t least = 12;
   std::size_t beginning = least;
@@ -112,7 +112,7 @@ std::string aligned(const std::vector<Row>& rows) {
   return text;
 }
 
-/// Of each stage mean and spread over the seeds; empty where no seeds were swept.
+/// Mean and spread over the seeds for each stage; empty if no seeds were swept.
 std::string tables_of_spreads(const Sweep& sweep, const SweepResult& result) {
   std::string text;
   std::size_t tasks = 0;

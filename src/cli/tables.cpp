@@ -16,7 +16,7 @@
 namespace breccia::cli {
 namespace {
 
-/// Those that a table shows: of several grids their limit alone.
+/// The tests that a table shows; of several grids only their limit.
 std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   const bool has_limits =
       std::ranges::any_of(stage.tests, [](const TestResult& test) { return test.id.grid.is_extrapolated(); });
@@ -27,7 +27,7 @@ std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   return shown;
 }
 
-/// In the order of the table: what, under which boundary, by which method.
+/// The three header lines of a test's column: modulus, boundary, method.
 std::array<std::string, 3> heading(const TestResult& test) {
   return {test.id.load == Load::bulk ? "K + G/3" : (test.id.load == Load::shear ? "G" : "G, xx-yy"),
           bound_of(test.id.boundary), name_of(test.id.method)};
@@ -50,7 +50,7 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
   return text + "\n";
 }
 
-/// Of one measurement: the ratios of all that was computed to it, decade by decade.
+/// A table of the ratios of all computed moduli to one measurement, at whole decades.
 std::string table_of(const std::string& measurement, const StageResult& stage) {
   std::vector<const Comparison*> compared;
   TimeWindow times = {std::numeric_limits<double>::infinity(), 0.0};
@@ -86,7 +86,7 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
   return text + "\n";
 }
 
-/// Of each stage with particles a line on how good its numbers are.
+/// A line about the quality of the results for each stage with particles.
 std::string words_on_quality(const Study& study, const StudyResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
@@ -117,7 +117,7 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
   for (const auto& stage : result.stages) fractions.push_back(stage.microstructure.fraction);
   auto remarks = filler_summary(study, fractions);
   for (const auto& stage : result.stages) {
-    // Some have been told when the stage was packed, hours ago perhaps.
+    // Some warnings were printed when the stage was packed, perhaps hours ago; they are repeated.
     for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";
     for (const auto& test : stage.tests) {
       const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);

@@ -17,7 +17,7 @@ bool uses(const Tests& tests, Method method) {
   return std::ranges::find(tests.methods, method) != tests.methods.end();
 }
 
-/// The reduced basis takes what the matrix does out of the filler's stiffness.
+/// Reports a filler that relaxes with the reduced solver, which needs elastic fillers.
 void refuse_relaxing_fillers(const Section& deck, const Study& study) {
   if (!uses(study.tests, Method::quasistatic) || study.tests.quasistatic.solver != Solver::reduced) return;
   for (const auto& stage : study.stages) {
@@ -28,7 +28,7 @@ void refuse_relaxing_fillers(const Section& deck, const Study& study) {
   }
 }
 
-/// All but the series of the reduced basis on one grid are fits.
+/// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
 void refuse_too_few_times(const Section& deck, const Study& study) {
   const auto& tests = study.tests;
   constexpr std::size_t fewest = 3;

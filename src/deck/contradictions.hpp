@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// Reports what each part of a study allows and the whole does not.
+/// Reports settings that are valid by themselves but contradict each other.
 void refuse_contradictions(const Section& deck, const Study& study);
 
 }  // namespace breccia

@@ -24,10 +24,11 @@ bool is_distribution(const Sizes& sizes) {
   return std::holds_alternative<LognormalSizes>(sizes) || std::holds_alternative<TabulatedSizes>(sizes);
 }
 
-/// `from` and `to`, which cut a distribution of sizes. A table ends by itself; a lognormal distribution needs them.
+/// Reads `from` and `to`, which cut a distribution of sizes. They are optional for a table, and required for a
+/// lognormal distribution.
 void read_cuts(const Section& section, Filler& filler) {
   if (!filler.sizes) {
-    // Why there are none has been told.
+    // The missing sizes have been reported already.
     for (const auto* key : {"from", "to"}) {
       if (section.has(key)) static_cast<void>(section.quantity(key, Dimension::length, Range::positive()));
     }
@@ -64,7 +65,7 @@ void read_cuts(const Section& section, Filler& filler) {
   }
 }
 
-/// Whether the particles can be in the box at all.
+/// Reports particles that cannot fit into the box.
 void check_fit(const Section& section, const Filler& filler, double side) {
   if (filler.gap >= side && std::isfinite(filler.gap)) {
     section.report("gap", fmt::format("a gap of {} does not fit into a box of {}",
@@ -89,7 +90,7 @@ void check_fit(const Section& section, const Filler& filler, double side) {
   }
 }
 
-/// Which of fraction and sizes go with which packing.
+/// Reads fraction and sizes as far as the packing allows them.
 void read_amount(const Section& section, Filler& filler) {
   if (std::holds_alternative<ExplicitPacking>(filler.packing)) {
     section.refuse({"sizes", "fraction", "from", "to"}, "the discs of an explicit packing are all listed in its file");

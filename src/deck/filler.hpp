@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Reads `filler` and `packing` of a stage whose box and cells are known; nothing when it has neither.
+/// Reads `filler` and `packing` of a stage whose box and cells have been read; nothing when it has neither.
 std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
                                   const std::vector<Material>& materials);
 

@@ -17,7 +17,7 @@
 namespace breccia {
 namespace {
 
-/// A gap and what the deck has derived it from.
+/// A gap and the form in which the deck gives it.
 struct Gap {
   double length;  ///< [m]
   GapSource source;
@@ -50,7 +50,7 @@ std::optional<double> parse_length(const std::string& text) {
   }
 }
 
-/// Nothing where the text is no gap.
+/// The gap that a text stands for; nothing if the text is not a gap.
 std::optional<Gap> parse_gap(const std::string& text, double point_spacing, double smallest_diameter) {
   if (const auto points = parse_points(text)) return Gap{*points * point_spacing, GapSource::points};
   if (const auto share = parse_share(text)) return Gap{*share * smallest_diameter, GapSource::diameter};
@@ -65,7 +65,7 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
     section.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
     return;
   }
-  // Where there are no sizes, the deck has a mistake already.
+  // Missing sizes have been reported as a mistake already.
   const auto diameters = diameters_of(filler);
   const double smallest = diameters && diameters->smallest > 0.0 ? diameters->smallest : 0.0;
   std::optional<Gap> gap;
@@ -80,7 +80,7 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
     }
   }
   if (!gap) return;
-  // However it is given, the same length is the same number.
+  // Rounded, so that the same length is the same number in whatever form it is given.
   filler.gap = as_typed(gap->length);
   filler.gap_source = gap->source;
 }

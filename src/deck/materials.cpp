@@ -25,7 +25,7 @@ std::vector<MaxwellTerm> read_terms(const Section& modulus) {
   return terms;
 }
 
-/// Would a shift to another temperature make it zero or infinite?
+/// Whether a shift would make a relaxation time zero or infinite.
 bool is_out_of_scale(const MaxwellTerm& term) {
   constexpr double largest = 1e100;
   return term.relaxation_time < 1.0 / largest || term.relaxation_time > largest;
@@ -73,7 +73,7 @@ PronySeries read_modulus(const Section& material, const std::string& key, Modulu
   return read_series(material.section(key), kind);
 }
 
-/// `temperature_shift`; nothing without it, and after a report.
+/// Reads `temperature_shift`; nothing if it is missing or after a mistake was reported.
 std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
   const auto section = material.optional_section("temperature_shift");
   if (!section) return std::nullopt;
@@ -93,7 +93,7 @@ std::optional<TemperatureShift> read_temperature_shift(const Section& material) 
   return shift;
 }
 
-/// A material at the temperature that its table asks for, and the shift to there, which may be none.
+/// A material at the temperature in its table, with the temperature shift, if it has one.
 std::pair<Material, std::optional<TemperatureShift>> read_shifted(const Section& section, const std::string& name) {
   const Material reference = {name, section.quantity("density", Dimension::density, Range::positive()),
                               read_modulus(section, "bulk", ModulusKind::bulk),

@@ -10,7 +10,7 @@
 
 namespace breccia {
 
-/// The materials of a deck, and by name the temperature shifts that are in them.
+/// The materials of a deck, and their temperature shifts by the names of the materials.
 struct DeckMaterials {
   std::vector<Material> materials;
   std::map<std::string, TemperatureShift> temperature_shifts;
@@ -19,10 +19,10 @@ struct DeckMaterials {
 /// Reads [materials]: each table is a material, named by its key.
 DeckMaterials read_materials(const Section& deck);
 
-/// Reads one material, at the temperature that its table asks for.
+/// Reads one material, at the temperature in its table.
 Material read_material(const Section& section, const std::string& name);
 
-/// The material that a key names; a nameless one after a report.
+/// The material that a key names; a material without a name after a mistake was reported.
 Material read_material_reference(const Section& section, const std::string& key,
                                  const std::vector<Material>& materials);
 

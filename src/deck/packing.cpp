@@ -92,7 +92,7 @@ ExplicitPacking read_explicit(const Section& packing, double side) {
   return listed;
 }
 
-/// A method that is not there, but that a user may well expect.
+/// A packing method that does not exist, but that users may expect.
 bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
   constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",

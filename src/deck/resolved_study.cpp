@@ -38,7 +38,8 @@ Study resolve(const Deck& document) {
 
 namespace {
 
-/// A hash for each data file: what moves from the end of one file to the beginning of the next changes them.
+/// A hash for each data file. A single hash of all files would not change if a row moved from the end of one file to
+/// the beginning of the next.
 std::string file_hashes_of(const Deck& document) {
   std::string hashes;
   for (const auto& file : document.files()) hashes += content_hash(read_text(file));
@@ -51,7 +52,7 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
   std::vector<std::string> hashes;
   for (const auto& stage : study.stages) {
     auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
-    // A later stage that builds on this one adds loads to it.
+    // A later stage that builds on this one adds loads to its tests.
     for (const auto load : loads_of(study, stage)) content += name_of(load);
     content += serves_as_matrix(study, stage) ? "matrix" : "last";
     hashes.push_back(content_hash(content));

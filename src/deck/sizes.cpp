@@ -19,7 +19,7 @@ std::optional<Sizes> read_file(const Section& filler) {
   return sizes;
 }
 
-/// Diameters, each as often as `counts` says.
+/// The list of diameters, each repeated by its count.
 ListedSizes read_list(const Section& sizes) {
   const auto diameters = sizes.quantities("list", Dimension::length, Range::positive());
   if (!sizes.has("counts")) return {diameters};

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int fewest_cells = 2;
 constexpr int most_cells = 1 << 20;
-/// Of boxes [m]: wide enough for whatever is a composite.
+/// Allowed range of the side of a box [m], wide enough for all composites.
 const Range sides = {.lower = 1e-12, .upper = 1e6};
 
 std::string lower_case(std::string text) {
@@ -46,7 +46,7 @@ std::string read_name(const Section& section, const std::vector<Stage>& earlier,
   return name;
 }
 
-/// A material or an earlier stage by name.
+/// Reads the name of a material or of an earlier stage.
 StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlier,
                         const std::vector<Material>& materials) {
   const auto name = section.text("matrix");
@@ -64,7 +64,7 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
   return {};
 }
 
-/// Cells per side of several grids, from which curves are extrapolated.
+/// Reads the cells per side of several grids for extrapolation.
 std::vector<int> read_grids(const Section& section) {
   std::vector<int> grids;
   for (const auto cells : section.integers("cells", {.lower = fewest_cells, .upper = most_cells})) {
@@ -96,7 +96,8 @@ int read_cells(const Section& section, double side) {
   return static_cast<int>(cells);
 }
 
-/// Of several grids the finest would decide on the material.
+/// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
+/// finest grid.
 std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
   const bool follows = stage.filler && stage.filler->gap_source == GapSource::points && !stage.coarser_cells.empty();
   if (!follows) return std::nullopt;

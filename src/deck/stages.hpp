@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// Reads [[stages]], whose materials are among those given.
+/// Reads [[stages]]; their materials must be among the given ones.
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);
 
 }  // namespace breccia

@@ -31,7 +31,7 @@ std::vector<SweptKey> swept_keys(const std::vector<KeyValues>& keys, std::vector
   return swept;
 }
 
-/// Which value each key has in each task, the last key running fastest.
+/// For each task the index of the value of each key; the last key runs fastest.
 std::vector<std::vector<std::size_t>> combinations(const std::vector<KeyValues>& keys) {
   std::vector<std::vector<std::size_t>> all(1);
   for (const auto& key : keys) {
@@ -47,13 +47,13 @@ std::vector<std::vector<std::size_t>> combinations(const std::vector<KeyValues>&
   return all;
 }
 
-/// Is the key the seed of all packings, whatever stages there are?
+/// Whether the key stands for the seeds of all packings.
 bool is_every_seed(const std::string& path) {
   return split_path(path) == std::vector<std::string>{"stages", "*", "packing", "seed"};
 }
 
-/// The paths that a key stands for in a deck. The seed of every packing is that of those that have one: a regular or an
-/// explicit packing has none.
+/// The paths that a key stands for in a deck. The key for the seeds of all packings stands for the random packings
+/// only, since regular and explicit packings have no seed.
 std::vector<std::string> paths_of(const KeyValues& key, const Deck& deck, std::vector<Mistake>& mistakes) {
   if (!is_every_seed(key.path)) return {key.path};
   const auto unread = deck.unread_copy();
@@ -68,8 +68,8 @@ std::vector<std::string> paths_of(const KeyValues& key, const Deck& deck, std::v
   return paths.size() == stages ? std::vector{key.path} : paths;
 }
 
-/// Gives a deck the values of a task, and refuses to replace one of them by another. Returns them as overrides,
-/// `key.path=value`.
+/// Sets the values of a task in a deck, and reports keys that would replace the value of another key. Returns the
+/// values as overrides, `key.path=value`.
 std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& keys,
                                     const std::vector<std::size_t>& choice, std::vector<Mistake>& mistakes) {
   std::set<std::string> taken;
@@ -86,12 +86,12 @@ std::vector<std::string> set_values(Deck& deck, const std::vector<KeyValues>& ke
   return overrides;
 }
 
-/// What tasks have of a stage whose gap follows the grid.
+/// The cell sizes and gaps that the tasks have in a stage whose gap depends on the grid.
 struct FollowingGap {
   std::set<double> cell_sizes, gaps;  // [m]
 };
 
-/// Warns of the stages whose gap follows the grid where tasks differ in that grid.
+/// Adds warnings to stages whose gap depends on the grid if the grid differs between tasks.
 void warn_of_gaps_on_grids(Sweep& sweep) {
   const auto follows = [](const Stage& stage) { return stage.filler && stage.filler->gap_source == GapSource::points; };
   std::map<std::string, FollowingGap> found;
@@ -121,7 +121,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
   Deck document(deck, overrides);
   for (const auto& key : further_keys) document.add("sweep", "--sweep", key);
   const auto keys = read_keys(document.root());
-  document.root().accept_all_keys();  // the tasks tell which are unknown
+  document.root().accept_all_keys();  // unknown keys are reported by the tasks
   auto mistakes = document.mistakes();
 
   Sweep sweep;

@@ -19,7 +19,7 @@ constexpr std::int64_t most_tasks = 1000;
 
 enum class Spacing { linear, logarithmic };
 
-/// From the first to the last there may be more than an integer with a sign can tell.
+/// Number of integers from the first to the last; unsigned, since it may exceed the largest signed integer.
 std::uint64_t distance(std::int64_t from, std::int64_t to) {
   return static_cast<std::uint64_t>(to) - static_cast<std::uint64_t>(from);
 }
@@ -61,7 +61,7 @@ std::vector<Scalar> read_steps_of_one(const Section& range) {
   return integers_from(from, 1, static_cast<std::int64_t>(count));
 }
 
-/// A number of something, such as "48 um" or "6 points"; nothing after a report.
+/// Reads a number with a unit, such as "48 um" or "6 points"; nothing after a mistake was reported.
 std::optional<NumberAndUnit> read_end(const Section& range, const std::string& key) {
   if (range.kind(key) != Kind::text) {
     range.report(key, "expected a number with its unit, as the other end of the range has one");
@@ -127,7 +127,8 @@ std::vector<Scalar> read_counted(const Section& range) {
   return numbers_between(from, to, count, spacing);
 }
 
-/// A table is a range if it begins or ends at a value; keys of decks that are called so take arrays here.
+/// Whether a table of [sweep] is a range of values, `{ from = ..., to = ... }`, instead of a table of further keys.
+/// Deck keys named `from` or `to` must therefore have arrays here.
 bool is_range(const Section& table) {
   const auto is_end = [&](const std::string& key) {
     const auto kind = table.kind(key);

@@ -14,7 +14,7 @@ struct KeyValues {
   std::vector<PlacedScalar> values;
 };
 
-/// The keys of `[sweep]` in the order of the deck; none after a report where their combinations are too many.
+/// The keys of `[sweep]` in the order of the deck. Reports too many combinations, and returns no keys then.
 std::vector<KeyValues> read_keys(const Section& deck);
 
 }  // namespace breccia

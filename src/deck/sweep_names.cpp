@@ -9,7 +9,7 @@ namespace breccia {
 
 namespace {
 
-/// A text with all that may not be in a name of a file, on any system, replaced by single dashes.
+/// The text with dashes in place of all characters that file names cannot have on all operating systems.
 std::string safe(const std::string& text) {
   std::string result;
   for (const char letter : text) {
@@ -21,7 +21,7 @@ std::string safe(const std::string& text) {
   return result;
 }
 
-/// The text of a value; "-40 degC" as "minus 40 degC", for a dash in a name joins words.
+/// The text of a value, with a minus sign as the word "minus" ("minus 40 degC"), since dashes join words in names.
 std::string with_sign_in_words(const std::string& text) {
   const bool is_negative =
       text.size() > 1 && text[0] == '-' && (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
@@ -38,12 +38,12 @@ std::string ending(const std::vector<std::string>& steps, std::size_t length) {
   return result;
 }
 
-/// Does a step say nothing by itself: "*", or the index of an element?
+/// Whether a step has no meaning by itself: "*", or the index of an element.
 bool is_element(const std::string& step) {
   return step == "*" || step.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// "../data/binder.csv" as "binder"; all else as it is.
+/// The name of a file without directory and extension, "binder" for "../data/binder.csv"; other values unchanged.
 std::string without_directory(const std::string& text) {
   const std::filesystem::path path(text);
   return path.has_extension() && path.has_parent_path() ? path.stem().string() : text;

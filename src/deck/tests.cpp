@@ -12,7 +12,7 @@ namespace breccia {
 
 namespace {
 
-/// Reports an element that an array has twice.
+/// Reports elements that an array has more than once.
 template <class T>
 void refuse_repeats(const Section& section, const std::string& key, const std::vector<T>& values) {
   for (auto value = values.begin(); value != values.end(); ++value) {
@@ -32,7 +32,7 @@ std::vector<double> read_density_factors(const Section& section) {
   return factors;
 }
 
-/// Times within those of the tests, as far as these are known: the last one, none, or an array.
+/// Reads the times of fields: the last time, none, or an array of times within those of the tests.
 std::vector<double> read_field_times(const Section& section, const std::optional<TimeWindow>& window) {
   const auto times = window.value_or(TimeWindow{0.0, std::numeric_limits<double>::infinity()});
   if (!section.has("fields")) return {times.end};
@@ -41,7 +41,7 @@ std::vector<double> read_field_times(const Section& section, const std::optional
     return has_last.value_or(false) ? std::vector{times.end} : std::vector<double>();
   }
   auto fields = section.quantities("fields", Dimension::time, Range::positive());
-  // A time that is none has been reported already, and is no number.
+  // An invalid time has been reported already and is NaN here.
   if (std::ranges::any_of(fields, [](double time) { return std::isnan(time); })) return {};
   if (!std::ranges::is_sorted(fields, std::ranges::less_equal())) section.report("fields", "expected rising times");
   const auto is_outside = [&](double time) { return time < times.begin || time > times.end; };
@@ -106,7 +106,7 @@ bool has_periodic_particles(const Stage& stage) {
          (listed != nullptr && listed->walls == Walls::periodic);
 }
 
-/// Displacement and traction boundaries would cut the particles of a periodic box.
+/// The default boundaries: periodic if a box is periodic, since the others would cut its particles.
 std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
   if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
   return {Boundary::displacement, Boundary::traction};

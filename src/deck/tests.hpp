@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Reads [tests] of these stages.
+/// Reads [tests]; the stages have been read before.
 Tests read_tests(const Section& deck, const std::vector<Stage>& stages);
 
 }  // namespace breccia

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Reads two rising times [s] from a key; nothing after a report.
+/// Reads two rising times [s] from a key; nothing after a mistake was reported.
 std::optional<TimeWindow> read_time_window(const Section& section, const std::string& key);
 
 }  // namespace breccia

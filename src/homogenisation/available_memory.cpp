@@ -41,13 +41,13 @@ double left_on_machine() {
 double left_of_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-  // With less than this the libraries for MPI and linear algebra fail, or wait for ever for memory.
+  // With less memory the libraries for MPI and linear algebra fail, or wait forever.
   constexpr double of_libraries = 4e8;
   const auto used = number_after("/proc/self/status", "VmSize:");
   return static_cast<double>(limit.rlim_cur) - kibibyte * used.value_or(0.0) - of_libraries;
 }
 
-/// The files in which a version of control groups keeps the limit of a group and what is used of it.
+/// The files with the limit and the use of a control group, for one version of control groups.
 struct GroupFiles {
   const char* limit;
   const char* used;
@@ -61,7 +61,7 @@ double left_in_group(const fs::path& group, const GroupFiles& files) {
   return limit && used ? *limit - *used + given_back.value_or(0.0) : unlimited;
 }
 
-/// Of a group and of all that it is in, up to the root.
+/// The memory left in a group and in all groups that contain it, up to the root.
 double left_in_groups(const fs::path& root, const fs::path& name, const GroupFiles& files) {
   double least = left_in_group(root, files);
   auto group = root;

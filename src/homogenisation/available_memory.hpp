@@ -4,8 +4,8 @@
 
 namespace breccia {
 
-/// Memory [B] that the control groups of a process leave it, of either version and however deep they are nested;
-/// infinite where none limits it. `membership` is its /proc/<pid>/cgroup, `root` where the groups are mounted.
+/// Memory [B] that a process may still allocate under the limits of its control groups, of version 1 or 2 and with any
+/// nesting; infinite without a limit. `membership` is its /proc/<pid>/cgroup, `root` the mount point of the groups.
 double left_in_control_groups(const std::filesystem::path& membership, const std::filesystem::path& root);
 
 }  // namespace breccia

@@ -7,8 +7,7 @@
 
 namespace breccia {
 
-/// G(t) of a stage under all boundaries and by all methods beside each measurement of it, over the times that both
-/// tell.
+/// Compares G(t) of a stage, for all boundaries and methods, with each of its measurements, over the times of both.
 std::vector<Comparison> compare(const Study& study, const Stage& stage, const std::vector<TestResult>& tests);
 
 }  // namespace breccia

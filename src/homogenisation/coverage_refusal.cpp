@@ -21,7 +21,7 @@ std::string pascals(double modulus) {
   return display(modulus, "Pa", 3);
 }
 
-/// A positive number with two significant digits, at or on one side of it.
+/// A positive number rounded to two significant digits, up or down.
 double rounded_up(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
   return std::ceil(value / unit * (1.0 - 1e-12)) * unit;
@@ -32,7 +32,7 @@ double rounded_down(double value) {
   return std::floor(value / unit * (1.0 + 1e-12)) * unit;
 }
 
-/// Where one window begins or ends within another it is rounded, inwards; nothing where nothing is left.
+/// Rounds those ends of a window that lie within another one, inwards; nothing if no time is left.
 std::optional<TimeWindow> rounded_within(const TimeWindow& part, const TimeWindow& window) {
   const TimeWindow rounded = {part.begin > window.begin ? rounded_up(part.begin) : window.begin,
                               part.end < window.end ? rounded_down(part.end) : window.end};
@@ -40,7 +40,7 @@ std::optional<TimeWindow> rounded_within(const TimeWindow& part, const TimeWindo
   return rounded;
 }
 
-/// What two windows have in common.
+/// The intersection of two windows.
 std::optional<TimeWindow> common(const std::optional<TimeWindow>& one, const std::optional<TimeWindow>& other) {
   if (!one || !other) return std::nullopt;
   const TimeWindow both = {std::max(one->begin, other->begin), std::min(one->end, other->end)};
@@ -48,13 +48,13 @@ std::optional<TimeWindow> common(const std::optional<TimeWindow>& one, const std
   return both;
 }
 
-/// What leads to more.
+/// Advice on how to cover more times.
 std::string remedy_for(const StoredResponses& stored) {
   if (stored.range == SampledRange::times) {
     return "the study was run with tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers its "
            "own matrix at every temperature";
   }
-  return "a study with this material as its matrix covers all of it";
+  return "a new study with this material as its matrix covers all of it";
 }
 
 std::string describe(const char* modulus, const Material& matrix, const TimeWindow& window, const ModuliRange& shown,

@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-/// Leaves the names of files with fields in the state of a finished test, and reads them again.
+/// Writes the names of files with fields to the state of a finished test, and reads them.
 void save(StateWriter& state, const std::vector<FieldRecord>& fields);
 std::vector<FieldRecord> read_field_records(const StateReader& state);
 

@@ -27,7 +27,7 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
     const auto when = fmt::format("at {}, below zero", readable(time, Dimension::time));
     if (poisson_ratio(bulk, shear) < 0.0) return poisson_warning(material, bulk, shear, when);
   }
-  // A soft binder comes as near to a half as one likes while it relaxes.
+  // Poisson's ratio of a soft binder approaches one half as it relaxes, so only the unrelaxed value is doubtful.
   constexpr double most = 0.49999;
   const double bulk = material.bulk.unrelaxed(), shear = material.shear.unrelaxed();
   if (poisson_ratio(bulk, shear) > most) return poisson_warning(material, bulk, shear, "before it relaxes");

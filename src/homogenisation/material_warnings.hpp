@@ -8,11 +8,11 @@
 
 namespace breccia {
 
-/// What is doubtful in the materials of a stage that no earlier stage has: a Poisson's ratio below zero at the first or
-/// last time, or one above 0.49999 before any relaxation: a soft binder comes near to a half, but only as it relaxes.
+/// Warnings about those materials of a stage that no earlier stage has: a Poisson's ratio below zero at the first or
+/// last time, or above 0.49999 before any relaxation (the ratio of a soft binder approaches one half only later).
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage);
 
-/// Warns of a filler that is softer than the binder at the bottom of its stage, at the first time.
+/// A warning if the filler of a stage is softer than its binder (binder_of) at the first time.
 std::optional<std::string> warning_of_soft_filler(const Study& study, const Stage& stage);
 
 }  // namespace breccia

@@ -8,12 +8,12 @@
 namespace breccia {
 namespace {
 
-/// The reduced responses of a stage under one load and boundary, on one grid or on those that are extrapolated.
+/// The reduced responses of a stage under one load and boundary, on one grid or on several grids for extrapolation.
 struct ResponsesOnGrids {
   std::vector<double> cell_sides;  ///< falling [m]
   std::vector<const ReducedResponse*> responses;
 
-  /// Modulus of the composite [Pa], of several grids the limit of vanishing cells.
+  /// Modulus of the composite [Pa]; for several grids the limit of vanishing cells.
   [[nodiscard]] double modulus(const Moduli& matrix) const {
     std::vector<double> values;
     for (const auto* response : responses) values.push_back(response->modulus(matrix));
@@ -35,8 +35,8 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
   return found;
 }
 
-/// Moduli [Pa] of a stage as an isotropic material in the plane (theory, Eq. 32) where its matrix has those of a path,
-/// up to where they cease to fall and to be positive.
+/// Moduli [Pa] of a stage as an isotropic material in the plane (theory, Eq. 32) along a path of moduli of its matrix,
+/// as long as they fall and are positive.
 std::vector<Moduli> moduli_of_stage(const ResponsesOnGrids& in_shear, const ResponsesOnGrids& in_bulk,
                                     const std::vector<Moduli>& path) {
   constexpr double rounding = 1e-6;

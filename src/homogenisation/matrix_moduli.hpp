@@ -8,10 +8,10 @@
 
 namespace breccia {
 
-/// Moduli [Pa] that the matrix of a stage shows over the whole of its relaxation, from stiff to soft: of a material its
-/// relaxation_path(); of an earlier stage what its reduced responses under the same boundary make of its own matrix, as
-/// far as that is a solid (the limit of coarse grids need not be), so that no fit comes between. Nothing where the
-/// earlier stage has no reduced responses.
+/// Moduli [Pa] of the matrix of a stage over its whole relaxation, from stiff to soft. For a material they are its
+/// relaxation_path(). For an earlier stage they are computed without a fit, by its reduced responses under the same
+/// boundary along the path of its own matrix, as long as they fall and are positive (extrapolations from coarse grids
+/// may not be). Empty if the earlier stage has no reduced responses.
 std::vector<Moduli> matrix_moduli(const Study& study, const Stage& stage, const std::vector<StageResult>& earlier,
                                   Boundary boundary);
 

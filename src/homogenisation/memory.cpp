@@ -15,10 +15,10 @@
 namespace breccia {
 namespace {
 
-/// Largest of the tests of a stage by the dynamic method, on a grid of so many cells; nothing where the estimate finds
-/// no way through the times, about which the run itself knows better.
+/// Largest memory [B] of the dynamic tests of a stage on a grid of `cells` cells per side. Tests whose time domains
+/// cannot be planned from estimated moduli are left out; the run itself plans with computed moduli.
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
-  // Where the particles are does not matter.
+  // The positions of the particles do not matter.
   const auto discretisation = discretise<2>({stage.side, Walls::hard, {}}, cells, matrix_phase, filler_phase);
   double most = 0.0;
   try {
@@ -30,7 +30,7 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
       }
     }
   } catch (const NumericalError&) {
-    // What was found until then is all there is to compare.
+    // The largest memory found so far is returned.
   }
   return most;
 }
@@ -41,7 +41,7 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = 2.0 * cells * cells;
   double steps = 0.0;
   if (study.tests.quasistatic.solver == Solver::stepping) {
-    // A nodal vector for each term, of the fine run and the coarse one.
+    // A nodal vector for each term, in the run with fine and in that with coarse time steps.
     const auto matrix = expected_matrix(study, stage);
     const auto terms = matrix.bulk.terms().size() + matrix.shear.terms().size();
     steps = 2.0 * sizeof(double) * static_cast<double>(terms * loads_of(study, stage).size());
@@ -50,7 +50,7 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
     return unknowns * (640.0 + 60.0 * std::log2(unknowns) + steps);
   }
-  // Substructures and a dozen of nodal vectors; fields take as much again.
+  // Substructures and a dozen nodal vectors; fields take as much again.
   const double fields = study.tests.field_times.empty() ? 0.0 : 340.0;
   return unknowns * (340.0 + fields + steps);
 }

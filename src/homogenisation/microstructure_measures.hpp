@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-/// Where states have the wall time of a packing.
+/// Name of the wall time of a packing in states.
 inline constexpr auto packing_seconds_name = "/seconds";
 
 /// Measures the fraction, the interface and the gaps of a microstructure.

@@ -8,7 +8,7 @@
 
 namespace breccia {
 
-/// Runs an action. What it throws for its input or its numbers gets the name of what it was about.
+/// Runs an action and returns its result. Prefixes the message of an InputError or NumericalError with a name.
 template <class Action>
 auto name_errors(const std::string& name, const Action& action) {
   try {

@@ -12,23 +12,24 @@
 namespace breccia {
 namespace {
 
-/// The request of the stage with another gap: between hard walls the box of the packing is narrower by the gap.
+/// The packing request of the stage with another gap. Between hard walls the box of the packing is smaller by the gap.
 PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) {
   request.side = request.walls == Walls::hard ? stage.side - gap : stage.side;
   request.minimum_gap = gap;
   return request;
 }
 
-/// Root of the mean square of the diameters with the gap, over the side of the box.
+/// Root mean square of (diameter + gap) over the side of the box [-].
 double relative_size(const PackingRequest& request) {
   const auto count = static_cast<double>(request.diameters.size());
   return std::sqrt(4.0 / std::numbers::pi * inflated_fraction<2>(request) / count);
 }
 
-/// The fraction of particles with half the gap around each that will pack. A jam has shown it, but for chance; else
-/// what discs at random reach, with less of it beside the walls of a small box (from jams of 4 to 128 discs).
+/// The area fraction of particles, each with half the gap around it, that can be packed with near certainty: after a
+/// jam slightly less than the jammed fraction; otherwise an empirical fraction for random discs (from jams of 4 to 128
+/// discs), which is smaller in a small box because of its walls.
 double safe_fraction(const PackingRequest& request, const PackingError& error) {
-  if (request.diameters.size() == 1) return 1.0;  // which packs wherever it fits
+  if (request.diameters.size() == 1) return 1.0;  // a single particle packs if it fits into the box
   if (error.obstacle() == PackingObstacle::jam) return 0.96 * error.attainable_fraction();
   return std::max(0.0, 0.82 - 0.4 * relative_size(request));
 }
@@ -38,7 +39,7 @@ double floor_to_two_digits(double value) {
   return std::floor(value / unit) * unit;
 }
 
-/// The widest gap with which the particles fill no more than a fraction, and the largest fits into the box.
+/// The widest gap with which the particles fill at most a fraction of the box and the largest particle fits into it.
 std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
   constexpr double roundoff = 1e-6;
   const double largest = std::ranges::max(request.diameters);
@@ -55,15 +56,15 @@ std::optional<double> widest_gap(const Stage& stage, const PackingRequest& reque
   return low > 0.0 ? std::optional(floor_to_two_digits(low)) : std::nullopt;
 }
 
-/// So many cells a side that the gap, which follows the grid, is no wider than another.
+/// The number of cells per side for which the gap, given in material points, is not wider than another gap.
 std::optional<int> cells_for(const Stage& stage, double gap) {
   constexpr double most = 1 << 20;
   const double cells = std::ceil(stage.cells * stage.filler->gap / gap);
   return cells <= most ? std::optional(static_cast<int>(cells)) : std::nullopt;
 }
 
-/// The fraction of the box at which the particles with the asked gap fill no more than a safe fraction. Sizes are drawn
-/// within half a particle of it.
+/// The area fraction at which the particles with the requested gap fill no more than the safe fraction. The drawn sizes
+/// meet a fraction to within half a particle.
 std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
   const double largest = std::ranges::max(request.diameters) / stage.side;
   const double half_a_particle = std::numbers::pi / 8.0 * largest * largest;
@@ -71,7 +72,8 @@ std::optional<double> largest_fraction(const Stage& stage, const PackingRequest&
   return fraction > 0.0 ? std::optional(floor_to_two_digits(fraction)) : std::nullopt;
 }
 
-/// "31 particles of 120 um", "102 particles of 2.02 um to 13.4 um"; with their fraction where the deck names one.
+/// The particles in words: "31 particles of 120 um", "102 particles of 2.02 um to 13.4 um"; with the fraction, if the
+/// deck has one.
 std::string particles_of(const Stage& stage, const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
   const auto sizes = smallest == largest ? display(largest, "m")

@@ -8,17 +8,17 @@
 
 namespace breccia {
 
-/// What will pack in the place of what a stage asks for.
+/// Settings of a stage that can be packed, in place of the requested ones.
 struct PackingAdvice {
-  std::optional<double> gap;       ///< with the particles asked for, this [m] or less
-  std::optional<int> cells;        ///< where the gap follows the grid: so many a side or more
-  std::optional<double> fraction;  ///< with the gap asked for, this or less; of a stage with a fraction alone [-]
+  std::optional<double> gap;       ///< largest gap for the requested particles [m]
+  std::optional<int> cells;        ///< fewest cells per side, if the gap depends on the grid
+  std::optional<double> fraction;  ///< largest fraction for the requested gap, if the stage has a fraction [-]
 };
 
-/// Advice on a request of a stage that could not be packed. Rounded to two digits, to the safe side.
+/// Advice on a packing request that failed; numbers are rounded to two digits, to the safe side.
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error);
 
-/// The error in the words of the deck, with the fraction and the gap as asked for, and with the advice.
+/// The message of the error in the terms of the deck, with the requested fraction and gap, and with the advice.
 std::string message_on(const Stage& stage, const PackingRequest& request, const PackingError& error);
 
 }  // namespace breccia

@@ -35,7 +35,7 @@ std::vector<Vector<2>> read_vectors(const StateReader& state, const std::string&
   return vectors;
 }
 
-/// Throws FileError where a number is not that of a particle.
+/// Throws FileError if a number is not the index of a particle.
 std::uint32_t particle(double number) {
   constexpr double most = std::numeric_limits<std::uint32_t>::max();
   const bool is_one = number >= 0.0 && number <= most && std::floor(number) == number;
@@ -43,7 +43,7 @@ std::uint32_t particle(double number) {
   return static_cast<std::uint32_t>(number);
 }
 
-/// Throws FileError where a number counts nothing.
+/// Throws FileError if a number is negative.
 std::uint64_t count(const StateReader& state, const std::string& name) {
   const auto counted = state.integer(name);
   if (counted < 0) throw FileError(fmt::format("a checkpoint of a packing: {}: expected a count", name));

@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// Leaves a packing on its way in a state, and takes it up.
+/// Writes an unfinished packing to a state, and restores it.
 void save(StateWriter& state, const PackingState<2>& packing);
 PackingState<2> read_packing_state(const StateReader& state);
 

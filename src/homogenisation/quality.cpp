@@ -12,7 +12,7 @@
 namespace breccia {
 namespace {
 
-/// Half the width of the band of an extrapolated test [Pa] at the time nearest to the one wanted.
+/// Half width of the error band of an extrapolated test [Pa], at its time nearest to the given one.
 std::optional<double> half_band(const TestResult& test, double time) {
   const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
   if (record == nullptr) return std::nullopt;
@@ -21,7 +21,7 @@ std::optional<double> half_band(const TestResult& test, double time) {
   return record->half_bands.at(static_cast<std::size_t>(nearest - test.modulus.begin()));
 }
 
-/// The times that two tests have in common; of one test alone all of its own.
+/// The times that two tests have in common; for a single test all of its times.
 TimeWindow common_times(const TestResult* upper, const TestResult* lower) {
   const auto times_of = [](const TestResult& test) {
     return TimeWindow{test.modulus.front().time, test.modulus.back().time};
@@ -47,7 +47,7 @@ std::vector<BoundsAtTime> bounds_at_times(const TestResult* upper, const TestRes
   return bounds;
 }
 
-/// A relative difference, with two digits; a factor where it is one.
+/// A relative difference in words with two digits, in per cent or, if it is large, as a factor.
 std::string words_of(double relative) {
   constexpr double least = 1e-3, factor = 1.0;
   if (relative < least) return "less than 0.1 %";
@@ -131,7 +131,7 @@ std::string summary_of(const StageQuality& quality) {
   }
   if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown (--seeds 3)");
   if (!quality.matrix_stage.empty()) {
-    parts.push_back(fmt::format("matrix: the errors of stage {} come on top", quality.matrix_stage));
+    parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
   return fmt::format("{}", fmt::join(parts, "; "));
 }

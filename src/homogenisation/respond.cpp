@@ -37,7 +37,7 @@ TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, 
   return test;
 }
 
-/// What the stage was, as far as its responses need it.
+/// The stage of the responses, with only the members that respond() needs.
 Stage stage_of(const StoredResponses& stored) {
   Stage stage;
   stage.name = stored.stage;
@@ -55,7 +55,7 @@ Stage stage_of(const StoredResponses& stored) {
   return stage;
 }
 
-/// Throws NotCovered where one of the responses of the stage does not answer over the whole window.
+/// Throws NotCovered if one of the responses of the stage does not cover the whole window.
 StageResult respond_within(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
   require_coverage(stored, matrix, times);
   StageResult result;
@@ -71,7 +71,7 @@ StageResult respond_within(const StoredResponses& stored, const MatrixUnder& mat
   return result;
 }
 
-/// The study that left these responses, as far as they need it.
+/// The study of the responses, with only the members that respond() needs.
 Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& times) {
   Study study;
   study.tests.first_time = times.begin;
@@ -90,7 +90,7 @@ Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& tim
   return study;
 }
 
-/// The first of some stages that builds on none but those that are done.
+/// The first of the remaining stages whose matrix is a material or a finished stage.
 std::vector<StoredResponses>::const_iterator next_stage(const std::vector<StoredResponses>& stored,
                                                         const std::vector<StageResult>& done) {
   const auto is_done = [&done](const std::string& stage) {
@@ -116,7 +116,7 @@ void refuse_several_studies(const std::vector<StoredResponses>& stored) {
   }
 }
 
-/// One new material can stand for one old one only.
+/// Throws InputError if the matrices of the stages are different materials, since one material replaces only one.
 void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   const StoredResponses* first = nullptr;
   for (const auto& one : stored) {
@@ -130,7 +130,7 @@ void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   }
 }
 
-/// Warns of times at which the spectrum of a stage's new matrix says nothing.
+/// Adds a warning to a stage if times are outside the relaxation spectrum of its new matrix.
 void warn_of_unknown_times(StageResult& result, const Material& matrix, const TimeWindow& window) {
   const auto warning = warning_of_unknown_times(matrix, window);
   if (warning) result.warnings.push_back(fmt::format("{}: {}", result.name, *warning));
@@ -142,7 +142,7 @@ const Material& material_named(const std::string& name, const std::map<std::stri
   throw InputError(fmt::format("no new material for \"{}\", which is the matrix of a stage", name));
 }
 
-/// All stages, each on those that it builds on, with new materials by the names of those that they stand for.
+/// Computes all stages in the order in which they build on each other, with new materials by the names of the old ones.
 std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
                                         const std::map<std::string, Material>& matrices, const TimeWindow& window) {
   const auto study = study_of(stored, window);

@@ -11,10 +11,10 @@
 namespace breccia {
 namespace {
 
-/// A factor between the sizes from which on a stage as a matrix is close to what it stands for.
+/// Ratio of the sizes above which the homogenised stage is a good model of its particles and binder.
 constexpr double enough = 5.0;
 
-/// The nearest stage below that has particles; null without any.
+/// The nearest earlier stage in the chain of matrices that has particles; nullptr if there is none.
 const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   const auto* below = stage_of_matrix(study, stage);
   while (below != nullptr && !below->filler) below = stage_of_matrix(study, *below);
@@ -33,7 +33,7 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
   if (own->largest < below->largest) {
     return fmt::format(
         "its particles, up to {}, are smaller than those of its matrix {}, up to {}: the stages are in "
-        "the wrong order, for a matrix holds what is far smaller {}",
+        "the wrong order: the particles in a matrix must be far smaller {}",
         display(own->largest, "m"), matrix->name, display(below->largest, "m"), where);
   }
   const double factor = own->smallest / below->largest;
@@ -43,7 +43,7 @@ std::optional<std::string> warning_of_separation(const Study& study, const Stage
   if (!is_near && !is_narrow) return std::nullopt;
   const auto others = fmt::format("the largest of its matrix {}, {}", matrix->name, display(below->largest, "m"));
   const auto how_wide = factor < 1.05 ? "no wider than" : fmt::format("only {:.2g} times as wide as", factor);
-  const auto sizes = fmt::format("its smallest particles, {}, are {} {} (apart would be {:g} times or more)",
+  const auto sizes = fmt::format("its smallest particles, {}, are {} {} (expected {:g} times or more)",
                                  display(own->smallest, "m"), how_wide, others, enough);
   const auto gaps =
       fmt::format("its smallest gap, {}, is narrower than {}", display(gap, "m"), is_near ? "those" : others);

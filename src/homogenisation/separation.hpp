@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// Warns of particles that are not far larger than those of the stage that is their matrix, and of gaps narrower than
-/// those: there the matrix stands for a mixture that has no room.
+/// A warning if the particles of a stage are not far larger than those of the stage that is its matrix, or if its gaps
+/// are narrower than those particles, which then could not be between them.
 std::optional<std::string> warning_of_separation(const Study& study, const Stage& stage,
                                                  const StageMicrostructure& packed);
 

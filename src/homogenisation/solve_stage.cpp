@@ -20,7 +20,7 @@
 namespace breccia {
 namespace {
 
-/// The tests of the last stage of a result, each added to it as soon as it is done.
+/// Runs the tests of the last stage of a result and adds each to the result when it is finished.
 class StageSolution {
  public:
   StageSolution(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,

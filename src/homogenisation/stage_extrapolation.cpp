@@ -15,7 +15,7 @@
 namespace breccia {
 namespace {
 
-/// The tests on grids that differ from one in their grids alone, by rising number of cells.
+/// The tests that differ from the given one only in their grid, by rising number of cells.
 std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const std::vector<TestResult>& tests) {
   std::vector<const TestResult*> same;
   for (const auto& test : tests) {
@@ -26,7 +26,7 @@ std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const st
   return same;
 }
 
-/// The limit of a value that the grids have at a time [s], by the law of first order in the side of a cell.
+/// The limit of a value at a time [s] over several grids, with an error of first order in the cell side.
 template <class Value>
 Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& grids, double time, const Value& value) {
   std::vector<double> cell_sides, values;
@@ -63,7 +63,7 @@ TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResu
   return result;
 }
 
-/// Is the series of a test more than a fit to its curve?
+/// Whether the series of a test is exact, from a reduced response, instead of a fit to its curve.
 bool has_exact_series(const TestResult& test) {
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   return record != nullptr && record->response.reduced.has_value();

@@ -25,7 +25,7 @@ void require_good_fit(const Study& study, const Stage& stage, const StageMateria
         stage.name, bound_of(fitted.boundary), name_of(fitted.method), modulus, 100.0 * error,
         100.0 * study.tests.fit_tolerance));
   };
-  // A NaN is no good fit.
+  // A NaN fails this comparison, too.
   const auto& result = fitted.result;
   if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
   if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse("K(t) + G(t)/3", result.bulk_error);
@@ -49,8 +49,8 @@ const Material& matrix_of(const Stage& stage, const std::vector<StageResult>& ea
 
 std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage,
                                           const std::vector<StageResult>& earlier, const StageResult& result) {
-  // A response at one time depends on the moduli at all earlier ones, ever less the earlier they are: series that
-  // tell them are followed three decades back.
+  // A response at one time depends on the moduli at all earlier times, the less the earlier they are: exact series are
+  // evaluated from three decades earlier on.
   constexpr double back = 1e-3;
   const auto times = logarithmic_times({back * study.tests.first_time, study.tests.last_time},
                                        std::max(study.tests.points_per_decade, 20));

@@ -29,8 +29,8 @@ struct Overloaded : Functions... {
 template <class... Functions>
 Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does not find by itself
 
-/// Packs the particles of a stage, if it has any to pack, from the beginning or from where an earlier run has left it,
-/// and counts the time.
+/// Packs the particles of a stage, if it has a random packing, from the beginning or from the state of an earlier run,
+/// and measures the time.
 class StagePacking {
  public:
   StagePacking(const PackingFollower& follow, Checkpoint* checkpoint)
@@ -53,7 +53,7 @@ class StagePacking {
     return packing.packing();
   }
 
-  /// Wall time, that of earlier runs included.
+  /// Wall time [s], including that of earlier runs.
   [[nodiscard]] double seconds() const {
     return seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -63,7 +63,7 @@ class StagePacking {
     try {
       return {request, read_packing_state(*earlier_)};
     } catch (const InputError& error) {
-      throw FileError(fmt::format("{}: {}; run without --resume, which begins anew", earlier_->path(), error.what()));
+      throw FileError(fmt::format("{}: {}; run without --resume, which starts anew", earlier_->path(), error.what()));
     }
   }
 

@@ -24,8 +24,8 @@ Checkpoint* pointer_to(std::optional<Checkpoint>& checkpoint) {
   return checkpoint ? &*checkpoint : nullptr;
 }
 
-/// Gives the fields of a test, which are large, to the sink, and leaves the state of the finished test. A test that an
-/// earlier run had finished has written its fields already.
+/// Passes the fields of a test, which are large, to the sink, and saves the state of the finished test. The fields of a
+/// test that an earlier run had finished are already written.
 template <class Result>
 void hand_over_fields(const StageGrid& grid, Result& found, std::optional<Checkpoint>& checkpoint, StudySink& sink,
                       TestResult& result) {
@@ -128,7 +128,7 @@ std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test)
     if (mismatch <= tolerance) continue;
     warnings.push_back(fmt::format(
         "{} {}, {}: two time domains differ by {:.1f} % between {:.3g} and {:.3g} s; smaller density factors "
-        "or another ramp bring them together",
+        "or another ramp may reduce the difference",
         stage.name, name_of(test.id.load), bound_of(test.id.boundary), 100.0 * mismatch, window.begin, window.end));
   }
   return warnings;

@@ -19,8 +19,8 @@ struct StageGrid {
   int threads;
 };
 
-/// Runs all loads under one boundary by the quasi-static method, with a matrix and the moduli [Pa] that it shows over
-/// the whole of its relaxation.
+/// Runs all loads under one boundary by the quasi-static method, with a matrix and its moduli [Pa] over its whole
+/// relaxation.
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<Moduli> matrix_moduli, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink);
@@ -29,7 +29,7 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
                        const StudyObserver& observer, StudySink& sink);
 
-/// The Prony series fitted to a curve that a method gives as numbers.
+/// A Prony series fitted to a curve.
 PronySeries fitted(const Curve& curve);
 
 /// Reasons to doubt the result of a test.

@@ -19,7 +19,7 @@ std::vector<SizeStage> divide_into_stages(const SizeDistribution& sizes, const s
     throw InputError("stages: expected two or more rising diameters at which stages begin and end");
   }
   const double all = sizes.cumulative(bounds.back()) - sizes.cumulative(bounds.front());
-  double filled = 1.0 - fraction;  // by the binder and the stages so far
+  double filled = 1.0 - fraction;  // volume of the binder and the stages so far
   std::vector<SizeStage> stages;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     const double volume = sizes.cumulative(bounds[i + 1]) - sizes.cumulative(bounds[i]);

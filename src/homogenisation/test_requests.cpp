@@ -15,7 +15,7 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   return materials;
 }
 
-/// Times [s] at which a test of a stage finds its fields: of the first load, on the finest grid.
+/// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
 std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation<2>& discretisation,
                                    Load load) {
   const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns() == stage.cells;
@@ -59,7 +59,7 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   if (!earlier.filler) return matrix;
   const double fraction = earlier.filler->fraction.value_or(0.5);
   const auto& filler = earlier.filler->material;
-  // A few rigid discs in an incompressible matrix (Hashin's lower bound); volumes under one pressure.
+  // Shear: rigid discs in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of mixtures).
   const double stiffening =
       std::min((1.0 + fraction) / (1.0 - fraction), filler.shear.unrelaxed() / matrix.shear.unrelaxed());
   const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), 1.0 / filler.bulk.unrelaxed(), fraction);

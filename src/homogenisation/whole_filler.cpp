@@ -11,13 +11,14 @@
 namespace breccia {
 namespace {
 
-/// A material and its share of the whole, by volume [-].
+/// A material and its volume fraction in the composite [-].
 struct Part {
   const Material* material;
   double fraction;
 };
 
-/// The filler of a stage and of those below it. Particles that are put in leave the same share of all that was there.
+/// The filler of a stage and of the stages that it builds on. Adding the particles of a stage reduces the fractions of
+/// all others by the same factor.
 std::vector<Part> parts_of(const Study& study, const Stage& stage, const std::vector<double>& fractions) {
   const auto* const below = stage_of_matrix(study, stage);
   auto parts = below == nullptr ? std::vector<Part>() : parts_of(study, *below, fractions);
@@ -41,7 +42,7 @@ std::vector<Part> parts_of(const Study& study, const Stage& stage, const std::ve
 WholeFiller filler_of_the_whole(const Study& study, const Stage& stage, const std::vector<double>& fractions) {
   const auto parts = parts_of(study, stage, fractions);
   WholeFiller whole;
-  double mass = 0.0;  // of the filler, per volume of the whole [kg/m^3]
+  double mass = 0.0;  // mass of the filler per volume of the composite [kg/m^3]
   for (const auto& [material, fraction] : parts) {
     whole.fraction += fraction;
     mass += fraction * material->density;

@@ -24,7 +24,7 @@ struct Stem {
   bool counts_cycles = false;
 };
 
-/// Names in words, in small letters.
+/// Names of quantities, in lower case.
 constexpr std::array<Stem, 19> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
@@ -47,7 +47,7 @@ constexpr std::array<Stem, 19> stems{{
     {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},
 }};
 
-/// Letters that stand for a quantity, in which capitals differ from small letters.
+/// Symbols of quantities, which are case-sensitive.
 constexpr std::array<Stem, 18> symbols{{
     {"t", time},
     {"T", temperature},
@@ -69,7 +69,7 @@ constexpr std::array<Stem, 18> symbols{{
     {"τ", relaxation_time},
 }};
 
-/// What may have words before it, as in "shear storage modulus"; the longer of two that end alike comes first.
+/// Names that other words may precede, as in "shear storage modulus"; a longer name comes before its own ending.
 constexpr std::array<Stem, 4> moduli{{
     {"storage modulus", storage_modulus},
     {"loss modulus", loss_modulus},
@@ -88,7 +88,7 @@ std::string with_replaced(std::string_view text, std::string_view from, std::str
   return result;
 }
 
-/// The words of a name; primes of any kind become apostrophes.
+/// The words of a name, with primes of any kind replaced by apostrophes.
 std::vector<std::string> words_of(std::string_view stem) {
   std::string text(stem);
   for (const auto* prime : {"′", "’", "´"}) text = with_replaced(text, prime, "'");
@@ -116,7 +116,7 @@ const Stem* symbol_of(const std::string& word) {
   return found == symbols.end() ? nullptr : found;
 }
 
-/// The words before that of a modulus: do they say that it is none, as in "log modulus"?
+/// Whether the words before "modulus" say that the quantity is not a modulus, as in "log modulus".
 bool say_something_else(const std::vector<std::string>& words) {
   constexpr std::array<std::string_view, 9> others{"log",        "log10",      "lg",       "ln",   "complex",
                                                    "normalised", "normalized", "relative", "error"};
@@ -140,7 +140,7 @@ std::optional<Stem> modulus_in_words(const std::vector<std::string>& words) {
   return std::nullopt;
 }
 
-/// What a name without its unit means.
+/// The meaning of a name without its unit.
 std::optional<Stem> stem_of(std::string_view text) {
   if (text.find_first_of(",;[](){}=/") != std::string_view::npos) return std::nullopt;
   auto words = words_of(text);
@@ -157,7 +157,7 @@ std::optional<Stem> stem_of(std::string_view text) {
   return stem;
 }
 
-/// "G(t) [MPa]" as "G [MPa]".
+/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]".
 std::string without_argument(std::string_view name) {
   std::string text(name);
   for (const auto* argument : {"(t)", "(ω)", "(omega)", "(f)"}) text = with_replaced(text, argument, "");
@@ -168,7 +168,7 @@ struct StemAndUnit {
   std::string_view stem, unit;
 };
 
-/// "Temp [°C]", "time (s)".
+/// Name and unit in brackets: "Temp [°C]", "time (s)".
 std::optional<StemAndUnit> split_at_bracket(std::string_view name) {
   if (!name.ends_with(']') && !name.ends_with(')')) return std::nullopt;
   const auto opening = name.find(name.ends_with(']') ? '[' : '(');
@@ -182,7 +182,7 @@ std::optional<ColumnMeaning> meaning_of(const StemAndUnit& parts) {
   return ColumnMeaning{stem->quantity, stem->kind, stem->counts_cycles, std::string(parts.unit)};
 }
 
-/// The unit after a slash or a comma: "time / s", "Frequency, Hz", "omega/(rad/s)".
+/// Name and unit after a slash or a comma: "time / s", "Frequency, Hz", "omega/(rad/s)".
 std::optional<ColumnMeaning> meaning_by_sign(std::string_view name) {
   const auto sign = name.find_first_of("/,");
   if (sign == std::string_view::npos) return std::nullopt;
@@ -191,7 +191,7 @@ std::optional<ColumnMeaning> meaning_by_sign(std::string_view name) {
   return meaning_of({trimmed(name.substr(0, sign)), unit});
 }
 
-/// The unit after an underscore or a space, the name as long as it can be: "relaxation_time_s", "Temp °C".
+/// Name and unit after an underscore or a space, with the longest possible name: "relaxation_time_s", "Temp °C".
 std::optional<ColumnMeaning> meaning_by_words(std::string_view name) {
   auto end = name.find_last_of("_ ");
   while (end != std::string_view::npos && end > 0) {

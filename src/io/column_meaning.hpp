@@ -8,20 +8,20 @@
 
 namespace breccia::detail {
 
-/// What the name of a column says. Whether the unit is one of the quantity is another question.
+/// The meaning of the name of a column. The unit is not checked against the quantity.
 struct ColumnMeaning {
   Quantity quantity;
   ModulusKind kind;
-  bool counts_cycles;  ///< a frequency, in Hz, in the place of an angular one
-  std::string unit;    ///< as it stands there; empty without one
+  bool counts_cycles;  ///< true for a frequency in cycles (Hz) instead of an angular frequency
+  std::string unit;    ///< unit in the name; empty if there is none
 };
 
 /// The meaning of a name such as `shear_modulus_MPa`, `Storage modulus G' [MPa]`, `Temp (°C)` or `time / s`; nothing
-/// for a name that is not known.
+/// for an unknown name.
 std::optional<ColumnMeaning> meaning_of(std::string_view name);
 
-/// SI value = value * factor / divisor + offset. Of factor and divisor one is 1: so that 7 in um becomes the same bits
-/// as 7e-6 in m.
+/// SI value = value * factor / divisor + offset. Either the factor or the divisor is 1, so that 7 in um becomes the
+/// same bits as 7e-6 in m.
 struct Conversion {
   double factor = 1.0;
   double divisor = 1.0;
@@ -30,7 +30,7 @@ struct Conversion {
   [[nodiscard]] double operator()(double value) const;
 };
 
-/// How values of a column become those in the unit of its quantity. Throws InputError where the unit is not known.
+/// The conversion of the values of a column to the unit of its quantity. Throws InputError if the unit is unknown.
 Conversion conversion_of(const ColumnMeaning& meaning);
 
 }  // namespace breccia::detail

@@ -12,7 +12,7 @@ namespace breccia::detail {
 
 namespace {
 
-/// Of a unit that is so many SI units.
+/// The conversion from a unit of the given size in SI units.
 Conversion by_factor(double factor) {
   const double parts = std::round(1.0 / factor);
   constexpr double tolerance = 1e-12;
@@ -28,7 +28,7 @@ Conversion by_unit(std::string_view unit, Dimension dimension) {
   return by_factor(parse_quantity(fmt::format("1 {}", unit), dimension));
 }
 
-/// "1_per_Pa", "1/Pa", "/Pa", "Pa^-1" or "Pa-1" as "Pa".
+/// The unit of the reciprocal: "Pa" for "1_per_Pa", "1/Pa", "/Pa", "Pa^-1" or "Pa-1".
 Conversion reciprocal_pressure(std::string_view unit) {
   for (const std::string_view beginning : {"1_per_", "1/", "1 / ", "/"}) {
     if (unit.starts_with(beginning)) return reciprocal(by_unit(unit.substr(beginning.size()), Dimension::pressure));
@@ -41,13 +41,13 @@ Conversion reciprocal_pressure(std::string_view unit) {
   throw InputError(fmt::format("expected a unit such as 1_per_Pa, got \"{}\"", unit));
 }
 
-/// Does a unit count cycles beyond doubt, as kHz and megahertz do?
+/// Whether a unit certainly counts cycles, as kHz and megahertz do.
 bool is_in_hertz(std::string_view unit) {
   return unit.ends_with("Hz") || unit.ends_with("hertz") || unit.ends_with("Hertz");
 }
 
-/// An angular frequency, or one that counts cycles, as the unit says. An inverse time says neither: with the name of an
-/// angular frequency it is one, with any other name it is refused.
+/// The conversion of a frequency to an angular frequency. The unit says whether it counts cycles or radians. An inverse
+/// time says neither: it is accepted only if the name of the column is that of an angular frequency.
 Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
     if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));

@@ -13,7 +13,7 @@
 
 namespace breccia {
 
-/// Reads one file row by row and gathers what is wrong with it.
+/// Reads one file row by row and collects its mistakes.
 class CsvReader {
  public:
   CsvReader(const std::filesystem::path& path, const std::vector<std::string>& text_columns)

@@ -10,7 +10,7 @@ namespace breccia::detail {
 
 namespace {
 
-/// The double quote that ends a value begun by the one at `opening`; npos without one.
+/// Position of the double quote that closes the one at `opening`; npos if there is none.
 std::size_t closing_quote(std::string_view text, std::size_t opening) {
   auto at = text.find('"', opening + 1);
   while (at != std::string_view::npos && text.substr(at).starts_with("\"\"")) at = text.find('"', at + 2);

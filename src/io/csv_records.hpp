@@ -10,16 +10,16 @@ namespace breccia::detail {
 
 /// A row of a CSV file, without spaces around its values.
 struct CsvRecord {
-  std::size_t line = 0;  ///< in which it begins, from 1
+  std::size_t line = 0;  ///< number of its first line, from 1
   std::vector<std::string> fields;
 };
 
-/// Reads a CSV text row by row. Empty lines and lines that begin with # are none. A value that begins with a double
-/// quote ends with the next single one: in between, separators and line breaks are letters, and "" is a quote. A quote
-/// within a value is a letter, as in G".
+/// Reads a CSV text row by row. Empty lines and lines that begin with # are skipped. A value that begins with a double
+/// quote ends at the next quote that is not doubled; in between, separators and line breaks belong to the value, and ""
+/// stands for a quote. A quote within an unquoted value is an ordinary character, as in G".
 class CsvRecords {
  public:
-  /// The text must outlive this.
+  /// The text must outlive this object.
   explicit CsvRecords(std::string_view text, char separator = ',') : text_(text), separator_(separator) {}
 
   /// The next row, or nothing at the end.
@@ -29,7 +29,7 @@ class CsvRecords {
   void skip_line();
   std::string read_value();
   std::string read_quoted(std::size_t closing);
-  /// What stands before the next separator or line break, without spaces around it.
+  /// The text before the next separator or line break, without spaces around it.
   std::string read_bare();
   [[nodiscard]] bool is_at_end_of_line() const { return at_ == text_.size() || text_[at_] == '\n'; }
 
@@ -39,7 +39,7 @@ class CsvRecords {
   std::size_t line_ = 1;
 };
 
-/// A number, which may be infinite but not NaN.
+/// Reads a number, which may be infinite but not NaN; nothing for any other text.
 std::optional<double> parse_number(std::string_view text);
 
 }  // namespace breccia::detail

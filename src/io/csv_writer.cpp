@@ -15,7 +15,7 @@ std::size_t rows(const CsvColumn& column) {
   return std::visit([](const auto& values) { return values.size(); }, column.values);
 }
 
-/// Text in double quotes where it needs them.
+/// The text, in double quotes if it contains special characters.
 std::string escaped(const std::string& text) {
   const bool has_spaces_around = text.starts_with(' ') || text.ends_with(' ');
   if (text.find_first_of(",\"#\r\n\t") == std::string::npos && !has_spaces_around) return text;

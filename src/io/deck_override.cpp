@@ -30,7 +30,7 @@ void set_place(DeckTable& table, const Place& place) {
   }
 }
 
-/// The value of an override: TOML if it is that, else text.
+/// The value of an override: TOML if it can be parsed as such, otherwise text.
 DeckValue parse_value(const std::string& text, const Place& place) {
   DeckValue value{place, text};
   try {
@@ -43,16 +43,16 @@ DeckValue parse_value(const std::string& text, const Place& place) {
   return value;
 }
 
-/// Puts a value wherever a path leads.
+/// Assigns a value to all keys that a path stands for.
 class Assignment {
  public:
   using Steps = std::span<const std::string>;
 
-  /// `place` is that of the path.
+  /// `place` is the place of the path.
   Assignment(const DeckValue& value, const Place& place, std::vector<Mistake>& mistakes)
       : value_(value), place_(place), mistakes_(mistakes) {}
 
-  /// Tables on the way are made where they are missing.
+  /// Creates missing tables on the path.
   void apply(DeckTable& table, const std::string& path, Steps steps) {
     const auto& step = steps.front();
     if (step == "*") {
@@ -102,7 +102,7 @@ class Assignment {
   }
 
   void require_some(const std::string& path, std::size_t entries) {
-    if (entries == 0) report(fmt::format("{} has no entries that \"*\" could stand for", path));
+    if (entries == 0) report(fmt::format("{} has no entries for \"*\"", path));
   }
 
   void report(std::string message) { mistakes_.push_back({place_, std::move(message)}); }
@@ -118,7 +118,7 @@ struct KeyAndValue {
   std::string value;
 };
 
-/// The two sides of `key=value`; nothing when one is missing.
+/// The two sides of `key=value`; nothing if one is missing.
 std::optional<KeyAndValue> split_entry(std::string_view entry) {
   const auto equals = entry.find('=');
   if (equals == std::string_view::npos || equals + 1 == entry.size()) return std::nullopt;
@@ -164,7 +164,7 @@ void add_entry(DeckTable& root, const std::string& table, const Place& place, st
   }
   if (find(root, table) == nullptr) root.entries.push_back({table, place, {place, DeckTable{place, {}}}});
   auto* target = std::get_if<DeckTable>(&find(root, table)->content);
-  if (target == nullptr) return;  // whoever reads the table reports that
+  if (target == nullptr) return;  // reported when the table is read
   if (find(*target, parts->key) != nullptr) {
     mistakes.push_back({place, fmt::format("{} has \"{}\" already", table, parts->key)});
     return;

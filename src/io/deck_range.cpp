@@ -7,13 +7,13 @@
 namespace breccia::detail {
 namespace {
 
-/// "a length", "an integer".
+/// A noun with its article: "a length", "an integer".
 std::string with_article(std::string_view noun) {
   const bool vowel = std::string_view("aeiou").find(noun.front()) != std::string_view::npos;
   return fmt::format("{} {}", vowel ? "an" : "a", noun);
 }
 
-/// What a range asks for: "a positive length", "a number between 0 and 1". `text_of` writes its limits.
+/// A range in words: "a positive length", "a number between 0 and 1". `text_of` writes its limits.
 template <class TextOf>
 std::string described(const Range& range, std::string_view noun, const TextOf& text_of) {
   const bool bounded_below = std::isfinite(range.lower);

@@ -7,10 +7,10 @@
 
 namespace breccia::detail {
 
-/// Is a value finite and within a range?
+/// Whether a value is finite and within a range.
 bool accepts(const Range& range, double value);
 
-/// What a range asks for: "a positive length", "a number between 0 and 1".
+/// A range in words, for messages: "a positive length", "a number between 0 and 1".
 std::string described(const Range& range, std::string_view noun);
 std::string described(const Range& range, Dimension dimension);
 

@@ -31,7 +31,7 @@ std::string wanted(Dimension dimension) {
   return fmt::format("a {} such as \"{}\"", name(dimension), example(dimension));
 }
 
-/// The answer of a reader of one value: the value, or what was expected instead.
+/// The result of reading one value: the value, or a description of the expected value.
 template <class T>
 struct Answer {
   std::optional<T> value;
@@ -202,14 +202,14 @@ Place Section::place_of_value(const std::string& key) const {
 
 void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
   for (const auto& key : keys) {
-    // A key that is not there stays unknown: it is no suggestion for others.
+    // A missing key is not marked as known, so that it is not suggested for other keys.
     if (table_ != nullptr && detail::find(*table_, key) != nullptr) report(key, reason);
   }
 }
 
 namespace {
 
-/// The value that a reader found, or nothing after a report.
+/// The value that was read, or nothing after a mistake was reported.
 template <class T>
 std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
   if (!answer.value) section.report(key, answer.mistake);
@@ -289,7 +289,7 @@ std::optional<std::size_t> Section::choice_index(const std::string& key, const s
   return value == nullptr ? std::nullopt : settle(*this, key, read_choice(*value, words));
 }
 
-/// What a reader makes of each element of an array; a bad number becomes NaN, any other bad element is left out.
+/// The values of the elements of an array; a bad number becomes NaN, any other bad element is left out.
 template <class Read>
 auto Section::elements(const std::string& key, const std::string& expected, const Read& read) const {
   using Element = typename decltype(read(std::declval<const DeckValue&>()).value)::value_type;

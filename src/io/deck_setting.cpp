@@ -87,7 +87,7 @@ std::optional<std::vector<std::string>> split_path(std::string_view path) {
       steps.back() += letter;
     }
   }
-  constexpr std::size_t most_steps = 100;  // for each, tables are made within tables
+  constexpr std::size_t most_steps = 100;  // each step nests one more table
   if (quoted || steps.back().empty() || steps.size() > most_steps) return std::nullopt;
   return steps;
 }

@@ -48,7 +48,7 @@ DeckTable convert(const toml::table& table) {
 
 namespace {
 
-/// The first typographic quote in a line of a text that stands in none of TOML's own; empty without one.
+/// The first typographic quote in a line that is outside of TOML strings; empty if there is none.
 std::string_view first_typographic_quote(std::string_view text, std::uint32_t line) {
   for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   text = text.substr(0, text.find('\n'));
@@ -66,7 +66,7 @@ std::string_view first_typographic_quote(std::string_view text, std::uint32_t li
   return {};
 }
 
-/// Tables within tables, which `a.a.a. ... = 1` makes, would exhaust the stack of the parser.
+/// Refuses deeply nested tables, as in `a.a.a. ... = 1`, which would exhaust the stack of the parser.
 void refuse_endless_keys(const std::filesystem::path& path, const std::string& text) {
   constexpr std::size_t most = 4096;
   std::uint32_t line = 1;
@@ -85,7 +85,8 @@ void refuse_endless_keys(const std::filesystem::path& path, const std::string& t
 
 namespace {
 
-/// What the parser says of a mistake. It takes typographic quotes for the beginning of a value of some unknown kind.
+/// The message of the parser about a mistake. Typographic quotes get a message of their own, since that of the parser
+/// does not mention them.
 std::string description_of(const std::string& text, const toml::parse_error& error) {
   const auto typographic = first_typographic_quote(text, error.source().begin.line);
   if (typographic.empty()) return std::string(error.description());

@@ -16,7 +16,7 @@ namespace breccia::detail {
 
 struct DeckEntry;
 
-/// Entries in the order of the deck.
+/// A table, with its entries in the order of the deck.
 struct DeckTable {
   Place place;
   std::vector<DeckEntry> entries;
@@ -40,7 +40,7 @@ struct DeckEntry {
   DeckValue value;
 };
 
-/// What is known of the keys of a table that was looked into.
+/// The known keys of a table that was accessed.
 struct TableUse {
   std::string path;
   std::set<std::string> asked;
@@ -52,23 +52,23 @@ struct DeckState {
   DeckTable root;
   std::map<const DeckTable*, TableUse> uses;
   std::vector<Mistake> mistakes;
-  std::set<std::filesystem::path> files;  ///< that the deck names and that exist
+  std::set<std::filesystem::path> files;  ///< existing files that the deck names
 };
 
-/// The tree of a TOML text. Throws InputError, with the place, when it is not TOML.
+/// Parses a TOML text. Throws InputError, with the place, when it is not TOML.
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
 
 /// Applies an override `key.path=value` to the tree, or adds a mistake.
 void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
 
-/// Applies a setting to the tree and returns the paths of what it has replaced, or adds mistakes.
+/// Applies a setting to the tree and returns the paths of the values that it has set, or adds mistakes.
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);
 
 /// Adds `key=value`, the key taken whole, to a table of the root, or adds a mistake.
 void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
                std::vector<Mistake>& mistakes);
 
-/// The value of a key, or null.
+/// The value of a key, or nullptr.
 DeckValue* find(DeckTable& table, std::string_view key);
 const DeckValue* find(const DeckTable& table, std::string_view key);
 
@@ -80,13 +80,13 @@ std::string element_name(const DeckValue& element, std::size_t index);
 
 Kind kind_of(const DeckValue& value);
 
-/// The value without parts, or nothing.
+/// The value as a scalar; nothing for an array or a table.
 std::optional<Scalar> scalar_of(const DeckValue& value);
 
-/// A value with all its parts, without comments and spaces.
+/// The text of a value with all its elements, without comments and spaces.
 std::string content_of(const DeckValue& value);
 
-/// A value for a message, as it would stand in a deck: `"3.6 um"`, `3.6`, `a table`.
+/// A value for a message: `"3.6 um"`, `3.6`, `a table`.
 std::string shown(const DeckValue& value);
 
 }  // namespace breccia::detail

@@ -28,20 +28,20 @@ namespace fs = std::filesystem;
       fmt::format("{}: cannot lock this directory: {}", directory.string(), std::generic_category().message(reason)));
 }
 
-/// Does this reason say that the file system has no locks? NFS locks only what is open for writing (EBADF), which a
-/// directory cannot be.
+/// Whether this error number means that the file system has no locks. NFS locks only files that are open for writing
+/// (EBADF), which a directory cannot be.
 bool has_no_locks(int reason) {
   return reason == ENOSYS || reason == ENOTSUP || reason == ENOLCK || reason == EBADF;
 }
 
-/// Is what a descriptor has open still what its path leads to? Another process may have removed it meanwhile.
+/// Whether an open descriptor is still the file at its path. Another process may have removed that meanwhile.
 bool is_still_at(int descriptor, const fs::path& directory) {
   struct stat opened = {}, found = {};
   return ::fstat(descriptor, &opened) == 0 && ::stat(directory.c_str(), &found) == 0 && opened.st_dev == found.st_dev &&
          opened.st_ino == found.st_ino;
 }
 
-/// A descriptor of the directory that holds the lock, or -1 where the directory has been removed on the way.
+/// Opens and locks the directory. Returns its descriptor, or -1 if the directory was removed meanwhile.
 int locked(const fs::path& directory) {
   constexpr int flags = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
   const int descriptor = ::open(directory.c_str(), flags);  // NOLINT(cppcoreguidelines-pro-type-vararg)
@@ -57,7 +57,7 @@ int locked(const fs::path& directory) {
   return -1;
 }
 
-/// Makes the directory where it is missing. False where another process has removed it on the way.
+/// Creates the directory if it is missing. False if another process has removed it meanwhile.
 bool is_made(const fs::path& directory) {
   std::error_code error, ignored;
   fs::create_directories(directory, error);

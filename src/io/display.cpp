@@ -46,8 +46,8 @@ PrefixedNumber with_prefix(double value, int digits) {
 
 std::string display(double value, std::string_view unit, int digits) {
   const auto [number, prefix, scale] = with_prefix(value, digits);
-  // "{:g}" would write 480 to two digits as 4.8e+02. The value is rounded before it is divided, as its prefix is
-  // chosen.
+  // "{:g}" would write 480 with two digits as 4.8e+02. The value is rounded first, as it is for the choice of the
+  // prefix.
   const double shown = std::isfinite(number) ? rounded(rounded(value, digits) / scale, digits) : number;
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
@@ -66,7 +66,7 @@ std::string display_duration(double seconds, int digits) {
     std::string_view name;
     double size;  // [s]
   };
-  // Each serves from two of it on: "90 s" and not "1.5 min".
+  // Each unit is used from two of it on: "90 s" instead of "1.5 min".
   for (const auto& [name, size] : {Unit{"d", 86400.0}, Unit{"h", 3600.0}, Unit{"min", 60.0}}) {
     if (seconds >= 2.0 * size) return fmt::format("{:.15g} {}", rounded(seconds / size, digits), name);
   }

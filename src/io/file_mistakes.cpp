@@ -48,7 +48,7 @@ std::string shown_value(std::string_view text) {
   if (text.empty()) return "nothing";
   if (text.size() <= longest) return fmt::format("\"{}\"", printable(text));
   auto end = longest;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;  // between two characters
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80) --end;  // not within a character
   return fmt::format("\"{}...\"", printable(text.substr(0, end)));
 }
 

@@ -8,8 +8,9 @@ namespace breccia {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t), "Hdf5Handle keeps a hid_t");
 
-/// Within its lifetime the HDF5 library prints nothing: failures are reported as FileError instead. At the end of the
-/// program it does nothing: a file that it could not close, on a disk that is full, it would close again, and crash.
+/// Switches off the error output of the HDF5 library during its lifetime, since failures are reported as FileError. It
+/// also switches off the library's clean-up at the end of the program, which would crash if a file could not be closed
+/// before because the disk was full.
 class Hdf5Silence {
  public:
   Hdf5Silence() noexcept {
@@ -59,7 +60,7 @@ inline Hdf5Handle property_handle(hid_t id) {
   return make_handle<H5Pclose>(id);
 }
 
-/// A fixed-length ASCII string, padded with zeros, as VTKHDF asks for.
+/// The type of a fixed-length ASCII string, padded with zeros, as VTKHDF requires.
 inline Hdf5Handle ascii_type(std::size_t length) {
   auto type = type_handle(H5Tcopy(H5T_C_S1));
   H5Tset_size(type.id(), length);

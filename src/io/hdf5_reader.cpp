@@ -21,7 +21,7 @@ std::size_t count(const Hdf5Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
-/// The value of an open attribute as numbers of type T: one for a scalar, a row otherwise. False when unreadable.
+/// Reads an open attribute as numbers of type T: one for a scalar, otherwise a vector. False if it cannot be read.
 template <class T>
 bool read_numeric(const Hdf5Handle& attribute, hid_t type, Hdf5Attribute& value) {
   const auto space = space_handle(H5Aget_space(attribute.id()));

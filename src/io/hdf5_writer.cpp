@@ -16,7 +16,7 @@ namespace breccia {
 
 namespace {
 
-/// Memory layout of an attribute's value, as HDF5 wants it.
+/// Address, count and type of an attribute's value for HDF5.
 struct AttributeLayout {
   Hdf5Handle type;
   Hdf5Handle space;
@@ -56,7 +56,7 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
   return file_handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
-/// Of datasets without the time of their making: the same numbers give the same bytes.
+/// Creation properties of datasets without time stamps, so that the same numbers give the same bytes.
 Hdf5Handle dataset_properties() {
   auto properties = property_handle(H5Pcreate(H5P_DATASET_CREATE));
   H5Pset_obj_track_times(properties.id(), false);

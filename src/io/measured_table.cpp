@@ -12,7 +12,7 @@ namespace breccia {
 
 namespace {
 
-/// What a column of a quantity may be called: the words of a message about one that is missing.
+/// Names that a column of a quantity may have, for the message about a missing one.
 std::string_view example_of(Quantity quantity) {
   switch (quantity) {
     case Quantity::time:
@@ -43,7 +43,7 @@ std::string_view example_of(Quantity quantity) {
   return {};
 }
 
-/// "the shear modulus", "Young's modulus"
+/// The name of a kind with its article: "the shear modulus", "Young's modulus".
 std::string with_article(ModulusKind kind) {
   return fmt::format("{}{}", kind == ModulusKind::young ? "" : "the ", name(kind));
 }

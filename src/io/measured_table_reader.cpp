@@ -17,7 +17,7 @@
 
 namespace breccia {
 
-/// Reads one file row by row and gathers what is wrong with it.
+/// Reads one file row by row and collects its mistakes.
 class MeasuredTableReader {
  public:
   explicit MeasuredTableReader(const std::filesystem::path& path) : mistakes_(path) { table_.path_ = path; }
@@ -51,7 +51,7 @@ class MeasuredTableReader {
  private:
   [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", table_.path_.string(), line); }
 
-  /// One without names, or without separators.
+  /// Reports a file without names of columns or without separators.
   void refuse_header() {
     if (table_.names_.size() == 1) {
       mistakes_.add(place(layout_.header.line), "expected columns, separated by commas, semicolons or tabs",
@@ -71,7 +71,7 @@ class MeasuredTableReader {
     for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name));
   }
 
-  /// The columns that tell one series of results from another, where the table is one of results.
+  /// The columns that distinguish the series in a table of results of Breccia.
   void find_labels() {
     const auto& names = table_.names_;
     const auto has = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
@@ -82,7 +82,7 @@ class MeasuredTableReader {
     }
   }
 
-  /// Takes note of a row of another series than the first row's.
+  /// Notes whether a row belongs to another series than the first row.
   void compare_labels(const std::vector<std::string>& fields) {
     std::vector<std::string> labels;
     for (const auto column : label_columns_) labels.push_back(fields[column]);
@@ -90,7 +90,7 @@ class MeasuredTableReader {
     table_.has_several_series_ = table_.has_several_series_ || labels != first_labels_;
   }
 
-  /// Does a row tell the units of known columns that have none in their names?
+  /// Whether a row contains the units of known columns that have no unit in their names.
   [[nodiscard]] bool is_row_of_units(const std::vector<std::string>& fields) const {
     bool tells_units = false;
     for (std::size_t i = 0; i < std::min(fields.size(), meanings_.size()); ++i) {
@@ -112,7 +112,7 @@ class MeasuredTableReader {
     }
   }
 
-  /// Columns whose units are known; the others are left out.
+  /// Selects the columns with known units; the others are left out.
   void make_columns() {
     for (std::size_t i = 0; i < meanings_.size(); ++i) {
       if (!meanings_[i]) continue;
@@ -177,10 +177,10 @@ class MeasuredTableReader {
   MeasuredTable table_;
   FileMistakes mistakes_;
   detail::TableLayout layout_;
-  std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< of the names
-  std::vector<Source> sources_;                                 ///< of the columns of the table
-  std::vector<std::size_t> label_columns_;                      ///< places in a row
-  std::vector<std::string> first_labels_;                       ///< of the first row
+  std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< meaning of each name
+  std::vector<Source> sources_;                                 ///< source of each column of the table
+  std::vector<std::size_t> label_columns_;                      ///< indices of the label columns in a row
+  std::vector<std::string> first_labels_;                       ///< labels of the first row
 };
 
 MeasuredTable read_measured_table(const std::filesystem::path& path) {

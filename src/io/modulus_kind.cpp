@@ -41,7 +41,7 @@ std::string_view symbol(ModulusKind kind) {
 
 std::optional<ModulusKind> kind_of_word(std::string_view word) {
   using enum ModulusKind;
-  // An "elastic modulus" is Young's to most who write so; a rheologist's elastic modulus is called storage modulus.
+  // "Elastic modulus" mostly means Young's modulus; the elastic modulus of rheology is called storage modulus.
   constexpr std::array<std::pair<std::string_view, ModulusKind>, 19> words{{
       {"shear", shear},        {"young", young},       {"youngs", young},      {"young's", young},
       {"tensile", young},      {"tension", young},     {"extensional", young}, {"uniaxial", young},

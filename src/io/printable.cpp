@@ -19,7 +19,7 @@ std::size_t length_of_character(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xc0U) != 0x80) return 0;
   }
-  // Longer than need be, half of a pair of UTF-16, or beyond the last character.
+  // Overlong encodings, surrogates of UTF-16, or code points beyond the last one.
   const bool is_none = (first == 0xe0 && byte(1) < 0xa0) || (first == 0xed && byte(1) > 0x9f) ||
                        (first == 0xf0 && byte(1) < 0x90) || (first == 0xf4 && byte(1) > 0x8f);
   return is_none ? 0 : length;
@@ -29,7 +29,7 @@ std::size_t length_of_character(std::string_view text) {
 
 namespace {
 
-/// Does a text begin with a control character? Those beyond ASCII, U+0080 to U+009F, have two bytes.
+/// Whether a text begins with a control character. Those beyond ASCII, U+0080 to U+009F, have two bytes.
 bool begins_with_control(std::string_view text) {
   const auto first = static_cast<std::uint8_t>(text[0]);
   return first < 0x20 || first == 0x7f || (first == 0xc2 && static_cast<std::uint8_t>(text[1]) < 0xa0);

@@ -21,17 +21,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// In `unfinished` while old files are removed, and then while new files are moved: the record, and in the first the
-/// old files, one a line.
+/// Lists in `unfinished`, with one name per line: the first exists while old files are removed, and has the record and
+/// the old files; the second exists while new files are moved, and has the record.
 constexpr auto removing_list = "removing.list";
 constexpr auto moving_list = "moving.list";
 
-/// Does a name lead to something within the directory in which it is looked up?
+/// Whether a relative name refers to something within its directory.
 bool stays_within(const fs::path& name) {
   return !name.empty() && name.is_relative() && std::ranges::find(name, "..") == name.end();
 }
 
-/// The names in a list. Throws FileError where they are none that replace_results has written.
+/// The names in a list. Throws FileError if the list was not written by replace_results().
 std::vector<std::string> names_in(const fs::path& list) {
   std::istringstream text(read_text(list));
   std::vector<std::string> names;
@@ -53,8 +53,8 @@ void move_file(const fs::path& from, const fs::path& to) {
   if (error) throw FileError(fmt::format("{}: cannot move it to {}: {}", from.string(), to.string(), error.message()));
 }
 
-/// All files and symbolic links below a directory, relative to it, but for the lists and half-written files. Links are
-/// not followed: what they lead to may be anywhere.
+/// All files and symbolic links below a directory, relative to it, without the lists and half-written files. Links are
+/// not followed, since their targets may be anywhere.
 std::vector<std::string> files_below(const fs::path& directory) {
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
@@ -66,7 +66,7 @@ std::vector<std::string> files_below(const fs::path& directory) {
   return names;
 }
 
-/// All directories below a directory, each after those within it.
+/// All directories below a directory, each after its subdirectories.
 std::vector<fs::path> directories_below(const fs::path& directory) {
   std::set<fs::path, std::greater<>> found;
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
@@ -75,7 +75,7 @@ std::vector<fs::path> directories_below(const fs::path& directory) {
   return {found.begin(), found.end()};
 }
 
-/// The directories in which the files are, each after those within it.
+/// The directories of the files, each after its subdirectories.
 std::vector<fs::path> parents_of(const fs::path& directory, std::span<const std::string> files) {
   std::set<fs::path, std::greater<>> parents;
   for (const auto& name : files) {
@@ -86,7 +86,7 @@ std::vector<fs::path> parents_of(const fs::path& directory, std::span<const std:
   return {parents.begin(), parents.end()};
 }
 
-/// The first step: the old files go, the record before all others.
+/// The first step: removes the old files, the record first.
 void remove_old(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   const auto names = names_in(unfinished / removing_list);
@@ -95,7 +95,7 @@ void remove_old(const fs::path& directory) {
   move_file(unfinished / removing_list, unfinished / moving_list);
 }
 
-/// The second step: the new files come, the record after all others.
+/// The second step: moves the new files, the record last.
 void move_new(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   const auto record = names_in(unfinished / moving_list).front();

@@ -20,7 +20,7 @@
 namespace breccia {
 namespace {
 
-/// HDF5 does not mind bytes behind the end that it knows.
+/// The seal of an HDF5 file is possible since HDF5 ignores bytes beyond the end in its header.
 constexpr std::string_view mark = "\nbreccia seal, xxh64 of all above: ";
 constexpr std::size_t digits = 16;
 constexpr std::size_t seal_length = mark.size() + digits + 1;

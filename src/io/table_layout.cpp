@@ -37,7 +37,7 @@ TableLayout layout_with(std::string_view text, char separator) {
   return first;
 }
 
-/// The digits and commas of a number with commas, without its sign and its exponent; nothing where a value is none.
+/// The digits and commas of a number, without its sign and exponent; nothing if the value is not a number with commas.
 std::optional<std::string_view> digits_with_commas(std::string_view value) {
   constexpr std::string_view digits = "0123456789";
   if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
@@ -53,7 +53,7 @@ std::optional<std::string_view> digits_with_commas(std::string_view value) {
   return is_number ? std::optional(value) : std::nullopt;
 }
 
-/// Could the commas among digits part thousands, as in 2,000 or 1,234,567?
+/// Whether the commas among digits could separate thousands, as in 2,000 or 1,234,567.
 bool may_have_thousands(std::string_view digits) {
   constexpr std::size_t group = 3;
   auto comma = digits.find(',');
@@ -66,7 +66,7 @@ bool may_have_thousands(std::string_view digits) {
   return true;
 }
 
-/// Which columns are read, by their place: those whose names are known. Where none is, any may be meant.
+/// For each column whether it is read: the columns with known names, or all columns if no name is known.
 std::vector<bool> columns_read(const TableLayout& layout) {
   std::vector<bool> are_read;
   for (const auto& name : layout.header.fields) {
@@ -75,8 +75,8 @@ std::vector<bool> columns_read(const TableLayout& layout) {
   return are_read;
 }
 
-/// Of the numbers in the columns that are read: whether commas stand in them and no points. Throws InputError where
-/// they may as well part thousands.
+/// Whether the numbers in the columns that are read have commas and no points. Throws InputError if the commas could
+/// also separate thousands.
 bool has_decimal_commas(std::string_view text, const TableLayout& layout) {
   const auto are_read = columns_read(layout);
   CsvRecords records(text, layout.separator);

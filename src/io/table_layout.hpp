@@ -7,16 +7,16 @@
 
 namespace breccia::detail {
 
-/// How a table is written.
+/// The layout of a table in a file.
 struct TableLayout {
   char separator = ',';
   CsvRecord header;               ///< the first row that names two known columns, or else the first row
-  std::size_t known_columns = 0;  ///< that the header names
+  std::size_t known_columns = 0;  ///< number of known columns in the header
   bool has_decimal_commas = false;
 };
 
-/// Finds out how a text is written: with the separator by which most known columns are named and, where that is not the
-/// comma, with decimal commas when there are no decimal points.
+/// Determines the layout of a text: the separator for which most known columns are found and, if that is not a comma,
+/// decimal commas if there are no decimal points.
 TableLayout layout_of(std::string_view text);
 
 }  // namespace breccia::detail

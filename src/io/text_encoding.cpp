@@ -17,13 +17,13 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_utf16(std::string_view text) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) return true;
-  // A letter of ASCII is a letter and a zero.
+  // In UTF-16 an ASCII character is followed or preceded by a zero byte.
   const auto is_letter = [](char byte) { return byte > '\0'; };
   if (text.size() < 2) return false;
   return (text[0] == '\0' && is_letter(text[1])) || (is_letter(text[0]) && text[1] == '\0');
 }
 
-/// Bytes of UTF-8 with which a text begins.
+/// The number of bytes of the UTF-8 part at the beginning of a text.
 std::size_t length_of_utf8(std::string_view text) {
   std::size_t length = 0;
   while (length < text.size()) {

@@ -28,7 +28,7 @@ std::string last_system_error() {
 
 namespace {
 
-/// Waits until the disk has a file or directory: a name must not survive a power cut without what it names.
+/// Flushes a file or directory to the disk, so that after a power cut no name exists without its content.
 void wait_for_disk(const std::filesystem::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);  // NOLINT(cppcoreguidelines-pro-type-vararg)
   // Some file systems know no fsync for directories.

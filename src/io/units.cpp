@@ -25,7 +25,7 @@ namespace breccia {
 namespace {
 
 struct ReadableUnit {
-  double size;  ///< in the SI unit
+  double size;  ///< size of the unit in the SI unit
   std::string_view symbol;
 };
 
@@ -33,8 +33,8 @@ struct DimensionFacts {
   std::string_view name;
   std::string_view example;
   const char* si_unit;
-  std::span<const ReadableUnit> readable;  ///< rising
-  std::vector<std::string> common;         ///< units that a misspelt one may have been meant to be
+  std::span<const ReadableUnit> readable;  ///< units for readable(), rising
+  std::vector<std::string> common;         ///< common units, as suggestions for a misspelt one
 };
 
 constexpr std::array<ReadableUnit, 4> lengths{{{1e-9, "nm"}, {1e-6, "um"}, {1e-3, "mm"}, {1.0, "m"}}};
@@ -70,7 +70,7 @@ struct FreeConverter {
 };
 using Converter = std::unique_ptr<cv_converter, FreeConverter>;
 
-/// UDUNITS-2 keeps its state in globals: hold this lock while calling it.
+/// UDUNITS-2 has global state: hold this lock while calling it.
 std::mutex udunits_mutex;
 
 ut_system* unit_system() {
@@ -108,7 +108,7 @@ bool are_equal_but_for_case(std::string_view a, std::string_view b) {
       a, b, [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
 }
 
-/// What was probably meant by a text that is no quantity of the dimension: the end of a message.
+/// The end of a message about a text that is not a quantity of the dimension: a suggestion of what was meant.
 std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
   const auto& unit = quantity.unit;
   constexpr std::string_view digits = "0123456789";
@@ -119,10 +119,10 @@ std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
   std::optional<std::string> meant;
   const bool is_temperature = dimension == Dimension::temperature || dimension == Dimension::temperature_difference;
   if (is_temperature && (unit == "C" || unit == "F")) {
-    meant = "deg" + unit;  // to UDUNITS-2 they are the coulomb and the farad
+    meant = "deg" + unit;  // UDUNITS-2 reads them as coulomb and farad
   } else {
     const auto same = std::ranges::find_if(common, [&](const auto& one) { return are_equal_but_for_case(one, unit); });
-    constexpr std::size_t fewest_letters = 3;  // of shorter ones any is near to any other
+    constexpr std::size_t fewest_letters = 3;  // shorter names are all near to each other
     if (same != common.end()) {
       meant = *same;
     } else if (unit.size() >= fewest_letters) {
@@ -132,7 +132,7 @@ std::string hint(const NumberAndUnit& quantity, Dimension dimension) {
   return meant && *meant != unit ? fmt::format(", did you mean \"{}\"?", *meant) : "";
 }
 
-/// A converted value without the rounding of the conversion: "1 g/cm^3" is 1000 kg/m^3, not 999.9999999999999.
+/// A converted value without the rounding error of the conversion: "1 g/cm^3" is 1000 kg/m^3, not 999.9999999999999.
 double as_written(double converted) {
   const auto digits = fmt::format("{:.15g}", converted);
   double value = converted;
@@ -140,7 +140,7 @@ double as_written(double converted) {
   return value;
 }
 
-/// The quantity in the SI unit of the dimension, or what is wrong with it (nothing to add: it has another dimension).
+/// The quantity in the SI unit of the dimension, or the reason why it has none (empty for another dimension).
 std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
   const std::lock_guard lock(udunits_mutex);
   const auto unit = parse_unit(quantity.unit);

@@ -24,7 +24,7 @@ void check(const std::filesystem::path& path, const Lattice& lattice, const Latt
   }
 }
 
-/// The corners of the squares, row by row.
+/// Coordinates of the corners of all squares, row by row.
 std::vector<double> corners(const Lattice& lattice) {
   std::vector<double> points;
   for (std::size_t row = 0; row <= lattice.ny; ++row) {
@@ -36,7 +36,7 @@ std::vector<double> corners(const Lattice& lattice) {
   return points;
 }
 
-/// The corners of each square, anticlockwise.
+/// Indices of the corners of each square, anticlockwise.
 Integers connectivity(const Lattice& lattice) {
   Integers indices;
   const auto row_length = static_cast<std::int64_t>(lattice.nx) + 1;

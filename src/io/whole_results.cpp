@@ -36,14 +36,14 @@ WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
   refuse_foreign_unfinished();
   make_directory(place_);
   remove_partial_files(place_);
-  // The record comes first: what a killed command leaves is known by it.
+  // The record is written first: it identifies the files that a killed command leaves.
   write_record();
   remove_files(place_, origin_.files);
 }
 
 WholeResults::~WholeResults() {
   std::error_code ignored;
-  // Once old files are being removed, the new ones are all there is: the next command goes on from their list.
+  // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
   if (fs::exists(place_, ignored) && is_being_replaced(directory_)) return;
   for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
   fs::remove(place_ / record_name(), ignored);

@@ -19,7 +19,7 @@
 namespace breccia::parallel {
 namespace {
 
-/// How the processes are divided.
+/// The division of the processes into groups.
 struct Division {
   int group = 0;
   int groups = 1;
@@ -35,7 +35,7 @@ bool is_running() noexcept {
   return PetscInitialized(&running) == 0 && running == PETSC_TRUE;
 }
 
-/// What this process has started, and so has to end. A host program may have started MPI, or MPI and PETSc, before.
+/// The libraries that this process has started and so must finalise. A host program may have started them before.
 struct Started {
   bool mpi = false;
   bool petsc = false;
@@ -55,8 +55,8 @@ bool is_on_path(const std::string& program) {
   return false;
 }
 
-/// A process that mpirun has not started could start others, for which Open MPI wants ssh or rsh, and dies where there
-/// is neither. It starts none.
+/// Without mpirun, Open MPI prepares to start further processes and fails if it finds neither ssh nor rsh. Breccia
+/// starts none, so this is switched off.
 void start_alone_without_launcher() {
   constexpr int keep_what_is_set = 0;
   if (is_under_mpirun() || is_on_path("ssh") || is_on_path("rsh")) return;
@@ -69,7 +69,7 @@ void start_mpi() {
   if (is_initialised != 0) return;
   start_alone_without_launcher();
   int provided = 0;
-  // One thread of a process talks to the others; the loops of all threads do not.
+  // Only one thread of a process calls MPI.
   if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided) != MPI_SUCCESS) {
     throw NumericalError("MPI does not start on this machine");
   }
@@ -80,7 +80,7 @@ void start_mpi() {
 /// for another number of them. OpenBLAS is asked by name, since other implementations have no such function.
 void keep_blas_to_one_thread() noexcept {
   using SetThreads = void (*)(int);
-  // The conversion of a function's address is what dlsym is for.
+  // dlsym() returns the address of a function as an object pointer, which must be converted.
   const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
   if (set_threads != nullptr) set_threads(1);
 }
@@ -88,7 +88,7 @@ void keep_blas_to_one_thread() noexcept {
 void start_petsc() {
   check(PetscInitializeNoArguments(), "starting PETSc");
   started().petsc = true;
-  // Signals and errors are ours: an error comes back as a code and becomes an exception.
+  // Breccia handles signals itself, and turns error codes of PETSc into exceptions.
   check(PetscPopSignalHandler(), "setting up PETSc");
   check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "setting up PETSc");
 }
@@ -108,8 +108,7 @@ void divide(int processes_each) {
   const char* started = std::getenv("SLURM_NTASKS");
   if (processes == 1 && started != nullptr && std::atoi(started) > 1 && std::getenv("SLURM_PROCID") != nullptr) {
     throw InputError(fmt::format(
-        "{} processes have been started that do not know of each other; start them by mpirun, or by srun --mpi=pmix",
-        started));
+        "{} processes were started without a connection by MPI; start them by mpirun, or by srun --mpi=pmix", started));
   }
   if (processes_each < 1 || processes % processes_each != 0) {
     throw InputError(fmt::format("{} processes cannot be divided into groups of {}", processes, processes_each));
@@ -117,7 +116,7 @@ void divide(int processes_each) {
   int number = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &number);
   division() = {number / processes_each, processes / processes_each};
-  // PETSc takes its processes when it starts.
+  // PETSc takes its communicator when it starts, so it must be restarted.
   check(PetscFinalize(), "dividing the processes");
   MPI_Comm_split(MPI_COMM_WORLD, division().group, number, &PETSC_COMM_WORLD);
   start_petsc();
@@ -183,7 +182,7 @@ bool is_first() noexcept {
 
 std::vector<std::string> gather(const std::string& text_of_group) {
   if (is_alone()) return {text_of_group};
-  // The first process of a group tells the text, the others nothing.
+  // Only the first process of each group contributes its text.
   const std::string told = rank() == 0 ? text_of_group : "";
   const auto processes = static_cast<std::size_t>(ranks()) * static_cast<std::size_t>(groups());
   std::vector<int> lengths(processes), places(processes);

@@ -19,8 +19,8 @@ namespace breccia {
 
 namespace {
 
-/// A nameless file in the directory for temporary files. Streams that are files, unlike pipes, cannot make the two
-/// processes wait for each other.
+/// A temporary file without a name, for a standard stream. Unlike pipes, files cannot make the two processes wait for
+/// each other.
 class TemporaryFile {
  public:
   TemporaryFile() : file_(std::tmpfile(), &std::fclose) {
@@ -68,7 +68,7 @@ class Redirections {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A process group of its own: an interrupt from the terminal is for this program to handle, not for the child.
+/// Puts the child into its own process group, so that an interrupt from the terminal reaches only this program.
 class OwnProcessGroup {
  public:
   OwnProcessGroup() {

@@ -5,11 +5,11 @@
 
 namespace breccia {
 
-/// What a program left behind.
+/// The exit status and the output of a program.
 struct ProcessResult {
   int exit_status;     ///< 128 + the signal's number if a signal ended it
-  std::string output;  ///< what it wrote to standard output
-  std::string errors;  ///< what it wrote to standard error
+  std::string output;  ///< text on standard output
+  std::string errors;  ///< text on standard error
 };
 
 /// Runs a program of the PATH to its end, with a text as its standard input. No shell is involved.

@@ -7,7 +7,7 @@
 namespace breccia {
 namespace {
 
-/// A value of the sRGB space from the intensity of its light, both 0 to 1 (IEC 61966-2-1).
+/// The sRGB value of a light intensity, both 0 to 1 (IEC 61966-2-1).
 std::uint8_t encoded(double light) {
   const double value = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
   return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(value, 0.0, 1.0)));
@@ -27,7 +27,7 @@ Rgb from_oklab(double lightness, double a, double b) {
 
 std::array<Rgb, 256> perceptual_colours() {
   constexpr double dark = 0.25, light = 0.95, violet = 305.0, yellow = 105.0;
-  constexpr double chroma = 0.097;  // the most that all of these hues have in sRGB
+  constexpr double chroma = 0.097;  // the largest that sRGB has for all of these hues
   std::array<Rgb, 256> colours;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     const double share = static_cast<double>(i) / (colours.size() - 1.0);

@@ -14,13 +14,13 @@
 namespace breccia {
 namespace {
 
-/// A map of so many values in each direction.
+/// A square map of values.
 struct Raster {
   std::size_t columns = 0;
   std::vector<double> values;
 };
 
-/// The means of equal squares, as small ones as leave at most so many columns; those at the end may be cut.
+/// Means over equal squares, the smallest for which at most `most` columns remain; the last squares may be smaller.
 Raster reduced(const FieldPicture& picture, std::size_t most) {
   const auto columns = picture.columns;
   const auto side = (columns + most - 1) / most;
@@ -38,14 +38,14 @@ Raster reduced(const FieldPicture& picture, std::size_t most) {
   return raster;
 }
 
-/// The value below which a share of the values lies.
+/// The quantile of the values for a share, 0 to 1.
 double percentile(std::vector<double> values, double share) {
   const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + place, values.end());
   return values[static_cast<std::size_t>(place)];
 }
 
-/// Values from the lowest colour to the highest.
+/// The range of values from the lowest to the highest colour.
 class Colours {
  public:
   Colours(ColourScale scale, const std::vector<double>& values) : scale_(scale) {
@@ -55,7 +55,7 @@ class Colours {
     if (shown.empty()) shown = {1.0};
     from_ = percentile(shown, left_out);
     to_ = percentile(shown, 1.0 - left_out);
-    // A uniform field has the colour of the middle; rounding shall not fill it with patterns.
+    // A uniform field gets the middle colour, without patterns from rounding.
     constexpr double least_span = 1e-6;
     if (to_ - from_ > least_span * std::max(std::abs(from_), std::abs(to_))) return;
     const double middle = 0.5 * (from_ + to_);
@@ -63,7 +63,7 @@ class Colours {
     to_ = middle == 0.0 ? 1.0 : std::max(0.5 * middle, 1.5 * middle);
   }
 
-  /// The value at a share of the scale.
+  /// The value at a share of the scale, 0 to 1.
   [[nodiscard]] double value_at(double share) const {
     return is_logarithmic() ? from_ * std::pow(to_ / from_, share) : std::lerp(from_, to_, share);
   }
@@ -82,7 +82,7 @@ class Colours {
   double from_, to_;
 };
 
-/// "3970", not "3.97e+03".
+/// A number with three digits and without an exponent: "3970", not "3.97e+03".
 std::string three_digits(double value) {
   return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
 }
@@ -102,7 +102,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-/// Pixels from the top, where the values begin at the bottom.
+/// The pixels row by row from the top, while the values begin at the bottom.
 std::string encoded_map(const Raster& raster, const Colours& colours) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(raster.values.size());

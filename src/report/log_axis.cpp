@@ -11,7 +11,7 @@ namespace {
 
 constexpr double rounding = 1e-9;  // relative; keeps ticks that lie on the ends
 
-/// "0.2", "500" or, with powers, "10^{-6}", "2×10^{-6}".
+/// The label of a tick: "0.2", "500" or, with powers, "10^{-6}", "2×10^{-6}".
 std::string tick_label(int digit, int exponent, bool powers) {
   if (!powers) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
   return digit == 1 ? fmt::format("10^{{{}}}", exponent) : fmt::format("{}×10^{{{}}}", digit, exponent);

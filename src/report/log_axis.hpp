@@ -18,8 +18,8 @@ struct LogAxis {
   std::vector<Tick> ticks;  ///< rising; two to ten of them have a label
 };
 
-/// The axis that shows values from smallest to largest (positive) and goes on by a factor on both sides.
-/// It spans a factor of four at least.
+/// The axis for positive values from smallest to largest, widened by a factor on both sides. It spans at least a factor
+/// of four.
 LogAxis log_axis(double smallest, double largest, double margin = 1.0);
 
 }  // namespace breccia

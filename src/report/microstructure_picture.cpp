@@ -14,12 +14,12 @@ namespace breccia {
 
 namespace {
 
-/// The box is drawn 1000 units wide; the scale bar has a strip below it.
+/// Sizes of the drawing: the box is 1000 units wide, with a strip for the scale bar below it.
 constexpr double drawn_side = 1000.0;
 constexpr double margin = 20.0;
 constexpr double strip = 70.0;
 
-/// Does any part of the disc lie inside the box [0, side]^2?
+/// Whether any part of the disc lies inside the box [0, side]^2.
 bool shows_in_box(const Disc& disc, double side) {
   double squared_distance = 0.0;  // from the centre to the box
   for (const double x : disc.centre) {
@@ -29,7 +29,7 @@ bool shows_in_box(const Disc& disc, double side) {
   return 4.0 * squared_distance < disc.diameter * disc.diameter;
 }
 
-/// The discs to draw: those of the box and, in a periodic box, their images that show in it.
+/// The discs to draw: the discs of the box and, in a periodic box, their visible images.
 std::vector<Disc> visible_discs(const Microstructure<2>& microstructure) {
   const double side = microstructure.side;
   std::vector<Disc> visible;

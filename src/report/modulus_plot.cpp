@@ -46,7 +46,7 @@ std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
 
 /// A text as a string of gnuplot's language. Every sign with which a label could leave its quotes or start a command
 /// is given by its octal code, and so is every digit, which gnuplot would take as part of a code before it.
-/// What is no text, such as the end of a line, becomes a space.
+/// Replaces control characters, such as line breaks, by spaces.
 std::string in_gnuplot_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {

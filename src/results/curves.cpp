@@ -14,7 +14,7 @@
 namespace breccia {
 namespace {
 
-/// The columns that tell tests apart.
+/// The columns that identify tests.
 struct TestColumns {
   std::vector<std::string> stages, loads, boundaries, methods, cells;
 
@@ -27,7 +27,7 @@ struct TestColumns {
   }
 };
 
-/// A table of one row a time, of the samples of all tests; no table without a row.
+/// Writes a table of the samples of all tests, one row per time; no file if there are no rows.
 template <class Samples, class Value>
 void write_samples(const std::filesystem::path& file, const StudyResult& result, const Samples& samples_of,
                    const std::string& column, const Value& value_of) {
@@ -103,7 +103,7 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
                    {"modulus_Pa", moduli}});
 }
 
-/// A number with all its digits, nothing where it is not known.
+/// A number with all its digits; empty if it is unknown.
 std::string text_of(const std::optional<double>& number) {
   return number ? fmt::format("{}", *number) : "";
 }

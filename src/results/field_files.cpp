@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2>& timed) {
   const auto& [time, fields] = timed;
-  // A square for each material point, a quarter of a cell: integrals over the squares are those of the solver.
+  // Each material point is drawn as a quarter of a cell, so that integrals over the squares are those of the solver.
   const double spacing = 0.5 * grid.cell_side;
   const auto columns = 2 * static_cast<std::size_t>(grid.columns()), rows = 2 * static_cast<std::size_t>(grid.rows());
   std::vector<float> displacement, strain, stress;
@@ -37,7 +37,7 @@ void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2
                         {{"time_s", time}});
 }
 
-/// For people: "µ" where files have "u".
+/// A prefix for a picture: "µ" in place of "u".
 std::string_view shown(std::string_view prefix) {
   return prefix == "u" ? "µ" : prefix;
 }
@@ -47,7 +47,7 @@ std::string in_seconds(double time) {
   return fmt::format("{:.3g} {}s", number, shown(prefix));
 }
 
-/// The stress that a load raises, over the strain that it gives or the stress that it applies.
+/// The stress component of a load, relative to the applied strain or stress.
 FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load load) {
   FieldPicture map;
   double sum = 0.0;
@@ -67,7 +67,7 @@ FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load lo
   return map;
 }
 
-/// The largest shear strain of each point over the mean strain of the load's kind.
+/// The largest shear strain at each point over the mean shear strain or dilatation of the load.
 FieldPicture strain_map(const PointFields<2>& fields, Load load) {
   FieldPicture map{.scale = ColourScale::logarithmic};
   double sum = 0.0;

@@ -47,7 +47,7 @@ Json json_of(const ComparedSample& sample) {
   return {{"time_s", sample.time}, {"ratio", sample.ratio()}};
 }
 
-/// JSON has no infinity: a gap without two particles is null.
+/// A number for JSON, which has no infinity: the gap without two particles is null.
 Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json();
 }
@@ -82,10 +82,10 @@ Json json_of(const WholeFiller& filler) {
   return {{"fraction", filler.fraction}, {"mass_fraction", filler.mass_fraction}, {"materials", std::move(materials)}};
 }
 
-/// What a test was made with.
+/// Writes the settings and the accuracy of a test.
 struct DescribeRecord {
   const Tests& options;
-  std::size_t points;  ///< of the grid
+  std::size_t points;  ///< material points of the grid
 
   Json operator()(const QuasistaticRecord& record) const {
     const auto& response = record.response;
@@ -227,7 +227,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
   return json;
 }
 
-/// Now, as ISO 8601 writes it, in UTC: "2026-01-31T12:00:00Z".
+/// The present time in UTC as ISO 8601: "2026-01-31T12:00:00Z".
 std::string date_of_now() {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));

@@ -62,19 +62,19 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   return responses;
 }
 
-/// Is there such a file? What cannot be the name of one is none.
+/// Whether the file exists; false also for a name that no file can have.
 bool is_there(const fs::path& file) {
   std::error_code is_no_name_of_a_file;
   return fs::is_regular_file(file, is_no_name_of_a_file);
 }
 
-/// Throws FileError where study.json names a file or a directory as no run does: the name could lead to any file that
-/// the reader of the results may open.
+/// Throws FileError if study.json contains a name of a file or directory that no run gives: it could refer to any file
+/// that the user of the results can read.
 void require_written(const std::string& name, bool is_as_written) {
   if (!is_as_written) throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
 }
 
-/// The history of each time domain of a stage, thinned.
+/// The history of each time domain of a stage, as an outline.
 Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
   Json histories = Json::array();
   for (const auto& test : stage.at("tests")) {
@@ -99,7 +99,7 @@ Json histories_of(const fs::path& directory, const Json& stage, const std::strin
   return histories;
 }
 
-/// The pictures of fields that the tests of a stage have left, by their names.
+/// The pictures of the fields of a stage, by their names.
 Json field_pictures_of(const fs::path& directory, const Json& stage) {
   Json pictures = Json::object();
   for (const auto& test : stage.at("tests")) {
@@ -115,7 +115,7 @@ Json field_pictures_of(const fs::path& directory, const Json& stage) {
   return pictures;
 }
 
-/// Everything that the page shows, as it is on the disk.
+/// All data that the page shows, from the files.
 Json data_of(const fs::path& directory, Json study) {
   Json tables = Json::object(), pictures = Json::object(), fields = Json::object(), responses = Json::object(),
        histories = Json::object();

@@ -20,7 +20,7 @@ PageData read_page_data(const std::filesystem::path& record, const std::function
     const auto data = data_of(std::move(json));
     return {std::move(title), data.dump(-1, ' ', false, Json::error_handler_t::replace)};
   } catch (const InputError& error) {
-    // Of a table of results, which no user has written.
+    // The table is a result of Breccia, so its mistakes are not those of a user.
     throw FileError(error.what());
   } catch (const Json::exception& error) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", record.string(), error.what()));
@@ -31,7 +31,7 @@ std::vector<double> rounded(std::vector<double> numbers) {
   for (auto& number : numbers) {
     if (number == 0.0 || !std::isfinite(number)) continue;
     const double unit = std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(number))));
-    // Where the unit is no finite number, the number has fewer digits than that.
+    // The factor overflows for very small (subnormal) numbers, which have fewer digits anyway.
     if (std::isfinite(unit)) number = std::round(number * unit) / unit;
   }
   return numbers;

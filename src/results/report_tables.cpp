@@ -29,7 +29,7 @@ Json table_for_page(const std::filesystem::path& file, const std::vector<std::st
 }
 
 std::vector<std::string> text_columns_of_tests() {
-  // Those of quality.csv may be empty.
+  // The numbers of quality.csv may be missing, so they are read as text.
   return {"measurement", "stage",    "load",     "boundary",          "method",
           "cells",       "upper_Pa", "lower_Pa", "relative_distance", "grid_half_band_Pa"};
 }

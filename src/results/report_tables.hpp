@@ -8,8 +8,8 @@
 
 namespace breccia {
 
-/// The table of a CSV file for a page: an object with an array for each column, of numbers or of text. JSON knows no
-/// infinity: it is the text "inf". An empty object where there is no such file. Throws InputError or FileError where
+/// The table of a CSV file for a page: an object with an array of numbers or texts for each column. Infinity, which
+/// JSON does not have, is the text "inf". An empty object if the file does not exist. Throws InputError or FileError if
 /// the file is damaged.
 nlohmann::ordered_json table_for_page(const std::filesystem::path& file, const std::vector<std::string>& text_columns);
 

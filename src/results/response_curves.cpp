@@ -13,7 +13,7 @@ namespace breccia {
 
 namespace {
 
-/// What the curves come from, for people: "aged: A, B from 1 ms to 1 s, study 0123456789abcdef".
+/// The origin of the curves in words: "aged: A, B from 1 ms to 1 s, study 0123456789abcdef".
 std::string source_of(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
   std::vector<std::string> names;
   for (const auto& stage : stages) names.push_back(stage.name);
@@ -23,7 +23,7 @@ std::string source_of(const ResponseDestination& destination, const std::vector<
                      destination.study);
 }
 
-/// All that the curves depend on.
+/// A text with everything that the curves depend on.
 std::string identity_of(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
   auto identity = fmt::format("{}\n{}", destination.matrix, destination.study);
   for (const auto& stage : stages) {

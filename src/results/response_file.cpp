@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t format_version = 3;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
-  // HDF5 counts rows first, Eigen columns.
+  // HDF5 stores matrices by rows, Eigen by columns.
   const Eigen::MatrixXd rows = matrix.transpose();
   file.write(name, std::span(rows.data(), static_cast<std::size_t>(rows.size())),
              {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
@@ -45,10 +45,10 @@ void write_response(Hdf5Writer& file, const std::string& group, const ReducedRes
 }
 
 void require(bool is_so, const std::string& group, const char* expected) {
-  if (!is_so) throw FileError(fmt::format("{}: no response of this program: expected {}", group, expected));
+  if (!is_so) throw FileError(fmt::format("{}: not a response that Breccia has written: expected {}", group, expected));
 }
 
-/// All parts of a response belong to bases of one size.
+/// Checks that all matrices of a response have the same size of the basis.
 void require_consistent(const ReducedResponse& response, const std::string& group) {
   const auto size = response.constant.rows();
   const auto is_square = [size](const Eigen::MatrixXd& matrix) {

@@ -68,7 +68,7 @@ Material at_temperature(const StoredMaterial& stored, double temperature) {
       if (time > 1.0 / largest && time < largest) continue;
       throw InputError(
           fmt::format("{}: the WLF law takes a relaxation time of {:.3g} s to {:.3g} s at {} K, which is "
-                      "beyond its use",
+                      "outside its range of use",
                       material.name, term.relaxation_time, time, temperature));
     }
   }

@@ -13,7 +13,7 @@ namespace breccia {
 
 namespace {
 
-constexpr std::size_t most_colours = 7;  // those of the palette
+constexpr std::size_t most_colours = 7;  // size of the palette
 constexpr std::size_t most_labels = 14;
 
 PlotStyle style_of(const TaskCurve& curve) {
@@ -21,7 +21,7 @@ PlotStyle style_of(const TaskCurve& curve) {
   return curve.test.boundary == Boundary::periodic ? PlotStyle::line_and_points : PlotStyle::line;
 }
 
-/// What shares a colour: a task, or where there are many the tasks that differ in their seeds alone.
+/// The group of curves with one colour: a task, or, if there are many, all tasks that differ only in their seeds.
 std::vector<std::string> names_of_colours(const Sweep& sweep) {
   std::vector<std::string> names;
   for (const auto& task : sweep.tasks) {

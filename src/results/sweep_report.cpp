@@ -37,7 +37,7 @@ Json json_of(std::size_t task, const TaskCurve& curve) {
           {"modulus_Pa", rounded(std::move(moduli))}};
 }
 
-/// The curves of each task that is done, as they are on the disk.
+/// The curves of each finished task, from its files.
 std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, const Json& tasks) {
   std::vector<std::vector<TaskCurve>> curves(tasks.size());
   for (std::size_t task = 0; task < tasks.size(); ++task) {

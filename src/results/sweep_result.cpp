@@ -14,7 +14,7 @@ namespace breccia {
 
 namespace {
 
-/// The test of a row of curves.csv. Throws FileError where the row is not as a run writes it.
+/// The test of a row of curves.csv. Throws FileError if the row does not have the format of a run.
 TestId test_of(const CsvTable& table, std::size_t row) {
   const double time = table.numbers("time_s")[row], modulus = table.numbers("modulus_Pa")[row];
   const auto load = value_named<Load>(table.text("load")[row]);

@@ -11,7 +11,7 @@ namespace breccia {
 
 namespace {
 
-/// The modulus of one test in some tasks, by time.
+/// The moduli of one test in several tasks, by time.
 using Samples = std::map<double, std::vector<double>>;
 
 struct TestSamples {

@@ -40,7 +40,7 @@ class KeyColumns {
   std::vector<std::vector<std::string>> columns_;
 };
 
-/// The columns that tell tests apart.
+/// The columns that identify tests.
 struct CurveColumns {
   std::vector<std::string> stages, loads, boundaries, methods, cells;
 

@@ -9,7 +9,7 @@
 namespace breccia {
 namespace {
 
-/// Where a gap that is no length comes from, to stand after its cells.
+/// The form in which the deck gives the gap, as the end of a text; empty for a length.
 std::string source_in_words(const Stage& stage) {
   const auto& filler = *stage.filler;
   if (filler.gap_source == GapSource::points) {

@@ -14,15 +14,15 @@
 namespace breccia {
 namespace {
 
-/// Steps over which one sample of the history is averaged: few enough to change the time by less than half a per cent,
-/// and to take no longer than a user waits for an answer.
+/// Number of steps over which one sample of the history is averaged: it changes the time by less than half a per cent,
+/// and takes little wall time, so that an interruption is handled soon.
 int steps_to_average(double time, double time_step, std::size_t points) {
   constexpr double resolution = 0.005, points_x_steps = 3e7;
   const double steps = std::min(resolution * time / time_step, points_x_steps / static_cast<double>(points));
   return std::max(1, static_cast<int>(steps));
 }
 
-/// What the mean of a few steps tells: the modulus, or under a traction boundary 1 / J.
+/// One sample of the history from the mean of a few steps: the modulus, or under a traction boundary 1 / J.
 Sample averaged_sample(const DynamicTest& test, const std::vector<Averages<2>>& steps, double first_time,
                        double time_step) {
   const bool creeps = test.boundary == Boundary::traction;
@@ -35,7 +35,7 @@ Sample averaged_sample(const DynamicTest& test, const std::vector<Averages<2>>& 
   return {first_time + 0.5 * (count - 1.0) * time_step, creeps ? 1.0 / mean : mean};
 }
 
-/// Ramp durations from its midpoint after which what is measured is the answer to a step.
+/// Time after the midpoint of the ramp, in ramp durations, from which on the response is that to a step [-].
 double ramps_to_wait(Boundary boundary) {
   return boundary == Boundary::traction ? 1.0 : 1.5;
 }
@@ -70,8 +70,9 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
   }
   domain.time_step = test.options.courant *
                      stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);
-  // A factor that still rises begins its window after so many transits, by definition; that gives the duration of one.
-  // A factor that falls again is valid long before its window begins. The composite is stiffer during the ramp.
+  // If the factors still rise, the window begins, by definition, after a known number of transits, which gives the
+  // duration of one. A factor that falls again is valid long before its window begins. The composite is stiffer during
+  // the ramp.
   const double transit = std::min(begin / (2.0 * there_and_back_transits),
                                   rules.transit(domain.density_factor, bounds.lower(early * begin)));
   const double ramp_transits =
@@ -101,7 +102,7 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
 
 bool goes_on(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain, const Sample& sample,
              DomainSequence& sequence) {
-  // Shear waves decide about validity under either load; under a bulk load their speed is only known by estimate.
+  // Shear waves determine the validity under all loads; under a bulk load their speed is estimated.
   const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
   return sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
 }

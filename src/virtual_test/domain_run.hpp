@@ -12,31 +12,32 @@
 
 namespace breccia {
 
-/// What decides about the domains of a test.
+/// The rules by which the time domains of a test are chosen.
 DomainRules rules_of(const DynamicTest& test);
 
-/// A problem for one time domain, and what is told of it.
+/// The dynamic problem of one time domain, with the record of the domain.
 struct PreparedDomain {
   DynamicProblem<2> problem;
   TimeDomain domain;
 };
 
-/// Throws NumericalError when the times would take too many steps.
+/// Prepares the next time domain of a test. Throws NumericalError when it would take too many steps.
 PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
                        const DomainSequence& sequence);
 
-/// Shows a sample of a domain to the sequence, once the ramp is long over. False when the domain has seen enough.
+/// Passes a sample of a domain to DomainSequence::observe() if it is late enough after the ramp. False when the domain
+/// is finished.
 bool goes_on(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain, const Sample& sample,
              DomainSequence& sequence);
 
-/// A time domain under way.
+/// A running time domain.
 class DomainRun {
  public:
-  /// With the times [s] at which fields are wanted.
+  /// `field_times` are the times [s] at which fields are wanted.
   DomainRun(const DynamicTest& test, PreparedDomain prepared, std::span<const double> field_times);
 
-  /// Takes some steps, for a time that the domain is expected to be valid from [s], and returns their mean. Keeps the
-  /// fields just after a time at which they are wanted.
+  /// Takes some steps and returns their mean as a sample. The domain is expected to be valid from `expected_begin` [s].
+  /// Saves the fields of the first step at or after each field time.
   Sample take_sample(double expected_begin);
 
   [[nodiscard]] TimeDomain& domain() noexcept { return domain_; }
@@ -52,7 +53,7 @@ class DomainRun {
   std::span<const double> field_times_;
   std::vector<TimedFields<2>> fields_;
   std::vector<Averages<2>> steps_;
-  double seconds_before_ = 0.0;  ///< of the runs that this one goes on from [s]
+  double seconds_before_ = 0.0;  ///< wall time of the earlier runs that were resumed [s]
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 

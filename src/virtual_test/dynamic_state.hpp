@@ -8,11 +8,11 @@
 
 namespace breccia {
 
-/// One time domain, with its history, in a group of a state.
+/// Writes one time domain, with its history, to a group of a state, or reads it.
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain);
 TimeDomain read_domain(const StateReader& state, const std::string& group);
 
-/// The domains that are done.
+/// Reads the finished domains.
 void save_domains(StateWriter& state, const std::vector<TimeDomain>& domains);
 std::vector<TimeDomain> read_domains(const StateReader& state);
 

@@ -28,7 +28,7 @@ void require_complete(const DynamicTest& test) {
   }
 }
 
-/// Bytes of one run, about.
+/// Approximate memory of one run [B].
 std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
   const auto points = test.discretisation.points();
   const auto nodes = test.discretisation.grid().node_count();
@@ -37,8 +37,8 @@ std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
   return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
 }
 
-/// The window of a domain as far as it is wanted. Only the first domain may be valid earlier than expected without the
-/// times before being known better from another.
+/// The window of a domain that is used. A domain that is valid earlier than expected is used from the expected time on,
+/// since the domain before it is better at earlier times; the first domain is used from the beginning.
 TimeWindow window_wanted(const DomainSequence& sequence) {
   auto window = sequence.window().value_or(TimeWindow{});
   if (!sequence.is_first()) {
@@ -84,7 +84,7 @@ double trial_speed(const DynamicTest& test) {
   auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
   std::vector<Averages<2>> averages;
-  // A given amount of work, the same on all processes, that takes a few tenths of a second.
+  // A fixed amount of work, the same on all processes, of a few tenths of a second.
   const double points_x_steps = test.options.formulation == Formulation::classical ? 3e6 : 1e8;
   const auto steps = static_cast<int>(points_x_steps / static_cast<double>(test.discretisation.points()));
   const auto start = std::chrono::steady_clock::now();
@@ -95,7 +95,7 @@ double trial_speed(const DynamicTest& test) {
 
 namespace {
 
-/// From 1 / J to the compliance, and on to the relaxation modulus.
+/// Converts 1 / J to the creep compliance and then to the relaxation modulus.
 void convert_creep(DynamicTestResult& result) {
   std::vector<double> times, compliances;
   for (const auto& [time, reciprocal] : result.curve) {
@@ -109,7 +109,7 @@ void convert_creep(DynamicTestResult& result) {
   for (auto& [time, modulus] : result.curve) modulus = series.at(time);
 }
 
-/// The time domains of a test, one after the other, each run anew or taken over from an earlier run.
+/// Runs the time domains of a test one after the other, or restores them from an earlier run.
 class DynamicRun {
  public:
   DynamicRun(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint)
@@ -162,7 +162,7 @@ class DynamicRun {
     return std::move(domain.domain());
   }
 
-  /// Shows the sequence what a domain has seen already. False when the domain has seen enough.
+  /// Passes the history of a restored domain to the sequence. False when the domain is finished.
   bool show(const TimeDomain& domain) {
     return std::ranges::all_of(
         domain.history, [&](const Sample& sample) { return goes_on(test_, bounds_, domain, sample, sequence_); });
@@ -190,7 +190,7 @@ class DynamicRun {
     });
   }
 
-  /// The first domain that is valid at a time tells its fields: the lightest.
+  /// Takes the fields at each time from the first domain that is valid there, since it has the smallest density factor.
   void keep_fields(DomainRun& domain, std::span<const double> times) {
     auto& fields = domain.fields();
     for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {
@@ -205,8 +205,8 @@ class DynamicRun {
   DomainRules rules_;
   ShearModulusBounds bounds_;
   DomainSequence sequence_;
-  double furthest_;               // time that any domain has reached [s]
-  std::vector<TimeDomain> past_;  // that the earlier run has completed
+  double furthest_;               // latest time that a domain has reached [s]
+  std::vector<TimeDomain> past_;  // domains that the earlier run has finished
   DynamicTestResult result_;
 };
 

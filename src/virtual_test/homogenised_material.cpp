@@ -19,7 +19,7 @@ struct PlaneModuli {
   std::vector<double> bulk;   ///< K + G/3 [Pa]
 };
 
-/// Series of the two, which choose from the same relaxation times.
+/// Prony series fitted to both moduli, from the same candidate relaxation times.
 struct PlaneFit {
   RelaxationFit shear;
   RelaxationFit bulk;
@@ -70,7 +70,7 @@ HomogenisedMaterial homogenised_material(const std::string& name, double density
                                          const Curve& plane_strain_bulk, double tolerance) {
   const auto moduli = common_samples(name, shear, plane_strain_bulk);
   const auto fits = fit_with_few_terms(moduli, tolerance);
-  // The same times to choose from: terms of the two moduli fall together.
+  // With the same candidate times the terms of the two moduli can be merged.
   const auto bulk = PronySeries::difference(fits.bulk.series, fits.shear.series.scaled(1.0 / 3.0));
   return {.material = {.name = name, .density = density, .bulk = bulk, .shear = fits.shear.series},
           .fitted = {moduli.times.front(), moduli.times.back()},

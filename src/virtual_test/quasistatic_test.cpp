@@ -74,7 +74,7 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
   for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, matrix, time)});
 }
 
-/// Where a stepped run passes: from well before the first time wanted, through all of them.
+/// Times of the steps: from well before the first requested time to the last one.
 std::vector<double> step_times(const QuasistaticTest& test) {
   constexpr double warm_up = 1e-3;
   const int output = test.points_per_decade;
@@ -83,14 +83,14 @@ std::vector<double> step_times(const QuasistaticTest& test) {
   return logarithmic_times({warm_up * test.times.begin, test.times.end}, per_decade);
 }
 
-/// Index of the step at a time that is one of the steps but for rounding.
+/// Index of the first step at or after a time, but for rounding.
 std::size_t step_at(const std::vector<double>& steps, double time) {
   constexpr double rounding = 1e-9;
   const auto found = std::lower_bound(steps.begin(), steps.end(), time * (1.0 - rounding));
   return static_cast<std::size_t>(found - steps.begin());
 }
 
-/// Makes a time one of the steps where it is none, and returns the step.
+/// Inserts a time into the steps unless it is one of them, but for rounding. Returns the time of that step.
 double make_step_at(std::vector<double>& steps, double time) {
   constexpr double rounding = 1e-9;
   const auto place = steps.begin() + static_cast<std::ptrdiff_t>(step_at(steps, time));
@@ -98,7 +98,7 @@ double make_step_at(std::vector<double>& steps, double time) {
   return *steps.insert(place, time);
 }
 
-/// Largest relative deviation of a fit from its data, from one of them on.
+/// Largest relative deviation of a fit from its data, from the given index on.
 double worst_from(std::size_t first, const std::vector<double>& data, const FitQuality& quality) {
   double worst = 0.0;
   for (std::size_t i = first; i < data.size(); ++i) {

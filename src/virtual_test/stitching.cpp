@@ -17,7 +17,7 @@ bool contains(const TimeWindow& window, double time) {
 }
 
 double modulus_at(const TimeDomain& domain, double time) {
-  // Nothing from outside the window takes part, but for one sample on either side to reach its ends.
+  // Only samples in the window are used, and one sample on either side for interpolation at its ends.
   auto begin = std::ranges::lower_bound(domain.history, domain.window.begin, {}, &Sample::time);
   auto end = std::ranges::upper_bound(domain.history, domain.window.end, {}, &Sample::time);
   if (begin != domain.history.begin()) --begin;
@@ -45,7 +45,7 @@ Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, in
           "time domains: none is valid at {:.3e} s; give density factors whose windows cover the times", time));
     }
     double modulus = modulus_at(*first, time);
-    // Each domain takes over from the one before in the course of their overlap.
+    // The weight of each domain rises from 0 to 1 over its overlap with the domain before it.
     for (auto later = std::next(first); later != domains.end() && valid(*later); ++later) {
       const double width = std::log(std::prev(later)->window.end / later->window.begin);
       const double share = width > 0.0 ? std::clamp(std::log(time / later->window.begin) / width, 0.0, 1.0) : 1.0;

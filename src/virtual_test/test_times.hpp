@@ -7,8 +7,8 @@
 
 namespace breccia {
 
-/// Throws InputError, naming the test, where the times are not positive and rising, or those of fields not within them
-/// and rising.
+/// Throws InputError, with the name of the test, unless the times [s] are positive and rising, and the field times are
+/// rising and within them.
 void require_times(std::string_view test, const TimeWindow& times, const std::vector<double>& field_times);
 
 }  // namespace breccia

@@ -54,7 +54,7 @@ void DomainSequence::throw_late(double time) const {
 bool DomainSequence::observe(double time, double modulus) {
   constexpr double rounding = 1e-9;
   const double admissible = rules_.admissible_factor(time, modulus);
-  // Ringing may take a young window back below the limit; that is not the end of it.
+  // Ringing may bring the admissible factor below the limit soon after the window has begun; the window continues.
   constexpr double settled = 1.2;
   if (admissible < factor_ && !(window_ && time < settled * window_->begin)) {
     if (time < expected_begin_) window_.reset();
@@ -67,13 +67,13 @@ bool DomainSequence::observe(double time, double modulus) {
   }
   window_->end = time;
   if (time >= rules_.times.end) {
-    // Given factors all have their run, as far as it counts.
+    // If the next given factor is admissible already, its domain runs, too.
     complete_ = rules_.density_factors.empty() || !next_admissible_;
     return false;
   }
-  // Earlier times are known from the domain before.
+  // Earlier times are covered by the domain before.
   if (time < expected_begin_) return true;
-  // Past its lowest, as on a plateau after a steep fall.
+  // Far above its minimum the admissible factor rises again, as on a plateau after a steep fall of the modulus.
   lowest_admissible_ = std::min(lowest_admissible_, admissible);
   if (admissible > 2.0 * lowest_admissible_) rising_ = true;
   const auto next = next_factor();
@@ -87,11 +87,10 @@ bool DomainSequence::observe(double time, double modulus) {
 
 void DomainSequence::advance() {
   if (!window_) {
-    throw NumericalError(
-        fmt::format("time domains: with density factor {:.3g} no time up to {:.3e} s comes after {:g} there-and-back "
-                    "transits of the "
-                    "shear wave; give smaller density factors",
-                    factor_, rules_.times.end, there_and_back_transits));
+    throw NumericalError(fmt::format(
+        "time domains: with density factor {:.3g} the run is valid nowhere up to {:.3e} s, which is less than {:g} "
+        "there-and-back transits of the shear wave; give smaller density factors",
+        factor_, rules_.times.end, there_and_back_transits));
   }
   if (expired_) {
     if (!rules_.density_factors.empty()) {

@@ -23,7 +23,7 @@ double decay(double t, double tau, double ramp) {
   return std::exp(-(t - ramp) / tau) * -std::expm1(-ramp / tau) * tau / ramp;
 }
 
-/// Share of the ramp that is over, and the time since the load was applied, on average over the ramp so far.
+/// Finished share of the ramp, and the mean time since the load was applied, averaged over the ramp so far.
 double applied(double t, double ramp) {
   return t < ramp ? t / ramp : 1.0;
 }
@@ -31,7 +31,7 @@ double time_since(double t, double ramp) {
   return t < ramp ? 0.5 * t * t / ramp : t - 0.5 * ramp;
 }
 
-/// Characteristic times of a fit: logarithmic, somewhat beyond what the data see.
+/// Candidate relaxation or retardation times of a fit: logarithmic, and somewhat beyond the range of the data.
 std::vector<double> characteristic_times(double first, double last, double per_decade) {
   constexpr double beyond = 3.0;
   const double from = first / beyond, to = last * beyond;
@@ -66,7 +66,8 @@ struct Fit {
   FitQuality quality;
 };
 
-/// Columns are the answers of the parts of a spectrum at the data. `at` repeats where data have several values.
+/// Fits a spectrum. Each column has the responses of one part of the spectrum at the data points. `at` has the time or
+/// frequency of each datum, repeated if data have several values.
 Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::vector<double>& at) {
   const Eigen::MatrixXd relative = data.cwiseInverse().asDiagonal() * columns;
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(data.size());
@@ -85,7 +86,7 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2), errors.end());
   quality.median_error = errors[errors.size() / 2];
 
-  // Covariance of the linear fit by the parts that are used, with the scatter as it is found: s^2 A (A'A)^-1 A'.
+  // Covariance of the linear fit by the used parts, with the observed scatter s: s^2 A (A'A)^-1 A'.
   std::vector<Eigen::Index> used;
   for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
     if (result.amplitudes[j] > 0.0) used.push_back(j);
@@ -146,7 +147,7 @@ CreepFit fit_creep(std::span<const double> times, std::span<const double> compli
   for (Eigen::Index k = 0; k < count; ++k) {
     if (amplitudes[k] > 0.0) terms.push_back({spectrum[static_cast<std::size_t>(k)], amplitudes[k]});
   }
-  // Data that show no jump do not tell how stiff the solid is before them: far stiffer is as good as infinitely.
+  // Data without an instantaneous jump do not determine the unrelaxed modulus: any very large value fits them.
   constexpr double small = 1e-6;
   const double instantaneous = std::max(amplitudes[count], small * compliances.front());
   return {CreepCompliance(instantaneous, std::move(terms), amplitudes[count + 1]), std::move(quality)};

@@ -10,7 +10,8 @@
 namespace breccia {
 namespace {
 
-/// A rate as an offset from another, so that its small distance to that one is known to full relative precision.
+/// A rate, stored as the offset from another rate, so that a small distance between the two keeps its full relative
+/// precision.
 struct Rate {
   double base = 0.0;
   double offset = 0.0;
@@ -20,7 +21,7 @@ struct Rate {
   [[nodiscard]] double distance_to(double other) const noexcept { return (other - base) - offset; }
 };
 
-/// Where a function that rises from negative values at `low` to positive ones at `high` is zero, found by bisection of
+/// The zero of a function that rises from negative values at `low` to positive ones at `high`, found by bisection in
 /// the logarithm of the distance to the closer end. Both ends may be poles.
 template <class Function>
 Rate root_between(double low, double high, const Function& function) {
@@ -38,7 +39,7 @@ Rate root_between(double low, double high, const Function& function) {
   return {base, sign * far};
 }
 
-/// Rate and strength of a term; equal rates are one, terms of no strength none. Rates rise.
+/// Rates and strengths of the terms by rising rate; terms of equal rate are merged, terms of zero strength left out.
 struct Term {
   double rate = 0.0;
   double strength = 0.0;
@@ -59,7 +60,7 @@ CreepCompliance creep_compliance(const PronySeries& modulus) {
   std::vector<Term> terms;
   for (const auto& [time, strength] : modulus.terms()) add(terms, 1.0 / time, strength);
   const double unrelaxed = modulus.unrelaxed(), equilibrium = modulus.equilibrium();
-  if (!(unrelaxed > 0.0)) throw InputError("creep compliance: a modulus of zero has none");
+  if (!(unrelaxed > 0.0)) throw InputError("creep compliance: the modulus is zero at all times");
 
   // Zeros of s G~(s) at s = -r: -G_inf + sum_i G_i r / (p_i - r) = 0.
   const auto negative_modulus = [&](const Rate& rate) {
@@ -71,7 +72,7 @@ CreepCompliance creep_compliance(const PronySeries& modulus) {
   double viscosity = 0.0;
   for (const auto& [pole, strength] : terms) viscosity += strength / pole;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    // Without an equilibrium modulus the zero below the slowest term is at r = 0: it flows.
+    // Without an equilibrium modulus the zero below the slowest term is at r = 0: the material flows.
     if (k == 0 && equilibrium == 0.0) continue;
     const auto rate = root_between(k == 0 ? 0.0 : terms[k - 1].rate, terms[k].rate, negative_modulus);
     double slope = 0.0;

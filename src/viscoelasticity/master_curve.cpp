@@ -25,20 +25,20 @@ struct RisingCurve {
   explicit RisingCurve(const FrequencySweep& sweep) {
     for (std::size_t i = 0; i < sweep.frequencies.size(); ++i) {
       frequency.push_back(std::log10(sweep.frequencies[i]));
-      // Scatter may make a plateau fall; it rises in truth.
+      // Scatter may make the measured modulus of a plateau fall, although a storage modulus always rises.
       const double value = std::log10(sweep.storage[i]);
       modulus.push_back(i == 0 ? value : std::max(value, modulus.back()));
     }
   }
 };
 
-/// A mean with the weights of its parts.
+/// A weighted mean.
 struct WeightedSum {
   double sum = 0.0, weight = 0.0;
 };
 
-/// log10 of the factor that takes frequencies of the points of `from` to where `onto` has the same modulus: the least
-/// squares of the differences of the modulus, to first order, so that steep stretches count most.
+/// log10 of the factor by which the frequencies of `from` must be multiplied to match the moduli of `onto`, by least
+/// squares of the differences of the modulus to first order, so that steep parts have the largest weight.
 WeightedSum horizontal_distance(const RisingCurve& from, const RisingCurve& onto) {
   WeightedSum distance;
   for (std::size_t i = 0; i < from.modulus.size(); ++i) {
@@ -55,7 +55,7 @@ WeightedSum horizontal_distance(const RisingCurve& from, const RisingCurve& onto
   return distance;
 }
 
-/// log10 a_T of each sweep against the first, by the overlap of neighbours.
+/// log10 a_T of each sweep relative to the first one, from the overlaps of neighbouring sweeps.
 Eigen::VectorXd overlapping_shifts(const std::vector<FrequencySweep>& sweeps) {
   Eigen::VectorXd shifts = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(sweeps.size()));
   for (std::size_t i = 1; i < sweeps.size(); ++i) {
@@ -73,7 +73,7 @@ Eigen::VectorXd overlapping_shifts(const std::vector<FrequencySweep>& sweeps) {
   return shifts;
 }
 
-/// Relaxation times for all sweeps, a decade beyond what they see by the first shifts.
+/// Candidate relaxation times for all sweeps, a decade beyond their range after the initial shifts.
 std::vector<double> relaxation_times(const std::vector<FrequencySweep>& sweeps, const Eigen::VectorXd& shifts,
                                      double per_decade) {
   constexpr double beyond = 1.0;
@@ -98,13 +98,14 @@ struct Answer {
 Answer answer(double x) {
   return {x * x / (1.0 + x * x), x / (1.0 + x * x)};
 }
-/// Its derivative by log10 x.
+/// Derivatives of both by log10 x.
 Answer slope(double x) {
   const double square = 1.0 + x * x, factor = std::numbers::ln10 * x / (square * square);
   return {2.0 * x * factor, (1.0 - x * x) * factor};
 }
 
-/// Relative deviations of the best spectrum from all sweeps, as a function of the log10 a_T of all but the reference.
+/// Relative deviations of the best spectrum from all sweeps, as a function of log10 a_T of all sweeps but the
+/// reference.
 class Projection {
  public:
   Projection(const std::vector<FrequencySweep>& sweeps, std::size_t reference, std::vector<double> times)
@@ -120,7 +121,8 @@ class Projection {
     deviations = columns * best_spectrum(columns) - Eigen::VectorXd::Ones(rows_);
   }
 
-  /// The spectrum follows the shifts: what its used parts can take up does not count (Kaufman, BIT 15, 49, 1975).
+  /// Jacobian by variable projection: the spectrum follows the shifts, so changes in the span of its used parts are
+  /// projected out (Kaufman, BIT 15, 49, 1975).
   void set_jacobian(const Eigen::VectorXd& shifts, Eigen::MatrixXd& jacobian) const {
     const auto columns = answers(shifts);
     const auto spectrum = best_spectrum(columns);
@@ -136,12 +138,12 @@ class Projection {
     jacobian -= basis * (basis.transpose() * jacobian);
   }
 
-  /// How many parts of the spectrum are used.
+  /// Number of used (non-zero) parts of the spectrum.
   [[nodiscard]] Eigen::Index used_terms(const Eigen::VectorXd& shifts) const {
     return (best_spectrum(answers(shifts)).array() > 0.0).count();
   }
 
-  /// Place of a sweep, not the reference, among the unknowns.
+  /// Index of a sweep other than the reference among the unknowns.
   [[nodiscard]] Eigen::Index unknown(std::size_t sweep) const {
     return static_cast<Eigen::Index>(sweep < reference_ ? sweep : sweep - 1);
   }
@@ -151,7 +153,8 @@ class Projection {
     return sweep == reference_ ? 1.0 : std::pow(10.0, shifts[unknown(sweep)]);
   }
 
-  /// Relative to the data, one column a relaxation time and one for the equilibrium modulus; storage and loss in turn.
+  /// Responses relative to the data: one column for each relaxation time and one for the equilibrium modulus; rows with
+  /// the storage and loss modulus in turn.
   [[nodiscard]] Eigen::MatrixXd answers(const Eigen::VectorXd& shifts) const {
     const auto terms = static_cast<Eigen::Index>(times_.size());
     Eigen::MatrixXd columns(rows_, terms + 1);
@@ -172,7 +175,7 @@ class Projection {
     return columns;
   }
 
-  /// Derivatives of the answer of a spectrum by the log10 a_T of the sweep that a row belongs to.
+  /// Derivatives of the response of a spectrum by log10 a_T of the sweep of each row.
   [[nodiscard]] Eigen::VectorXd slopes(const Eigen::VectorXd& shifts, const Eigen::VectorXd& spectrum) const {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(rows_);
     Eigen::Index row = 0;
@@ -195,7 +198,7 @@ class Projection {
     return non_negative_least_squares(columns, Eigen::VectorXd::Ones(rows_));
   }
 
-  /// Orthonormal columns that span the used ones.
+  /// An orthonormal basis of the used columns.
   [[nodiscard]] static Eigen::MatrixXd used_part(const Eigen::MatrixXd& columns, const Eigen::VectorXd& spectrum) {
     std::vector<Eigen::Index> used;
     for (Eigen::Index k = 0; k < spectrum.size(); ++k) {
@@ -263,7 +266,7 @@ Shifts best_shifts(const Projection& projection, const Eigen::VectorXd& start) {
       .values = projection.values(),
       .deviations = [&](const auto& x, auto& deviations) { projection.set_deviations(x, deviations); },
       .jacobian = [&](const auto& x, auto& jacobian) { projection.set_jacobian(x, jacobian); }};
-  // Far below the standard errors.
+  // Tolerance far below the standard errors.
   const SearchLimits limits = {.relative_step = 1e-6, .relative_decrease = 1e-8, .most_evaluations = 200};
   if (!search_least_squares(problem, limits, shifts.values) || !shifts.values.allFinite()) {
     throw NumericalError("master curve: the shift factors do not converge");

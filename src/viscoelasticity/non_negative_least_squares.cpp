@@ -12,13 +12,13 @@ namespace {
 
 using Indices = std::vector<Eigen::Index>;
 
-/// The unconstrained solution in some of the variables.
+/// The unconstrained least-squares solution in a subset of the variables.
 Eigen::VectorXd solve_for(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, const Indices& variables) {
   return least_squares(matrix(Eigen::all, variables), right);
 }
 
-/// Goes from x towards the solution in the free variables until the first of them is zero, binds that one, and so on
-/// until the solution is positive.
+/// Moves x towards the solution in the free variables until the first of them becomes zero, binds that one to zero, and
+/// repeats this until the solution is positive.
 void descend(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right, Indices& free, Eigen::VectorXd& x) {
   while (!free.empty()) {
     const Eigen::VectorXd target = solve_for(matrix, right, free);
@@ -50,7 +50,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& matrix, const 
   for (Eigen::Index step = 0; step < 20 * count; ++step) {
     Eigen::VectorXd gain = scaled.transpose() * (right - scaled * x);
     for (const auto j : free) gain[j] = 0.0;
-    // A variable that pulls in but would have to be negative pulls by rounding alone: the next one is tried.
+    // If a variable has a positive gradient by rounding only, its solution is negative, and the next one is tried.
     Eigen::Index best = 0;
     while (gain.maxCoeff(&best) > rounding) {
       auto candidates = free;
@@ -62,7 +62,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& matrix, const 
     free.push_back(best);
     descend(scaled, right, free, x);
   }
-  throw NumericalError("non-negative least squares: no end; are all data finite?");
+  throw NumericalError("non-negative least squares: no convergence; are all data finite?");
 }
 
 }  // namespace breccia

@@ -4,9 +4,9 @@
 
 namespace breccia {
 
-/// x >= 0 that makes |A x - b| least: the active-set method of Lawson and Hanson (Solving Least Squares Problems, 1974,
-/// chapter 23), with orthogonal factors. Columns of any scale.
-/// Throws NumericalError when it does not end, which data that are not finite can cause.
+/// The x >= 0 that minimises |A x - b|, by the active-set method of Lawson and Hanson (Solving Least Squares Problems,
+/// 1974, chapter 23), with orthogonal factors. The columns of A may have any scale.
+/// Throws NumericalError when the method does not converge, for example because data are not finite.
 Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace breccia

@@ -13,8 +13,8 @@
 namespace breccia {
 namespace {
 
-/// Deviations of log10 a_T from -S d / (1 + k d), d = T - T_ref. Its unknowns, the slope S = c1 / c2 at the reference
-/// and the bend k = 1 / c2, stay finite for factors that are nearly straight, where c1 and c2 do not.
+/// Deviations of log10 a_T from -S d / (1 + k d), d = T - T_ref. The unknowns, the slope S = c1 / c2 at the reference
+/// and the curvature k = 1 / c2, remain finite for factors nearly linear in T, where c1 and c2 diverge.
 class Deviations {
  public:
   Deviations(Eigen::VectorXd differences, Eigen::VectorXd factors)
@@ -23,7 +23,7 @@ class Deviations {
   void set_deviations(const Eigen::VectorXd& x, Eigen::VectorXd& deviations) const {
     for (Eigen::Index i = 0; i < factors_.size(); ++i) {
       const double reach = 1.0 + x[1] * differences_[i];
-      // Beyond the pole of the law no trial is accepted.
+      // A trial with its pole among the data is rejected by a large deviation.
       constexpr double forbidden = 1e6;
       deviations[i] = reach > 0.0 ? -x[0] * differences_[i] / reach - factors_[i] : forbidden;
     }
@@ -59,7 +59,7 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   const double mean_slope = -differences.dot(logarithms) / differences.squaredNorm();
   if (!(mean_slope > 0.0)) throw InputError("WLF fit: the shift factors do not fall as the temperature rises");
 
-  // From a nearly straight law, which has its pole far from every datum.
+  // The start is a nearly linear law, whose pole is far from all data.
   const double furthest = differences.cwiseAbs().maxCoeff();
   Eigen::VectorXd x(2);
   x << mean_slope, 0.01 / furthest;
@@ -69,7 +69,7 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
                         .jacobian = [&](const auto& at, auto& jacobian) { deviations.set_jacobian(at, jacobian); }},
                        {.relative_step = 1e-12, .relative_decrease = 1e-14}, x);
 
-  // A bend of less than this cannot be told from none: c2 would be a thousand times the range of the data.
+  // A smaller curvature cannot be distinguished from zero: c2 would be a thousand times the range of the data.
   constexpr double least_bend = 1e-3;
   if (!(x[0] > 0.0) || !(x[1] * furthest > least_bend)) return std::nullopt;
   const double c2 = 1.0 / x[1], c1 = x[0] * c2;

@@ -64,7 +64,7 @@ TEST(RunBenchmark, MeasuresEveryCaseInEveryRound) {
   EXPECT_DOUBLE_EQ(shares.back(), 1.0);
 }
 
-TEST(RunBenchmark, RefusesNothingToDo) {
+TEST(RunBenchmark, RefusesAnEmptyPlan) {
   EXPECT_THROW(run_benchmark({}), InputError);
   EXPECT_THROW(run_benchmark({.cases = {{.cells = 16}}, .rounds = 0}), InputError);
   EXPECT_THROW(run_benchmark({.cases = {{.cells = 16}}, .seconds = 0.0}), InputError);

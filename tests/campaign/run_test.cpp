@@ -16,16 +16,16 @@ namespace {
 
 using testing::HasSubstr;
 
-// Two studies without a hash could not be told apart on the disk.
+// The results of studies without a hash could not be distinguished on the disk.
 TEST(RunStudy, RefusesAStudyWithoutAHash) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(test::two_stages(), results)); }),
-              HasSubstr("does not come from a deck"));
+              HasSubstr("this study has no provenance"));
   EXPECT_FALSE(std::filesystem::exists(results));
 }
 
-TEST(RunStudy, LeavesNothingBehindWhereItFailsAtOnce) {
+TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
   study.provenance.hash = "0123456789abcdef";
   study.stages[0].filler->sizes = SingleSize{10.0};

@@ -90,7 +90,7 @@ TEST_F(CheckpointTest, ATornStateIsNamedAndTheOlderOneUsed) {
   damage(path_);
   auto other = opened();
   EXPECT_THAT(other.look_for_earlier(),
-              ElementsAre(path_.string() + ": damaged: wrong checksum; the one before it is used"));
+              ElementsAre(path_.string() + ": damaged: wrong checksum; the previous checkpoint is used"));
   ASSERT_NE(other.earlier(), nullptr);
   EXPECT_EQ(other.earlier()->number("/number"), 1.0);
   other.save(state(3.0));
@@ -105,15 +105,15 @@ TEST_F(CheckpointTest, WithBothTornItBeginsAnew) {
   write_text(path_, "of another program");
   auto other = opened();
   EXPECT_THAT(other.look_for_earlier(),
-              ElementsAre(HasSubstr("no checkpoint of Breccia; this packing or test begins anew"),
-                          HasSubstr("damaged: wrong checksum; this packing or test begins anew")));
+              ElementsAre(HasSubstr("no checkpoint of Breccia; this packing or test starts anew"),
+                          HasSubstr("damaged: wrong checksum; this packing or test starts anew")));
   EXPECT_EQ(other.earlier(), nullptr);
 }
 
 TEST_F(CheckpointTest, BetweenTwoNamesTheOlderOneIsFound) {
   auto checkpoint = opened();
   checkpoint.save(state(1.0));
-  // As a run leaves it that is killed after the first of two renamings.
+  // The files of a run that was killed after the first of two renamings.
   std::filesystem::rename(path_, older_state(path_));
   EXPECT_EQ(found(), 1.0);
 }
@@ -126,10 +126,10 @@ TEST_F(CheckpointTest, ARunOfAnotherDeckOrVersionIsRefused) {
               HasSubstr("another deck: a value, a seed, an override or a data file differs"));
   auto of_other_version = opened({"0123", "1.1"});
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(of_other_version.look_for_earlier()); }),
-              HasSubstr("left by version 1.0 of Breccia, this is version 1.1"));
+              HasSubstr("saved by version 1.0 of Breccia, this is version 1.1"));
 }
 
-TEST_F(CheckpointTest, AResultIsTold) {
+TEST_F(CheckpointTest, AResultIsRecognised) {
   auto checkpoint = opened();
   checkpoint.save(state(1.0));
   checkpoint.finish(state(2.0));
@@ -147,7 +147,7 @@ TEST_F(CheckpointTest, AnEndOfTheRunIsDueAtOnceAndLeavesTheState) {
   auto checkpoint = opened(owner_, {.interval = 1e6, .stop = [] { return true; }});
   ASSERT_TRUE(checkpoint.is_due());
   EXPECT_EQ(test::message_of<Interrupted>([&] { checkpoint.save(state(3.0)); }),
-            "interrupted; the state is on the disk, and --resume goes on from it");
+            "interrupted; the state is saved, and --resume continues from it");
   EXPECT_EQ(found(), 3.0);
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> quick(std::vector<std::string> options) {
   return options;
 }
 
-TEST(Bench, TellsEveryCaseInJson) {
+TEST(Bench, PrintsEveryCaseAsJson) {
   const auto outcome =
       bench(quick({"--json", "--terms", "0", "10", "--threads", "1", "2", "--instructions", "baseline"}));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
@@ -49,7 +49,7 @@ TEST(Bench, TellsEveryCaseInJson) {
   EXPECT_EQ(json.at("kernels")[7].at("formulation"), "classical");
 }
 
-TEST(Bench, MeasuresEveryCaseThatIsAskedFor) {
+TEST(Bench, MeasuresEveryRequestedCase) {
   const auto outcome = bench({"--json", "--formulation", "total-lagrangian", "classical", "--points", "256", "1024",
                               "--terms", "1", "--threads", "1", "--seconds", "0.01", "--rounds", "1"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;

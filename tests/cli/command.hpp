@@ -9,7 +9,7 @@
 
 namespace breccia::test {
 
-/// What a run of the `breccia` command left.
+/// Exit code and output of a run of the `breccia` command.
 struct Outcome {
   int exit_code = -1;  ///< -1 when a signal ended it
   std::string output;  ///< standard output

@@ -81,7 +81,7 @@ TEST_F(CommandLine, CheckSumsUp) {
   EXPECT_GT(one.megabytes, 0.0);
 }
 
-TEST_F(CommandLine, CheckTellsLargeMemoriesInGigabytes) {
+TEST_F(CommandLine, CheckPrintsLargeMemoriesInGigabytes) {
   const auto check = run({"check", "deck.toml", "--set", "stages.A.cells=2500"});
   EXPECT_THAT(check.output, HasSubstr(" GB, some "));
   EXPECT_THAT(check.output, testing::Not(HasSubstr("000 MB")));

@@ -50,7 +50,7 @@ TEST(DeckWarnings, ReachCheckAndRunAndTheRecordAndTheReport) {
 }
 
 // Four discs of 2 mm in 36 mm^2 fill pi / 9, and one in the rest pi / 36; densities of 1.5 and 1 g/cm^3.
-TEST(DeckWarnings, TheFillerOfTheWholeIsTold) {
+TEST(DeckWarnings, ThePlanShowsTheFillerOfTheWhole) {
   const StudyDirectory study(two_stages());
   const auto line = HasSubstr("B: filler of the whole: 40.6 % by volume, 50.6 % by mass\n");
   const auto check = study.breccia("check");
@@ -93,8 +93,8 @@ TEST(DeckWarnings, TheGapIsShownWithItsSource) {
     return study.breccia("check", {"--set", "stages.A.filler.gap=" + gap}).output;
   };
   EXPECT_THAT(shown("0.12 mm"), HasSubstr("    gap      120 um (1.2 cells of 100 um)\n"));
-  EXPECT_THAT(shown("3 points"),
-              HasSubstr("    gap      150 um (1.5 cells of 100 um, from 3 points): other cells make another gap"));
+  EXPECT_THAT(shown("3 points"), HasSubstr("    gap      150 um (1.5 cells of 100 um, from 3 points): it depends on "
+                                           "the grid; other cells give another gap"));
   EXPECT_THAT(shown("12 %"), HasSubstr("    gap      120 um (1.2 cells of 100 um, 12 % of the smallest diameter)\n"));
   study.write("deck.toml", replaced(std::string(good_deck), ", gap = \"0.1 mm\"", ""));
   EXPECT_THAT(study.breccia("check").output, HasSubstr("the default of 10 % of the smallest diameter)\n"));
@@ -139,7 +139,7 @@ TEST(DeckWarnings, APeriodicMicrostructureIsReadBackToTheSameBits) {
   EXPECT_THAT(read.breccia("check", {"--set", "stages.A.packing.walls=true"}).errors, HasSubstr("crosses a wall"));
 }
 
-TEST(DeckWarnings, BoundsThatCutPeriodicParticlesAreTheWishOfTheDeck) {
+TEST(DeckWarnings, BoundariesThatCutPeriodicParticlesAreOnlyUsedOnRequest) {
   const StudyDirectory study(replaced(std::string(good_deck), "seed = 1", "walls = false"));
   EXPECT_THAT(study.breccia("check").output, Not(HasSubstr("cut the particles")));
   EXPECT_THAT(study.breccia("check", {"--set", R"(tests.boundaries=["displacement", "periodic"])"}).output,

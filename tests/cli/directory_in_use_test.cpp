@@ -30,7 +30,7 @@ class DirectoryOfAnotherProcess : public testing::Test {
     for (const auto& name : study_.results()) all[name] = read_text(study_.result(name));
     return all;
   }
-  /// What the other process has written so far: all of its results, but for their names.
+  /// Writes the files of the other process so far: all of its results, still under temporary names.
   void write_unfinished(const std::string& directory) const {
     const auto whole = study_.result(directory);
     const auto copy = study_.path() / "copy";
@@ -89,7 +89,7 @@ TEST_F(DirectoryOfAnotherProcess, EndsASweepAndIsNoFailureOfATask) {
   expect_refusal_in("seed-2", StudyDirectory::arguments("pack", seeds_));
 }
 
-TEST_F(DirectoryOfAnotherProcess, EndsASweepThatComesToIt) {
+TEST_F(DirectoryOfAnotherProcess, EndsASweepWithATaskInIt) {
   // A process that begins in the directory of the second task while the first one runs.
   auto more = seeds_;
   more.insert(more.end(), {"--set", "stages.A.cells=120"});
@@ -105,7 +105,7 @@ TEST_F(DirectoryOfAnotherProcess, EndsASweepThatComesToIt) {
               testing::AllOf(HasSubstr("waiting"), testing::Not(HasSubstr("failed"))));
 }
 
-TEST(DirectoryThatIsALink, StaysOne) {
+TEST(DirectoryThatIsALink, RemainsALink) {
   const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
   fs::create_directory(study.path() / "disk");
   fs::create_directory_symlink("disk", study.path() / "out");

@@ -12,7 +12,7 @@ struct DocumentedCommand {
   std::vector<std::string> output;     ///< lines; empty where the page quotes none
 };
 
-/// A page of the documentation that tells its reader to write files and to run the program.
+/// A page of the documentation with files for its reader to write and commands to run.
 struct DocumentationPage {
   std::map<std::string, std::string> files;  ///< by name: blocks of text after a paragraph that names a file first
   std::vector<DocumentedCommand> commands;   ///< all of the program, in order

@@ -55,7 +55,7 @@ bool is_needed(const std::vector<test::DocumentedCommand>& commands, std::size_t
          std::any_of(commands.begin() + static_cast<std::ptrdiff_t>(index) + 1, commands.end(), works_with_results);
 }
 
-/// Does what a page of the documentation asks for, and compares what it quotes with what is printed.
+/// Runs the commands of a page of the documentation, and compares the quoted output with the printed one.
 void follow(const fs::path& markdown) {
   const auto page = test::read_documentation(read_text(markdown));
   ASSERT_FALSE(page.commands.empty());
@@ -67,7 +67,7 @@ void follow(const fs::path& markdown) {
     const auto& [arguments, output] = page.commands[i];
     SCOPED_TRACE(testing::PrintToString(arguments));
     const auto outcome = test::run_breccia(directory.path(), on_one_thread(arguments));
-    // What is refused stands in the page for its message.
+    // For a command that is refused the page quotes the error message.
     const bool is_refused = outcome.exit_code != 0 && outcome.output.empty() && !output.empty();
     EXPECT_TRUE(outcome.exit_code == 0 || is_refused) << outcome.errors;
     expect_lines_in_order(output, outcome.output + outcome.errors);

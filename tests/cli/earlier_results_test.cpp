@@ -1,4 +1,4 @@
-// What is in a directory before a command writes to it.
+// Tests of files that are in a directory before a command writes to it.
 
 #include <map>
 #include <string>
@@ -63,7 +63,7 @@ TEST_F(EarlierResults, OfAnotherStudyAreNotReplacedUnasked) {
   }
 }
 
-TEST_F(EarlierResults, StayWhereARunFails) {
+TEST_F(EarlierResults, AreKeptIfARunFails) {
   const auto run = study_.breccia("run", jams_);
   EXPECT_EQ(run.exit_code, 3) << run.errors;
   expect_nothing_lost();
@@ -77,7 +77,8 @@ TEST_F(EarlierResults, StayUntilTheNewOnesAreWhole) {
   cut_off.insert(cut_off.end(), {"--time-limit", "1 us"});
   const auto run = study_.breccia("run", cut_off);
   EXPECT_EQ(run.exit_code, 130) << run.errors;
-  EXPECT_THAT(run.output, HasSubstr("The earlier results stay until the new ones, in out/unfinished, are whole"));
+  EXPECT_THAT(run.output,
+              HasSubstr("The earlier results are kept until the new ones, in out/unfinished, are complete"));
   for (const auto& [name, bytes] : before_) EXPECT_EQ(read_text(study_.result(name)), bytes) << name;
 
   auto and_resume = other_;
@@ -92,7 +93,7 @@ TEST_F(EarlierResults, StayUntilTheNewOnesAreWhole) {
   EXPECT_EQ(read_text(study_.result("curves.csv")), read_text(alone.result("curves.csv")));
 }
 
-TEST_F(EarlierResults, OfStagesThatAreNoMoreAreReplacedToo) {
+TEST_F(EarlierResults, OfRemovedStagesAreReplacedToo) {
   auto deck = read_text(study_.path() / "deck.toml");
   study_.write("deck.toml", test::replaced(deck, R"("A")", R"("B")"));
   const auto run = study_.breccia("run", {"--overwrite"});

@@ -1,4 +1,4 @@
-// What is in a directory before a sweep writes to it.
+// Tests of files that are in a directory before a sweep writes to it.
 
 #include <csignal>
 #include <string>
@@ -82,7 +82,7 @@ class ReplacedSweep : public testing::Test {
   const StudyDirectory study_{test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12")};
 };
 
-TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsFirstTask) {
+TEST_F(ReplacedSweep, ResumesFromAnInterruptionInItsFirstTask) {
   const auto table = read_text(study_.result("sweep.csv"));
   cut_off_in_the_first_task();
   EXPECT_EQ(read_text(study_.result("sweep.csv")), table);
@@ -91,7 +91,7 @@ TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsFirstTask) {
   expect_the_results_of_the_other();
 }
 
-TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsSecondTask) {
+TEST_F(ReplacedSweep, ResumesFromAnInterruptionInItsSecondTask) {
   test::RunningCommand sweep(study_.path(), StudyDirectory::arguments("run", other({"--overwrite"})));
   ASSERT_TRUE(sweep.reaches([&] { return fs::exists(study_.result("seed-2/unfinished")); }));
   sweep.send(SIGINT);
@@ -103,18 +103,18 @@ TEST_F(ReplacedSweep, GoesOnWhereItWasCutOffInItsSecondTask) {
   expect_the_results_of_the_other();
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceWhatCameAfterItHadBegun) {
+TEST_F(ReplacedSweep, DoesNotReplaceResultsWrittenAfterItsStart) {
   cut_off_in_the_first_task();
   const auto run = test::run_breccia(study_.path(), third({"--out", "out/seed-2", "--overwrite"}));
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto curves = read_text(study_.result("seed-2/curves.csv"));
   const auto resumed = study_.breccia("run", other({"--resume"}));
   EXPECT_EQ(resumed.exit_code, 2);
-  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot go on from these results: the overrides were"));
+  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot resume from these results: the overrides were"));
   EXPECT_EQ(read_text(study_.result("seed-2/curves.csv")), curves);
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsThatCameAfterItHadBegun) {
+TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsWrittenAfterItsStart) {
   cut_off_in_the_first_task();
   ASSERT_EQ(test::run_breccia(study_.path(), third({"--out", "third"})).exit_code, 0);
   fs::rename(study_.path() / "third", study_.result("seed-2/unfinished"));
@@ -124,7 +124,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceUnfinishedTestsThatCameAfterItHadBegun) {
   EXPECT_TRUE(fs::exists(study_.result("seed-2/unfinished/curves.csv")));
 }
 
-TEST_F(ReplacedSweep, DoesNotReplaceWhatTookThePlaceOfADoneTask) {
+TEST_F(ReplacedSweep, DoesNotReplaceOtherResultsInPlaceOfAFinishedTask) {
   const auto run = test::run_breccia(study_.path(), third({"--out", "out/seed-2", "--overwrite"}));
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto curves = read_text(study_.result("seed-2/curves.csv"));
@@ -132,7 +132,7 @@ TEST_F(ReplacedSweep, DoesNotReplaceWhatTookThePlaceOfADoneTask) {
   resume.emplace_back("--resume");
   const auto resumed = study_.breccia("run", resume);
   EXPECT_EQ(resumed.exit_code, 2);
-  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot go on from these results"));
+  EXPECT_THAT(resumed.errors, StartsWith("out/seed-2: cannot resume from these results"));
   EXPECT_EQ(read_text(study_.result("seed-2/curves.csv")), curves);
 }
 

@@ -40,7 +40,7 @@ TEST(RunFailure, OutputDirectoryUnderAFile) {
   }
 }
 
-TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
+TEST(RunFailure, ADirectoryHasTheNameOfAResultFile) {
   const StudyDirectory study(model_deck);
   fs::create_directories(study.result("curves.csv/in-the-way"));
   const auto run = study.breccia("run", {"--set", "stages.A.cells=8"});
@@ -154,7 +154,8 @@ struct BadFactors {
 TEST(RunFailure, DensityFactorsDoNotCoverTheTimes) {
   const StudyDirectory study(test::homogeneous_deck);
   const std::vector<BadFactors> cases{
-      {R"(["1 ms", "50 ms"])", "[1e6]", "factor 1e+06 no time up to 5.000e-02 s comes after 3 there-and-back transits"},
+      {R"(["1 ms", "50 ms"])", "[1e6]",
+       "factor 1e+06 the run is valid nowhere up to 5.000e-02 s, which is less than 3 there-and-back"},
       {R"(["15 ms", "50 ms"])", "[15]", "relaxes faster than waves cross the box; give a smaller density factor"},
       {R"(["1 ms", "15 ms"])", "[5]", "but times begin at 1.000e-03 s; give a first density factor below 0.25"},
   };

@@ -89,7 +89,7 @@ TEST(Fields, OfQuasistaticTestsAverageToTheirCurves) {
   }
 }
 
-TEST(Fields, OfTheLastTimeAloneByDefaultAndNoneWhenUnwanted) {
+TEST(Fields, AreSavedAtTheLastTimeByDefaultAndNotWithNone) {
   const StudyDirectory study(test::model_deck);
   ASSERT_EQ(study.breccia("run", with({"--set", "tests.method=quasistatic"})).exit_code, 0);
   EXPECT_EQ(expect_averages(study), 3);

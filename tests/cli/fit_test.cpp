@@ -180,7 +180,7 @@ TEST_F(Fit, CarriesTheKindOfTheModulus) {
       HasSubstr("expected a column of the shear modulus, got \"youngs_modulus_Pa\", that of Young's modulus: convert"));
 }
 
-TEST_F(Fit, IsToldTheKindOfTheModulus) {
+TEST_F(Fit, TakesTheKindOfTheModulusFromAnOption) {
   write_curve("g.csv", "time_s,modulus_Pa", logarithmic(1e-3, 1e2, 10), relaxation);
   ASSERT_EQ(run({"g.csv", "--modulus", "bulk", "--quiet"}).exit_code, 0);
   EXPECT_TRUE(result("results/g-fit/prony.csv").has("bulk_modulus_Pa"));

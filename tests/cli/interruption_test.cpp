@@ -31,7 +31,7 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
   run.send(GetParam());
   const auto outcome = run.wait();
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
+  EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
   EXPECT_THAT(study.results(), testing::ElementsAre("A/microstructure.csv", "A/microstructure.svg",
                                                     "A/packing.checkpoint.h5", "A/shear-displacement-dynamic-24-1.h5",
                                                     "A/shear-displacement-dynamic-24.checkpoint.h5", "study.json"));
@@ -46,11 +46,11 @@ TEST_P(Interruption, KeepsAPackingOnItsWay) {
   pack.send(GetParam());
   const auto outcome = pack.wait();
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
+  EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
   EXPECT_THAT(study.results(), testing::ElementsAre("A/packing.checkpoint.h5", "study.json"));
 }
 
-TEST_P(Interruption, SparesThePlotThatIsBeingDrawn) {
+TEST_P(Interruption, DoesNotReachGnuplot) {
   const StudyDirectory study(test::homogeneous_deck);
   const char* const before = std::getenv("PATH");
   ASSERT_NE(before, nullptr);

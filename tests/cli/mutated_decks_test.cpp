@@ -126,7 +126,7 @@ dynamic = { courant = 0.9, ramp_transits = 2, density_factors = "auto", overlap 
 "stages.A.packing.seed" = [1, 2]
 )"};
 
-/// What the decks name.
+/// Writes the files that the decks name.
 void write_data(const test::TemporaryDirectory& directory) {
   directory.write("binder.csv", "relaxation_time_s,modulus_Pa\n1e-3,2e6\n1e-2,1e6\n");
   directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n5e-4,0\n1e-3,0.5\n2e-3,1\n");
@@ -134,7 +134,7 @@ void write_data(const test::TemporaryDirectory& directory) {
   directory.write("measured.csv", "time_s,modulus_Pa\n1e-6,1e9\n1e-2,1e6\n");
 }
 
-/// Memory that the command may take: what asks for more is to say so, and not to take it from others.
+/// Limits the memory of the command, so that a deck that needs more fails and does not exhaust the machine.
 class MemoryLimit {
  public:
   MemoryLimit() {
@@ -163,7 +163,7 @@ class MemoryLimit {
   rlimit before_{};
 };
 
-/// The command on the deck of a directory; exit code -1 where it takes longer than anything here may.
+/// Runs the command on the deck of a directory; exit code -1 if it takes longer than any of these decks may.
 test::Outcome run(const fs::path& directory) {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds longest(20);
@@ -185,7 +185,7 @@ bool has_every_line(const std::string& text, const std::regex& form) {
   return is_any;
 }
 
-/// What is wrong with the results of a study; empty when nothing is.
+/// The defects of the results of a study; empty if there are none.
 std::string flaw_of_results(const fs::path& directory) {
   for (const auto* name : {"curves.csv", "prony.csv", "study.json", "report.html", "A/microstructure.svg"}) {
     if (!fs::exists(directory / name)) return std::string("no ") + name;
@@ -219,7 +219,7 @@ std::string half_done(const fs::path& directory) {
   return {};
 }
 
-/// What is wrong with what a run did; empty when nothing is.
+/// The defects of a run; empty if there are none.
 std::string flaw_of(const test::Outcome& outcome, const fs::path& results) {
   static const std::regex located(R"(^deck\.toml:\d+:\d+: )");
   switch (outcome.exit_code) {

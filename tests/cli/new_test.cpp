@@ -33,12 +33,12 @@ TEST(New, OverwritesNothing) {
   for (const auto* name : {"mine.toml", "link.toml"}) {
     const auto refused = test::run_breccia(directory.path(), {"new", name});
     EXPECT_EQ(refused.exit_code, 2);
-    EXPECT_THAT(refused.errors, HasSubstr("is there already"));
+    EXPECT_THAT(refused.errors, HasSubstr("the file exists and is not overwritten"));
   }
   EXPECT_EQ(read_text(directory.path() / "mine.toml"), "# a month of work\n");
 }
 
-TEST(New, RefusesNamesThatCannotBe) {
+TEST(New, RefusesInvalidNames) {
   const test::TemporaryDirectory directory;
   const auto nameless = test::run_breccia(directory.path(), {"new"});
   EXPECT_EQ(nameless.exit_code, 2);

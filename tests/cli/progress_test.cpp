@@ -39,7 +39,7 @@ class ProgressTest : public testing::Test {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream{std::fopen(file.c_str(), "w"), std::fclose};
 };
 
-TEST_F(ProgressTest, GoesOnWhileACalculationIsSilent) {
+TEST_F(ProgressTest, PrintsLinesDuringLongSteps) {
   Progress progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.25, "snapshot 3");
   wait_for_lines(3);
@@ -49,14 +49,14 @@ TEST_F(ProgressTest, GoesOnWhileACalculationIsSilent) {
   EXPECT_THAT(text, HasSubstr(" left\n"));
 }
 
-TEST_F(ProgressTest, OfWhatHasHardlyBegunNobodyKnowsTheEnd) {
+TEST_F(ProgressTest, EstimatesNoRemainingTimeAtTheBeginning) {
   Progress progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.0, "begun");
   wait_for_lines(1);
   EXPECT_THAT(shown(), testing::Not(HasSubstr("left")));
 }
 
-TEST_F(ProgressTest, TellsOfTheLatest) {
+TEST_F(ProgressTest, ShowsTheLatestUpdate) {
   Progress progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.5, "snapshot 5");
   progress.update("HB-1 lower bound", 0.1, "snapshot 1");
@@ -64,7 +64,7 @@ TEST_F(ProgressTest, TellsOfTheLatest) {
   EXPECT_THAT(shown(), testing::StartsWith("HB-1 lower bound: 10 %, snapshot 1, "));
 }
 
-TEST_F(ProgressTest, SaysNothingWhenQuiet) {
+TEST_F(ProgressTest, PrintsNothingWhenQuiet) {
   {
     Progress progress(true, stream.get(), {milliseconds(0), short_while});
     progress.update("HB-1 upper bound", 0.5, "snapshot 5");
@@ -73,7 +73,7 @@ TEST_F(ProgressTest, SaysNothingWhenQuiet) {
   EXPECT_EQ(shown(), "");
 }
 
-TEST_F(ProgressTest, SaysNothingBeforeItsTime) {
+TEST_F(ProgressTest, PrintsNothingBeforeALineIsDue) {
   {
     Progress progress(false, stream.get(), {std::chrono::hours(1), short_while});
     progress.update("HB-1 upper bound", 0.5, "snapshot 5");

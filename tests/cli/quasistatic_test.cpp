@@ -115,7 +115,7 @@ TEST_F(Quasistatic, CreepIsSlowerThanTheInverseOfRelaxation) {
   for (std::size_t i = 0; i < moduli.size(); ++i) EXPECT_LT(moduli[i].value * compliances[i].value, 1.0);
 }
 
-TEST_F(Quasistatic, SeriesSayWhatCurvesSay) {
+TEST_F(Quasistatic, SeriesAgreeWithCurves) {
   const auto table = read_csv(study->result("prony.csv"), {"stage", "load", "boundary"});
   for (const auto& row : rows_of(study->result("curves.csv"), "modulus_Pa")) {
     double modulus = 0.0;
@@ -127,7 +127,7 @@ TEST_F(Quasistatic, SeriesSayWhatCurvesSay) {
   }
 }
 
-TEST_F(Quasistatic, ProvenanceTellsOfSnapshotsAndResiduals) {
+TEST_F(Quasistatic, ProvenanceRecordsSnapshotsAndResiduals) {
   const auto json = Json::parse(read_text(study->result("study.json")));
   const auto& test = json["stages"][0]["tests"][0];
   EXPECT_EQ(test["solver"], "reduced");
@@ -158,7 +158,7 @@ TEST_F(Quasistatic, RespondGivesTheSameWithTheSameMatrixAndTheRunWithAnother) {
   }
 }
 
-TEST_F(Quasistatic, RespondRefusesWhatItCannotTell) {
+TEST_F(Quasistatic, RespondRefusesBadArguments) {
   study->write("stiff.toml", "density = \"1 g/cm^3\"\nbulk = \"1 MPa\"\nshear = \"3 GPa\"\n");
   study->write("bad.toml", "bulk = \"1 um\"\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {

@@ -20,7 +20,7 @@ using Json = nlohmann::json;
 
 namespace fs = std::filesystem;
 
-/// What a page holds of its study.
+/// The data of the study in a page.
 Json data_of(const std::string& page) {
   const std::string begin = R"(id="data">)";
   const auto from = page.find(begin) + begin.size();
@@ -45,7 +45,7 @@ class Report : public ::testing::Test {
   StudyDirectory study{test::model_deck};
 };
 
-TEST_F(Report, HoldsWhatIsOnTheDisk) {
+TEST_F(Report, ContainsTheResultsOnTheDisk) {
   const auto data = data_of(read_text(study.result("report.html")));
   EXPECT_EQ(data.at("study"), Json::parse(read_text(study.result("study.json"))));
   EXPECT_EQ(data.at("study").at("complete"), true);
@@ -59,7 +59,7 @@ TEST_F(Report, HoldsWhatIsOnTheDisk) {
   EXPECT_EQ(response.at("filler_Pa").size(), response.at("load_forces").size());
 }
 
-TEST_F(Report, TellsWhenAndHowWell) {
+TEST_F(Report, ShowsDateAndAccuracy) {
   const auto record = Json::parse(read_text(study.result("study.json")));
   EXPECT_THAT(record.at("date").get<std::string>(),
               ::testing::MatchesRegex("20[0-9][0-9]-[01][0-9]-[0-3][0-9]T[0-2][0-9]:[0-5][0-9]:[0-6][0-9]Z"));
@@ -76,7 +76,7 @@ TEST_F(Report, TellsWhenAndHowWell) {
   EXPECT_EQ(bounds.at("last").at("lower_Pa"), nullptr);
 }
 
-TEST_F(Report, TellsTheTemperatureShift) {
+TEST_F(Report, ShowsTheTemperatureShift) {
   const auto study_record = Json::parse(read_text(study.result("study.json")));
   const auto& shift = study_record.at("materials").at(0).at("temperature_shift");
   EXPECT_DOUBLE_EQ(shift.at("c1"), 6.5);
@@ -95,7 +95,7 @@ TEST_F(Report, IsTheSameWhenWrittenAnew) {
   EXPECT_EQ(read_text(study.result("report.html")), first);
 }
 
-TEST_F(Report, RefusesWhatDoesNotBelongTogether) {
+TEST_F(Report, RefusesFilesOfDifferentStudies) {
   auto record = Json::parse(read_text(study.result("study.json")));
   record["hash"] = "0123456789abcdef";
   write_text(study.result("study.json"), record.dump());
@@ -104,7 +104,7 @@ TEST_F(Report, RefusesWhatDoesNotBelongTogether) {
   EXPECT_THAT(outcome.errors, HasSubstr("out/A/response.h5: of another study (hash "));
 }
 
-TEST_F(Report, RefusesWhatIsNoRecordOfAStudy) {
+TEST_F(Report, RefusesInvalidRecords) {
   for (const auto* text :
        {"{", "[]", "{}", R"({"title": 1, "hash": "", "stages": []})", R"({"title": "", "hash": ""})"}) {
     write_text(study.result("study.json"), text);

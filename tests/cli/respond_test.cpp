@@ -104,7 +104,7 @@ class Respond : public ::testing::Test {
 
 std::unique_ptr<StudyDirectory> Respond::study;
 
-TEST_F(Respond, AnswersWhatRunsAtOtherTemperaturesFind) {
+TEST_F(Respond, AgreesWithRunsAtOtherTemperatures) {
   const auto answered = respond({"--temperature", "-40 degC", "--temperature", "0 degC", "--temperature", "313.15 K",
                                  "--temperature", "80 degC"});
   ASSERT_EQ(answered.exit_code, 0) << answered.errors;
@@ -131,7 +131,7 @@ TEST_F(Respond, AnswersTheTemperatureOfTheRunWithTheRun) {
             1e-9);
 }
 
-TEST_F(Respond, AStageAtATemperatureBringsThoseThatItBuildsOn) {
+TEST_F(Respond, AStageAtATemperatureIncludesTheStagesThatItBuildsOn) {
   const auto coarse = respond({"--temperature", "30 degC", "--stage", "coarse", "--out", "coarse"});
   ASSERT_EQ(coarse.exit_code, 0) << coarse.errors;
   EXPECT_THAT(coarse.output, HasSubstr("\nfine\n"));
@@ -140,7 +140,7 @@ TEST_F(Respond, AStageAtATemperatureBringsThoseThatItBuildsOn) {
   EXPECT_THAT(fine.output, Not(HasSubstr("coarse\n")));
 }
 
-TEST_F(Respond, RefusesWhatIsNoTemperature) {
+TEST_F(Respond, RefusesInvalidTemperatures) {
   study->write("binder.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> mistakes = {
       {{"--temperature", "40"}, R"(--temperature: expected a temperature with its unit, such as "19 degC", got "40")"},
@@ -166,7 +166,7 @@ TEST_F(Respond, RefusesWhatIsNoTemperature) {
   EXPECT_FALSE(std::filesystem::exists(study->result("respond-41degC")));
 }
 
-TEST_F(Respond, TellsWhichTimesAreCovered) {
+TEST_F(Respond, ReportsTheCoveredTimes) {
   // 10 GPa / (1 + t / 1 us) at s = 1/t is more than 1.05 times the unrelaxed 993.8 MPa of the binder before 8.58 us.
   study->write("stiff.toml", R"(density = "1 g/cm^3"
 bulk    = "3 GPa"
@@ -179,7 +179,7 @@ shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("from 1 us to 100 us stiff shows a shear modulus from 99 MPa to 5 GPa; the "
                                         "study has sampled"));
-  EXPECT_THAT(refused.errors, HasSubstr("a study with this material as its matrix covers all of it"));
+  EXPECT_THAT(refused.errors, HasSubstr("a new study with this material as its matrix covers all of it"));
   EXPECT_THAT(refused.errors, HasSubstr("covered from 8.7 us to 100 us: --times \"8.7 us\" \"100 us\""));
   EXPECT_FALSE(std::filesystem::exists(study->path() / "stiff"));
   auto covered = asked;
@@ -233,9 +233,8 @@ TEST(SweepOverTemperatures, IsOneRun) {
   const auto sweep = study.breccia(
       "run", {"--sweep", R"(materials.binder.temperature_shift.temperature=["20 degC", "-40 degC", "60 degC"])"});
   ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
-  EXPECT_THAT(
-      sweep.output,
-      HasSubstr("coarse: at another temperature from the responses of task temperature-20-degC, without maps\n"));
+  EXPECT_THAT(sweep.output, HasSubstr("coarse: computed from the reduced responses of task temperature-20-degC, at "
+                                      "another temperature, without field maps\n"));
   for (const std::string temperature : {"-40 degC", "60 degC"}) {
     const StudyDirectory single(chain);
     const auto run = single.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=" + temperature});

@@ -88,7 +88,7 @@ TEST_F(Results, CurvesAreATidyTable) {
   EXPECT_THAT(lines, SizeIs(1 + 2 * 21)) << "20 a decade, both ends";
 }
 
-TEST_F(Results, ProvenanceTellsWhatWasRun) {
+TEST_F(Results, ProvenanceRecordsTheRun) {
   const auto json = provenance();
   EXPECT_EQ(json["program"], "breccia");
   EXPECT_EQ(json["title"], "Model composite");
@@ -170,7 +170,7 @@ TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {
   EXPECT_NEAR(static_cast<double>(std::accumulate(material.begin(), material.end(), std::int64_t{0})) / (48.0 * 48.0),
               provenance()["stages"][0]["filler_point_fraction"].get<double>(), 1e-12);
 
-  // Of the first load: a unit of engineering shear strain. The stress is that of the last time, up to ringing.
+  // Fields of the first load, a unit engineering shear strain. The stress is that at the last time, up to ringing.
   ASSERT_THAT(fields.shape(data + "strain"), ElementsAre(48U * 48U, 6U));
   constexpr std::size_t xx = 0, xy = 3;
   const auto strain = fields.read_numbers(data + "strain");
@@ -186,7 +186,7 @@ TEST_F(Results, FieldsHoldTheDiscsAndAverageToTheLoad) {
   EXPECT_FALSE(tests[1].contains("fields")) << "of the first load alone";
 }
 
-TEST_F(Results, HistoriesTellWhatTheyBelongTo) {
+TEST_F(Results, HistoriesRecordTheirTest) {
   const auto json = provenance();
   for (const auto& test : json["stages"][0]["tests"]) {
     const auto load = test["load"].get<std::string>();

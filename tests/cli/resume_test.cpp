@@ -29,7 +29,7 @@ class Resume : public testing::Test {
       const auto outcome = study_.breccia("run", {"--resume", "--time-limit", "50 ms"});
       if (outcome.exit_code == 0) return interruptions;
       EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
-      EXPECT_EQ(outcome.errors, "interrupted; the state is on the disk, and --resume goes on from it\n");
+      EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
       if (outcome.exit_code != 130) return -1;
     }
   }
@@ -48,7 +48,7 @@ TEST_F(Resume, EndsWithTheBytesOfARunInOneGo) {
   }
 }
 
-TEST_F(Resume, WhereNothingWasLeftARunBegins) {
+TEST_F(Resume, WithoutEarlierResultsARunStartsAnew) {
   const auto outcome = study_.breccia("run", {"--resume", "--set", "tests.method=quasistatic"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
@@ -58,7 +58,7 @@ double wall_time_of_packing(const StudyDirectory& study) {
   return json["stages"][0]["microstructure"]["wall_time_s"];
 }
 
-TEST_F(Resume, PackingLeavesWhatARunHasToldAlone) {
+TEST_F(Resume, PackingDoesNotChangeTheResultsOfARun) {
   // Until the second of two tests has left its state.
   while (study_.breccia("run", {"--resume", "--time-limit", "50 ms"}).exit_code == 130 &&
          Json::parse(read_text(study_.result("study.json")))["stages"][0]["tests"].empty()) {
@@ -102,7 +102,7 @@ TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {
   const auto refused = study_.breccia("run", {"--resume"});
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("out: cannot go on from these results: deck.toml: line 9 was"), HasSubstr("1.5 g/cm^3"),
+              AllOf(HasSubstr("out: cannot resume from these results: deck.toml: line 9 was"), HasSubstr("1.5 g/cm^3"),
                     HasSubstr("1.6 g/cm^3"), HasSubstr("--out"), HasSubstr("--overwrite")));
   EXPECT_EQ(study_.results(), before) << "nothing is lost";
 }
@@ -131,7 +131,7 @@ TEST_F(Resume, ATornCheckpointIsNamed) {
   const auto outcome = study_.breccia("run", {"--resume"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.errors, HasSubstr("out/A/shear-displacement-dynamic-24.checkpoint.h5: torn, or no checkpoint of "
-                                        "Breccia; this packing or test begins anew"));
+                                        "Breccia; this packing or test starts anew"));
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
 }
 
@@ -142,7 +142,7 @@ TEST_F(Resume, WithoutTheOptionEverythingBeginsAnew) {
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith("checkpoint.h5"))));
 }
 
-TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
+TEST_F(Resume, HalfWrittenFilesOfAKilledRunAreRemoved) {
   interrupt();
   write_text(study_.result("curves.csv.123.partial"), "half");
   write_text(study_.result("A/modulus.svg.123.partial"), "half");
@@ -154,7 +154,7 @@ TEST_F(Resume, WhatAKilledRunWasWritingIsRemoved) {
   EXPECT_THAT(study_.results(), Not(Contains(EndsWith(".partial"))));
 }
 
-TEST_F(Resume, ATimeThatIsNoneIsRefused) {
+TEST_F(Resume, InvalidTimesAreRefused) {
   for (const auto* option : {"--time-limit", "--checkpoint-interval"}) {
     const auto outcome = study_.breccia("run", {option, "2 m"});
     EXPECT_EQ(outcome.exit_code, 2);

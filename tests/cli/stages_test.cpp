@@ -63,7 +63,7 @@ const std::string chain =
     test::replaced(test::replaced(passing_on, "method     = \"dynamic\"", "method = [\"quasistatic\", \"dynamic\"]"),
                    "cells   = 24", "cells   = 12");
 
-TEST(Stages, OfASweepAreComputedOnceWhereTheyAreTheSame) {
+TEST(Stages, OfASweepAreComputedOnceIfTheyAreTheSame) {
   const StudyDirectory sweep(chain), single(chain);
   const auto run = sweep.breccia("run", {"--sweep", "stages.B.cells=[8, 6]"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
@@ -79,7 +79,7 @@ TEST(Stages, OfASweepAreComputedOnceWhereTheyAreTheSame) {
   EXPECT_EQ(test::run_breccia(sweep.path(), {"report", "out/cells-6"}).exit_code, 0) << "all of one study";
 }
 
-TEST(Stages, OfASweepThatCannotBeAreTriedOnce) {
+TEST(Stages, OfASweepThatFailAreTriedOnce) {
   auto deck = test::replaced(chain, "sizes = { diameter = \"2 mm\" }",
                              "fraction = 0.85, gap = \"0 m\", sizes = { diameter = \"0.5 mm\" }");
   deck = test::replaced(deck, "method = \"regular\", columns = 2, rows = 2", "method = \"lubachevsky-stillinger\"");
@@ -89,7 +89,7 @@ TEST(Stages, OfASweepThatCannotBeAreTriedOnce) {
   EXPECT_THAT(run.errors, testing::AllOf(HasSubstr("cells-8: A: "), HasSubstr("cells-6: A: ")));
 }
 
-TEST(Stages, AStagePassesOnWhatItBecameUnderEachBoundary) {
+TEST(Stages, AStageIsTheMatrixUnderTheSameBoundary) {
   StudyDirectory study(passing_on);
   const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set",
                                          R"(tests.boundaries=["displacement", "traction", "periodic"])"});
@@ -131,7 +131,7 @@ TEST(Stages, ExtrapolatedResultsArePassedOn) {
   EXPECT_LT(worst, 1e-3);
 }
 
-TEST(Stages, ABadFitStopsTheStudyAndKeepsWhatIsDone) {
+TEST(Stages, ABadFitStopsTheStudyAndKeepsFinishedResults) {
   StudyDirectory study(passing_on);
   const auto run = study.breccia("run", {"--set", "tests.method=quasistatic", "--set", "tests.fit_tolerance=1e-12"});
   EXPECT_EQ(run.exit_code, 3);

@@ -112,7 +112,7 @@ TEST(Sweep, TheTableHoldsTheCurvesOfAllTasks) {
   EXPECT_THAT(spread.numbers("tasks"), testing::Each(3.0));
 }
 
-TEST(Sweep, ResumingRunsWhatIsNotDone) {
+TEST(Sweep, ResumingRunsUnfinishedTasks) {
   const StudyDirectory study(deck);
   ASSERT_EQ(study.breccia("run").exit_code, 0);
   const auto table = read_text(study.result("sweep.csv"));
@@ -130,7 +130,7 @@ TEST(Sweep, ResumingRunsWhatIsNotDone) {
 
   const auto other = study.breccia("run", {"--resume", "--set", "stages.A.cells=10"});
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot go on from these results"), HasSubstr("out/seed-3")));
+  EXPECT_THAT(other.errors, AllOf(HasSubstr("out/seed-1: cannot resume from these results"), HasSubstr("out/seed-3")));
   const auto instead = study.breccia("run", {"--overwrite", "--set", "stages.A.cells=10"});
   EXPECT_EQ(instead.exit_code, 0) << instead.errors;
   EXPECT_THAT(instead.output, Not(HasSubstr("complete already")));
@@ -230,7 +230,7 @@ TEST(Sweep, PackPacksEveryTask) {
   EXPECT_THAT(study.breccia("run", {"--resume"}).output, Not(HasSubstr("complete already"))) << "packed alone";
 }
 
-TEST(Sweep, NothingRunsBeforeAllMistakesAreMended) {
+TEST(Sweep, MistakesInAnyTaskPreventTheSweep) {
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--sweep", R"(tests.volumetric=["averaged", "norm"])"});
   EXPECT_EQ(run.exit_code, 2);

@@ -28,7 +28,7 @@ TEST(PronyFile, WithoutAnEquilibriumModulusSaysSo) {
   EXPECT_FALSE(read_prony_file(directory.written("g.csv", "relaxation_time_s,bulk_modulus_Pa\n1,2\n")).equilibrium);
 }
 
-TEST(PronyFile, SaysWhichModulusItHolds) {
+TEST(PronyFile, HasTheKindOfItsModulus) {
   const test::TemporaryDirectory directory;
   const auto path = directory.path() / "g.csv";
   write_prony_file(path, PronySeries(2.0, {{1.0, 3.0}}), ModulusKind::young);
@@ -44,7 +44,7 @@ TEST(PronyFile, InOtherUnitsIsTheSame) {
   EXPECT_EQ(PronySeries(*si.equilibrium, si.terms), PronySeries(*other.equilibrium, other.terms));
 }
 
-TEST(PronyFile, TellsAllMistakesAtOnce) {
+TEST(PronyFile, ReportsAllMistakesAtOnce) {
   const test::TemporaryDirectory directory;
   const auto path = directory.written("g.csv", "relaxation_time_s,modulus_Pa\n-1,2\n1,inf\ninf,1\ninf,2\n");
   const auto message = test::message_of<InputError>([&] { static_cast<void>(read_prony_file(path)); });

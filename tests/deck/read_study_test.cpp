@@ -27,7 +27,7 @@ TEST(StudyDeck, TheTitleDefaultsToTheNameOfTheDeck) {
   EXPECT_EQ(directory.study(test::join(test::materials, test::stage, test::tests)).title, "deck");
 }
 
-TEST(StudyDeck, TheHashTellsDecksAndOverridesApart) {
+TEST(StudyDeck, TheHashDistinguishesDecksAndOverrides) {
   const test::DeckDirectory directory;
   const auto text = test::join(test::materials, test::stage, test::tests);
   const auto hash = directory.study(text).provenance.hash;
@@ -43,7 +43,7 @@ TEST(StudyDeck, TheHashKnowsNoCommentsAndNoSweep) {
             directory.study(text).provenance.hash);
 }
 
-TEST(StudyDeck, TheHashTellsWhichFileALineIsIn) {
+TEST(StudyDeck, TheHashDependsOnTheFileOfALine) {
   const test::DeckDirectory directory;
   const auto bulk = test::replaced(test::join(test::materials, test::stage, test::tests), "bulk = \"3.6 GPa\"",
                                    "bulk = { prony = \"a.csv\" }");
@@ -57,7 +57,7 @@ TEST(StudyDeck, TheHashTellsWhichFileALineIsIn) {
   EXPECT_NE(directory.study(text).provenance.hash, hash);
 }
 
-TEST(StudyDeck, HashesOfStagesKnowWhatTheirResultsDependOn) {
+TEST(StudyDeck, HashesOfStagesDependOnTheInputsOfTheirResults) {
   const test::DeckDirectory directory;
   auto second = test::replaced(std::string(test::stage), "name = \"HB-1\"", "name = \"HB-2\"");
   const auto text = test::join(test::materials, test::stage, second, test::tests);

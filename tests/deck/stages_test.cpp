@@ -200,7 +200,7 @@ TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
               HasSubstr("discs.csv:2: expected a centre in the box"));
 }
 
-TEST_F(DeckStages, WhatIsNotAvailableIsNamed) {
+TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
   const auto discs_alone = HasSubstr("all particles are discs so far: other shapes and images are not available");
   EXPECT_THAT(mistakes("cells = 60\nfiller = [{ material = \"hmx\" }, { material = \"binder\" }]\npacking = { method = "
                        "\"regular\" }\n"),
@@ -227,7 +227,7 @@ TEST_F(DeckStages, MistakesInTheGrid) {
   EXPECT_THAT(mistakes("resolution = \"66 mm\""), HasSubstr("expected a reciprocal length, got \"66 mm\""));
 }
 
-TEST_F(DeckStages, StagesAreToldApart) {
+TEST_F(DeckStages, StagesNeedDifferentNames) {
   EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, test::stage, test::tests)),
               HasSubstr("stages.HB-1.name: another stage is called \"HB-1\""));
 }
@@ -335,7 +335,7 @@ TEST_F(DeckStages, MistakesInATableOfSizes) {
               HasSubstr("the table has no sizes from 1 mm to 2 mm: it covers 100 um to 200 um"));
 }
 
-TEST_F(DeckStages, WhatNoBoxHolds) {
+TEST_F(DeckStages, RefusesSizesAndBoxesOutOfRange) {
   constexpr auto one_size = "fraction = 0.5, sizes = { diameter = \"1 mm\" }, gap = ";
   EXPECT_THAT(mistakes(test::join(one_size, "\"inf points\""), random_packing), HasSubstr("got \"inf points\""));
   EXPECT_THAT(mistakes(test::join(one_size, "\"6 mm\""), random_packing),

@@ -87,7 +87,7 @@ filler  = { material = "hmx", sizes = { diameter = "2 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 )";
 
-TEST_F(SweepDeck, TheSeedOfAllPackingsIsThatOfTheRandomOnes) {
+TEST_F(SweepDeck, TheSeedOfAllPackingsIsSetInRandomOnesOnly) {
   const std::string every_seed = "stages.*.packing.seed=[7, 8]";
   deck = test::join(test::materials, test::stage, regular_stage, test::tests);
   const auto sweep = read("", {every_seed});
@@ -171,7 +171,7 @@ TEST_F(SweepDeck, TheHashOfATaskDoesNotDependOnTheOthers) {
   EXPECT_NE(few[0].study.provenance.hash, few[1].study.provenance.hash);
 }
 
-/// A sweep and what is wrong with it.
+/// A sweep with a mistake, and its message.
 struct BadSweep {
   const char* sweep;
   const char* message;

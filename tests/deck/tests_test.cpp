@@ -154,7 +154,7 @@ TEST_F(DeckTests, MistakesInTheDynamicMethod) {
   EXPECT_THAT(with("damping = 1"), HasSubstr("tests.dynamic: unknown key \"damping\""));
 }
 
-TEST_F(DeckTests, WhatThePartsAllowAndTheWholeDoesNot) {
+TEST_F(DeckTests, ContradictionsBetweenValidSettings) {
   const auto soft = R"([materials.soft]
 density = "1 g/cm^3"
 bulk = "1 GPa"

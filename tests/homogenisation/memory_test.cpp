@@ -30,7 +30,7 @@ Study study_of(int cells, std::vector<Method> methods) {
   return study;
 }
 
-TEST(Memory, IsWhatQuasiStaticRunsHaveTaken) {
+TEST(Memory, AgreesWithThatOfMeasuredQuasiStaticRuns) {
   // HB-1 of PBX-9501 without fields (docs/performance.md).
   const auto small = study_of(256, {}), large = study_of(2000, {});
   EXPECT_NEAR(quasistatic_memory(small, small.stages.front(), 256), 0.26e9, 0.07e9) << "direct";
@@ -80,7 +80,7 @@ TEST_F(ControlGroups, OfVersion1AreFoundAmongTheOthers) {
   EXPECT_EQ(left("4:memory:/elsewhere\nnonsense\n"), std::numeric_limits<double>::infinity());
 }
 
-TEST(Memory, TooLittleIsRefusedWithWhatWouldFit) {
+TEST(Memory, TooLittleIsRefusedWithTheCellsThatWouldFit) {
   const auto study = study_of(2000, {Method::quasistatic, Method::dynamic});
   EXPECT_NO_THROW(require_memory(study, std::numeric_limits<double>::infinity()));
   const auto message = test::message_of<InputError>([&] { require_memory(study, 1e8); });

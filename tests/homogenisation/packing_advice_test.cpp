@@ -54,7 +54,7 @@ std::vector<Stage> impossible_stages() {
   return stages;
 }
 
-TEST(PackingAdvice, TheGapThatIsNamedPacks) {
+TEST(PackingAdvice, TheRecommendedGapPacks) {
   for (auto stage : impossible_stages()) {
     const auto message = message_on(stage);
     stage.filler->gap = 1e-6 * number_after(message, "; a gap of ");
@@ -63,7 +63,7 @@ TEST(PackingAdvice, TheGapThatIsNamedPacks) {
   }
 }
 
-TEST(PackingAdvice, TheFractionThatIsNamedPacks) {
+TEST(PackingAdvice, TheRecommendedFractionPacks) {
   for (auto stage : impossible_stages()) {
     const auto message = message_on(stage);
     stage.filler->fraction = number_after(message, "should pack, and so should a fraction of ");
@@ -71,7 +71,7 @@ TEST(PackingAdvice, TheFractionThatIsNamedPacks) {
   }
 }
 
-TEST(PackingAdvice, TheCellsThatAreNamedPackWhereTheGapFollowsTheGrid) {
+TEST(PackingAdvice, TheRecommendedCellsPackIfTheGapDependsOnTheGrid) {
   auto stage = box(120e-6, 0.35, 50e-6);
   stage.filler->gap_source = GapSource::points;
   const auto message = message_on(stage);

@@ -43,7 +43,7 @@ StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40)
   return result;
 }
 
-TEST(Quality, TellsTheDistanceOfTheBounds) {
+TEST(Quality, ReportsTheDistanceOfTheBounds) {
   const auto quality = quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 118.0),
                                                              constant(Boundary::traction, TestGrid(100), 100.0)}));
   ASSERT_EQ(quality.loads.size(), 1U);
@@ -56,7 +56,7 @@ TEST(Quality, TellsTheDistanceOfTheBounds) {
             "narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)");
 }
 
-TEST(Quality, TellsAFactorWhereBoundsAreFarApart) {
+TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {
   const auto summary =
       summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), 30.0),
                                                        constant(Boundary::traction, TestGrid(100), 2.0)})));
@@ -78,13 +78,13 @@ TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
   EXPECT_THAT(summary_of(quality), HasSubstr("grid: error up to 6 %;")) << "of the lower one, to be safe";
 }
 
-TEST(Quality, SaysWhatIsUnknown) {
+TEST(Quality, ReportsUnknownErrors) {
   auto stage = random_stage();
   stage.filler->packing = RegularPacking{};
   stage.matrix = EarlierStage{"fine"};
   const auto upper = summary_of(quality_of(stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
   EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
-  EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine come on top"));
+  EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine add to these"));
   EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
   EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("bounds: not tested"));
   EXPECT_EQ(summary_of(quality_of(stage, result_of({}, 0))), "") << "without particles";

@@ -35,7 +35,7 @@ TEST(ResponsesOf, AStudyAnswerForItsOwnBinderAsItsSolution) {
   }
 }
 
-// Where the binder's shear alone relaxes and its times are multiplied by a factor, so are those of the composite.
+// If only the shear modulus of the binder relaxes, a factor on its times multiplies the times of the composite, too.
 TEST(ResponsesOf, AStageAnswersAtAnotherTemperatureByAShiftOfTime) {
   auto study = test::two_stages();
   study.stages.pop_back();

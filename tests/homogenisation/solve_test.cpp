@@ -74,7 +74,7 @@ TEST(Solve, KeepsFieldsInTheMemoryAndWritesNoFile) {
   EXPECT_THAT(in_shear.field_files, IsEmpty());
 }
 
-/// Writes down what it is told.
+/// A sink that records its calls.
 class Recorder final : public StudySink {
  public:
   void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }
@@ -87,7 +87,7 @@ class Recorder final : public StudySink {
   std::vector<std::string> calls;
 };
 
-TEST(Solve, HandsItsPartsToASinkAsTheyAreFound) {
+TEST(Solve, PassesItsPartsToASinkAsTheyAreComputed) {
   auto study = test::two_stages();
   study.tests.boundaries = {Boundary::displacement};
   Recorder recorder;
@@ -104,7 +104,7 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
   EXPECT_THROW(static_cast<void>(solve(study)), InputError);
 }
 
-TEST(Solve, WhatAnObserverThrowsEndsIt) {
+TEST(Solve, AnExceptionOfAnObserverEndsIt) {
   StudyObserver observer;
   observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
   EXPECT_THROW(static_cast<void>(solve(test::two_stages(), {}, observer)), Interrupted);

@@ -107,7 +107,7 @@ TEST(MakeMicrostructure, ExplicitDiscsGoOnBeyondTheSidesOfAPeriodicBox) {
   EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
 }
 
-TEST(MakeMicrostructure, ListedSizesArePackedAsTheyAre) {
+TEST(MakeMicrostructure, ListedSizesArePackedUnchanged) {
   const std::vector<double> sizes{3e-3, 1e-3, 2e-3, 1e-3};
   const auto packed = make_microstructure(box(random(ListedSizes{sizes}, std::nullopt)));
   EXPECT_THAT(diameters(packed), testing::UnorderedElementsAreArray(sizes));
@@ -159,7 +159,7 @@ TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
                     HasSubstr("cannot be packed")));
 }
 
-/// As a run makes it that is cut off after every part of it. Counts the interruptions.
+/// Packs in a run that is interrupted after each part and resumed. Counts the interruptions.
 StageMicrostructure make_bit_by_bit(const Stage& stage, int& interruptions) {
   const test::TemporaryDirectory directory;
   const CheckpointSchedule always_ending = {.stop = [] { return true; }};
@@ -177,7 +177,7 @@ StageMicrostructure make_bit_by_bit(const Stage& stage, int& interruptions) {
   return {};
 }
 
-TEST(MakeMicrostructure, GoesOnWhereItWasInterrupted) {
+TEST(MakeMicrostructure, ResumesFromAnInterruption) {
   const auto stage = box(random(SingleSize{1e-3}, 0.5));
   const auto whole = make_microstructure(stage);
   int interruptions = 0;

@@ -23,7 +23,7 @@ TEST(Staging, OfCoarseAndFine) {
   EXPECT_EQ(stages[1].smallest, 10e-6);
 }
 
-// Each stage leaves 1 - fraction of what is below it: the product is the binder.
+// Each stage reduces the volume fraction of its matrix to 1 - fraction: the product is that of the binder.
 TEST(Staging, LeavesTheBinder) {
   double binder = 1.0;
   for (const auto& stage : divide_into_stages(sizes(), {2e-6, 5e-6, 20e-6, 60e-6, 90e-6}, 0.938)) {
@@ -32,7 +32,7 @@ TEST(Staging, LeavesTheBinder) {
   EXPECT_NEAR(binder, 0.062, 1e-14);
 }
 
-TEST(Staging, RefusesWhatIsNoDivision) {
+TEST(Staging, RefusesInvalidDivisions) {
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {1e-6, 10e-6}, 1.0)), InputError);
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {1e-6, 10e-6}, 0.0)), InputError);
   EXPECT_THROW(static_cast<void>(divide_into_stages(sizes(), {10e-6, 1e-6}, 0.5)), InputError);

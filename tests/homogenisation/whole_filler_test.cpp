@@ -65,7 +65,7 @@ TEST(WholeFiller, AHomogeneousStageAddsNothing) {
   EXPECT_TRUE(none.materials.empty());
 }
 
-TEST(WholeFiller, WantsTheFractionOfEveryStage) {
+TEST(WholeFiller, NeedsTheFractionOfEveryStage) {
   Study study;
   study.stages = {stage("filled", material("binder", 900.0), "ap", 1950.0)};
   EXPECT_THROW(static_cast<void>(filler_of_the_whole(study, study.stages[0], {})), InputError);

@@ -43,7 +43,7 @@ TEST_F(Csv, ReadsColumnsByName) {
   EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(4168.7, 2.0));
 }
 
-TEST_F(Csv, ToleratesWhatSpreadsheetsAndPeopleLeaveBehind) {
+TEST_F(Csv, ToleratesBlanksCommentsAndOtherLineEnds) {
   const auto table = read("\xEF\xBB\xBF# a comment\r\n\r\n\"x_m\" , y_m\r\n  1 ,\t2\r\n\n# another\n3,4");
   EXPECT_THAT(table.numbers("x_m"), ElementsAre(1.0, 3.0));
   EXPECT_THAT(table.numbers("y_m"), ElementsAre(2.0, 4.0));
@@ -94,7 +94,7 @@ TEST_F(Csv, BytesThatCannotBePrintedAreEscaped) {
             "table.csv:2: a: expected a number, got \"" + std::string(60, 'x') + "...\"");
 }
 
-TEST_F(Csv, RefusesWhatIsNoText) {
+TEST_F(Csv, RefusesBinaryFilesAndUtf16) {
   using namespace std::string_literals;
   EXPECT_EQ(mistakes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s),
             "table.csv: expected text, got a binary file, such as a picture");

@@ -107,7 +107,7 @@ struct WrongValue {
   const char* message;
 };
 
-TEST_F(DeckTest, SaysWhatItExpected) {
+TEST_F(DeckTest, MessagesNameTheExpectedValue) {
   const std::vector<WrongValue> cases{
       {"x = \"1\"", [](const Section& s) { static_cast<void>(s.number("x")); }, "expected a number, got \"1\""},
       {"x = nan", [](const Section& s) { static_cast<void>(s.number("x")); }, "expected a number, got nan"},
@@ -248,7 +248,7 @@ TEST_F(DeckTest, RefusesAKeyWithoutEnd) {
       "deck.toml:2:1: expected a key, got one with more than 4096 dots");
 }
 
-TEST_F(DeckTest, WhatCannotBeTheNameOfAFileIsNone) {
+TEST_F(DeckTest, ATextThatCannotBeAFileNameIsReportedAsMissing) {
   const std::string name(300, 'a');
   const auto deck = read("file = \"" + name + "\"\n");
   EXPECT_EQ(deck.root().file("file"), "");
@@ -256,7 +256,7 @@ TEST_F(DeckTest, WhatCannotBeTheNameOfAFileIsNone) {
   EXPECT_EQ(test::message_of<InputError>([&] { const Deck none(name); }), name + ": no such deck");
 }
 
-TEST_F(DeckTest, AMistakeIsOneLineWhateverItIsAbout) {
+TEST_F(DeckTest, EveryMistakeIsASingleLine) {
   const auto deck = read("number = \"a\\nb\\u001b[2J\"\n");
   EXPECT_THAT(deck.root().number("number"), IsNan());
   EXPECT_EQ(mistakes(deck), "deck.toml:1:10: number: expected a number, got \"a\\u000ab\\u001b[2J\"");
@@ -268,7 +268,7 @@ TEST_F(DeckTest, LimitsOfQuantitiesHaveTheirUnits) {
   EXPECT_EQ(mistakes(deck), "deck.toml:1:7: box: expected a length from 1 um to 500 mm, got \"1 km\"");
 }
 
-TEST_F(DeckTest, AnUnreadCopyKnowsNothingOfWhatWasAsked) {
+TEST_F(DeckTest, AnUnreadCopyHasNoKnownKeys) {
   const auto deck = read("a = 1\nb = 2\n");
   static_cast<void>(deck.root().number("a"));
   EXPECT_EQ(deck.mistakes().size(), 1U);

@@ -69,7 +69,7 @@ TEST_F(Lock, OfSomethingElseIsAFileError) {
 
 /// The directory is empty, so that each holder removes it when it ends: those who have opened it by then wait for a
 /// directory that is no more.
-TEST_F(Lock, IsOfTheDirectoryThatThePathLeadsTo) {
+TEST_F(Lock, LocksTheDirectoryThatThePathRefersTo) {
   constexpr int threads = 4, attempts = 1500;
   std::atomic<int> holders = 0, held = 0, mistakes = 0;
   const auto attempt = [&] {

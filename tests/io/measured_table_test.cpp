@@ -44,7 +44,7 @@ struct Known {
   ModulusKind kind = ModulusKind::unspecified;
 };
 
-TEST_F(MeasuredTableTest, NamesSayWhatColumnsAre) {
+TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
   constexpr double turn = 2.0 * std::numbers::pi;
   const std::vector<Known> cases{
       {"time_s", time, 3.0},
@@ -118,7 +118,7 @@ TEST_F(MeasuredTableTest, OtherColumnsMayHoldAnything) {
   EXPECT_FALSE(table.has({temperature}));
 }
 
-TEST_F(MeasuredTableTest, AnUnknownUnitMattersWhereNothingElseServes) {
+TEST_F(MeasuredTableTest, AnUnknownUnitIsAnErrorOnlyInTheSoleColumnOfAQuantity) {
   const auto* text = "time_stamp,modulus_PA\n1,2\n";
   EXPECT_EQ(mistakes(text,
                      [](const MeasuredTable& table) {
@@ -157,7 +157,7 @@ TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
   EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"), "table.csv:2: modulus_Pa: expected a number, got \"1,234\"");
 }
 
-TEST_F(MeasuredTableTest, CommasThatMayPartThousandsAreRefused) {
+TEST_F(MeasuredTableTest, CommasThatMaySeparateThousandsAreRefused) {
   EXPECT_EQ(mistakes("time_s;modulus_Pa\n1;2,000\n2;1,500\n"),
             "table.csv: the comma of \"2,000\" may be a decimal one or part thousands; write points, or no commas in "
             "thousands");
@@ -169,7 +169,7 @@ TEST_F(MeasuredTableTest, CommasThatMayPartThousandsAreRefused) {
   EXPECT_THAT(read("time_s;modulus_Pa\n1;-1,25e1\n2;1,5E-1\n").column(modulus).values, ElementsAre(-12.5, 0.15));
 }
 
-TEST_F(MeasuredTableTest, ColumnsThatNobodyReadsSayNothingOfCommas) {
+TEST_F(MeasuredTableTest, IgnoresCommasInColumnsThatAreNotRead) {
   // 0,5 and 3.25 stand in columns of which nothing is known.
   EXPECT_THAT(mistakes("time_s;modulus_Pa;note\n1;2,000;0,5\n"), HasSubstr("the comma of \"2,000\" may be"));
   const auto table = read("time_s;modulus_Pa;note;remark\n1,5;2;3.25;e,E\n2,5;3;1,000;-,-\n");

@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<std::string> keys{"filler", "packing", "matrix", "box", "cells", "from", "to"};
 
-TEST(NearestName, FindsWhatWasMeant) {
+TEST(NearestName, FindsTheIntendedName) {
   EXPECT_EQ(nearest_name("filer", keys), "filler");
   EXPECT_EQ(nearest_name("Matrix", keys), "matrix");
   EXPECT_EQ(nearest_name("pakcing", keys), "packing");

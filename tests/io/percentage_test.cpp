@@ -12,7 +12,7 @@ TEST(Percentage, IsTheSameNumberAsTheShare) {
   EXPECT_EQ(parse_percentage("-1 %"), -0.01);
 }
 
-TEST(Percentage, AnythingElseIsNone) {
+TEST(Percentage, IsNothingForOtherTexts) {
   for (const auto* text : {"", "%", "35", "35 per cent", "1,5 %", "35 % %", "inf %", "nan %", "3 5 %"}) {
     EXPECT_FALSE(parse_percentage(text)) << text;
   }

@@ -29,7 +29,7 @@ TEST(Png, HoldsItsPixels) {
   EXPECT_THAT(bytes, ElementsAre(255, 0, 0, 0, 255, 0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 255, 0, 0));
 }
 
-TEST(Png, RefusesPixelsThatAreNone) {
+TEST(Png, RefusesInvalidPixels) {
   EXPECT_THROW(static_cast<void>(encode_png(2, std::vector<std::uint8_t>{0, 1, 2}, palette)), InputError);
   EXPECT_THROW(static_cast<void>(encode_png(1, std::vector<std::uint8_t>{3}, palette)), InputError);
   EXPECT_THROW(static_cast<void>(encode_png(0, std::vector<std::uint8_t>{}, palette)), InputError);

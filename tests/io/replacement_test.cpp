@@ -66,7 +66,7 @@ TEST_F(Replacement, PutsTheNewFilesIntoThePlaceOfTheOld) {
   expect_the_new_results();
 }
 
-TEST_F(Replacement, GoesOnFromWhereverItWasCutOff) {
+TEST_F(Replacement, ResumesFromEveryPointOfInterruption) {
   // While old files were being removed, the record first.
   put("unfinished/removing.list", "study.json\ncurves.csv\nA/modulus.svg\nB/modulus.svg\n");
   put("unfinished/moving.list.17.partial", "stu");
@@ -75,7 +75,7 @@ TEST_F(Replacement, GoesOnFromWhereverItWasCutOff) {
   expect_the_new_results();
 }
 
-TEST_F(Replacement, DoesNotRemoveWhatIsNewAlready) {
+TEST_F(Replacement, DoesNotRemoveFilesThatAreReplacedAlready) {
   // While new files were being moved.
   for (const auto* name : {"study.json", "curves.csv", "A/modulus.svg", "B/modulus.svg", "unfinished/B/modulus.svg"}) {
     fs::remove(place_.path() / name);
@@ -87,7 +87,7 @@ TEST_F(Replacement, DoesNotRemoveWhatIsNewAlready) {
   expect_the_new_results();
 }
 
-TEST_F(Replacement, EndsWhereOnlyItsListIsLeft) {
+TEST_F(Replacement, CompletesIfOnlyItsListIsLeft) {
   replace_results(place_.path(), old_, "study.json");
   put("unfinished/moving.list", "study.json\n");
   fs::create_directory(place_.path() / "unfinished/B");
@@ -110,7 +110,7 @@ TEST_F(Replacement, RefusesListsThatItDidNotWrite) {
   fs::remove(place_.path() / "../victim.txt");
 }
 
-TEST_F(Replacement, DoesNothingWhereNoneHasBegun) {
+TEST_F(Replacement, DoesNothingIfNoneWasBegun) {
   const auto before = files();
   finish_replacement(place_.path());
   EXPECT_EQ(files(), before);

@@ -30,7 +30,7 @@ class WholeResultsTest : public testing::Test {
   test::TemporaryDirectory place_;
 };
 
-TEST_F(WholeResultsTest, TakeThePlaceOfThoseOfTheSameOrigin) {
+TEST_F(WholeResultsTest, ReplaceResultsOfTheSameOrigin) {
   make("a", "first");
   make("a", "second");
   EXPECT_EQ(read_text(directory() / "prony.csv"), "second");
@@ -47,7 +47,7 @@ TEST_F(WholeResultsTest, LeaveNothingWithoutCommit) {
   EXPECT_FALSE(fs::exists(directory()));
 }
 
-TEST_F(WholeResultsTest, FollowOnWhatAKilledCommandHasLeft) {
+TEST_F(WholeResultsTest, CompleteTheResultsOfAKilledCommand) {
   fs::create_directories(directory() / "unfinished");
   write_text(directory() / "unfinished/fit.json", R"({"program": "breccia"})");
   write_text(directory() / "unfinished/fit.csv", "half");
@@ -82,7 +82,7 @@ TEST_F(WholeResultsTest, SurviveAFailureWhileTheyArePutInPlace) {
   EXPECT_EQ(read_text(directory() / "prony.csv"), "third");
 }
 
-TEST_F(WholeResultsTest, BeginNothingWhereADirectoryIsInTheWay) {
+TEST_F(WholeResultsTest, AreRefusedIfADirectoryIsInTheWay) {
   make("a", "first");
   fs::create_directories(directory() / "fit.csv");
   EXPECT_THAT(test::message_of<InputError>([&] { const WholeResults results(directory(), origin("a")); }),

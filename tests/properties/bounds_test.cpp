@@ -1,4 +1,4 @@
-// What a modulus may be, whatever the composite (docs/verification.md).
+// Bounds that hold for the moduli of every composite (docs/verification.md).
 
 #include <cmath>
 #include <map>
@@ -115,7 +115,7 @@ TEST(RandomComposites, MayExceedTheMeanModulusInTime) {
   EXPECT_GT(series.at(late), mean);
 }
 
-TEST(RandomComposites, MoveAsTheyDoWithoutInertia) {
+TEST(RandomComposites, AgreeWithTheQuasiStaticMethod) {
   for (const std::uint64_t seed : {1U, 2U, 5U, 6U}) {
     const auto composite = random_composite(seed, FillerKind::relaxing);
     for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {

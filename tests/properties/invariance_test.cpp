@@ -97,7 +97,7 @@ double difference(const Curve& one, const Curve& other, double factor = 1.0) {
   return largest;
 }
 
-/// Of linear systems solved to 1e-10, a composite of contrast up to a thousand.
+/// Relative tolerance for linear systems solved to 1e-10 and a composite with a contrast of up to a thousand.
 constexpr double rounding = 1e-7;
 
 class QuasistaticInvariance : public testing::TestWithParam<std::uint64_t> {

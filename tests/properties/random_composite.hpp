@@ -19,14 +19,14 @@ struct Composite {
   Volumetric volumetric = Volumetric::averaged;
 };
 
-/// What the filler of a composite may do.
+/// Kinds of filler of a random composite.
 enum class FillerKind { elastic, relaxing };
 
-/// The same for a seed on every machine. The moduli, their ratios between the phases and of K to G go over decades;
-/// a spectrum has one to six terms between 0.1 ms and 1 s.
+/// A random composite, the same for a seed on every machine. The moduli, their ratios between the phases and of K to G
+/// vary over decades; a spectrum has one to six terms between 0.1 ms and 1 s.
 Composite random_composite(std::uint64_t seed, FillerKind filler = FillerKind::elastic);
 
-/// In which the composites are tested [s].
+/// Times in which the composites are tested [s].
 inline constexpr TimeWindow window = {1e-3, 0.1};
 inline constexpr int cells = 12;
 

@@ -26,7 +26,7 @@ FieldPicture rising(std::size_t columns) {
   return picture;
 }
 
-TEST(FieldPicture, TellsWhatItShows) {
+TEST(FieldPicture, HasTitleQuantityAndRange) {
   const auto svg = field_picture(rising(100));
   EXPECT_EQ(xml_mistake(svg), "");
   EXPECT_THAT(svg, HasSubstr("A &lt; B &amp; C"));
@@ -59,7 +59,7 @@ TEST(FieldPicture, IsNoLargerThanAPageCanHold) {
   EXPECT_LT(field_picture(rising(1500)).size(), 600U * 600U * 4U / 3U);
 }
 
-TEST(FieldPicture, RefusesWhatIsNoField) {
+TEST(FieldPicture, RefusesInvalidFields) {
   auto picture = rising(3);
   picture.columns = 2;
   EXPECT_THROW(static_cast<void>(field_picture(picture)), InputError);

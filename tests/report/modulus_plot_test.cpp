@@ -127,7 +127,7 @@ TEST(ModulusPlot, SaysWhatToInstallWithoutGnuplot) {
   EXPECT_THAT(message_of({"", {relaxation("a", 1e6)}, {}}), HasSubstr("apt-get install gnuplot-nox"));
 }
 
-TEST(ModulusPlot, PassesOnWhatAFailingGnuplotSays) {
+TEST(ModulusPlot, ReportsTheErrorsOfGnuplot) {
   const auto folder = std::filesystem::path(::testing::TempDir()) / "breccia-failing-gnuplot";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho 'no terminal svg' >&2\nexit 3\n";

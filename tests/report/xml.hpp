@@ -6,7 +6,7 @@
 
 namespace breccia::testing {
 
-/// What is wrong with an XML text, as far as a small check sees: tags that do not nest, attributes without quotes,
+/// The mistakes in an XML text that a small check finds: tags that do not nest, attributes without quotes,
 /// stray '<' and '&'. Empty if it is well-formed.
 std::string xml_mistake(std::string_view text);
 

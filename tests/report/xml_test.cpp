@@ -9,7 +9,7 @@ TEST(Xml, PassesWhatIsWellFormed) {
   EXPECT_EQ(xml_mistake(R"(<?xml version="1.0"?><!-- a > b --><a x="1"><b/><c y='2'>&lt; &#181;</c></a>)"), "");
 }
 
-TEST(Xml, NamesWhatIsNot) {
+TEST(Xml, NamesMistakes) {
   EXPECT_NE(xml_mistake(""), "");
   EXPECT_NE(xml_mistake("<a>"), "");
   EXPECT_NE(xml_mistake("<a></b>"), "");

@@ -26,7 +26,7 @@ StoredHistory wave() {
   return history;
 }
 
-TEST(OutlineOfHistory, KeepsTheEndsOfWhatRings) {
+TEST(OutlineOfHistory, KeepsTheExtremesOfRinging) {
   const auto history = wave();
   const auto outline = outline_of(history);
   EXPECT_THAT(outline.times.size(), Lt(2000U));

@@ -44,7 +44,7 @@ TEST_F(StoredMaterialsTest, AreShiftedFromTheTemperatureOfTheStudy) {
   EXPECT_EQ(at_temperature(stored.materials.front(), 320.0), stored.materials.front().material);
 }
 
-TEST_F(StoredMaterialsTest, NeedALawWhereTheyRelaxAndATemperatureWithinIt) {
+TEST_F(StoredMaterialsTest, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
   const auto without = read(binder + "}").materials.front();
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(without, 280.0)); }),
               HasSubstr("binder has no temperature_shift in the deck"));
@@ -56,7 +56,7 @@ TEST_F(StoredMaterialsTest, NeedALawWhereTheyRelaxAndATemperatureWithinIt) {
   EXPECT_EQ(at_temperature(elastic, 280.0), elastic.material);
 }
 
-TEST_F(StoredMaterialsTest, RefuseWhatTheProgramHasNotWritten) {
+TEST_F(StoredMaterialsTest, RefuseFilesThatTheProgramHasNotWritten) {
   for (const auto* materials :
        {"1", R"({"name": 1})",
         R"({"name": "a", "density_kg_per_m3": 1, "bulk": {"equilibrium_Pa": -1, "terms": []}})"}) {

@@ -1,4 +1,4 @@
-// What an earlier run has left, damaged or not of this program.
+// Tests of results of earlier runs that are damaged or were not written by this program.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST_F(StoredResults, ARecordNamesGridsByIntegers) {
               HasSubstr("study.json: not as `breccia run` writes it"));
 }
 
-TEST_F(StoredResults, ANameThatNoFileCanHaveIsOfNone) {
+TEST_F(StoredResults, ANameThatNoFileCanHaveIsTreatedAsMissing) {
   const std::string name(300, 'a');
   directory.write("study.json", R"({"title": "t", "hash": "", "stages": [{"name": ")" + name + R"(", "tests": []}]})");
   EXPECT_EQ(study_page_data(directory.path()).title, "t");
@@ -76,7 +76,7 @@ TEST_F(StoredResults, NamesThatLeadOutOfTheResultsAreRefused) {
               HasSubstr("sweep.json: \"../other\" is not a name that `breccia run` gives to a task"));
 }
 
-TEST_F(StoredResults, TablesReachThePageAsTheyAre) {
+TEST_F(StoredResults, TablesReachThePageUnchanged) {
   directory.write("study.json", R"({"title": "t", "hash": "", "stages": []})");
   directory.write("comparison.csv",
                   "measurement,stage,boundary,method,cells,time_s,modulus_Pa,measured_Pa,ratio\n"

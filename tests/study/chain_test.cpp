@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-TEST(Chain, AStageKnowsWhatItIsBuiltOn) {
+TEST(Chain, FindsTheStageThatAStageBuildsOn) {
   const auto study = test::two_stages();
   const auto &fine = study.stages[0], &coarse = study.stages[1];
   EXPECT_EQ(stage_of_matrix(study, fine), nullptr);

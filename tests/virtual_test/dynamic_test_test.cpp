@@ -178,7 +178,7 @@ TEST(RunDynamicTest, FieldsAverageToTheModulus) {
   }
 }
 
-TEST(RunDynamicTest, RefusesWhatMakesNoSense) {
+TEST(RunDynamicTest, RefusesInvalidTests) {
   auto test = relaxation(model_composite(12), {binder, particle}, {1e-2, 1e-3});
   EXPECT_THROW(run_dynamic_test(test), InputError);
   test.times = {1e-3, 1e-2};
@@ -189,7 +189,7 @@ TEST(RunDynamicTest, RefusesWhatMakesNoSense) {
   EXPECT_THROW(run_dynamic_test(test), InputError);
 }
 
-TEST(PlanDynamicTest, HomogeneousPlanIsWhatIsRun) {
+TEST(PlanDynamicTest, HomogeneousPlanAgreesWithTheRun) {
   const auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.02});
   const auto plan = plan_dynamic_test(test);
   const auto result = run_dynamic_test(test);

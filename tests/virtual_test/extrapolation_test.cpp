@@ -14,7 +14,7 @@ Extrapolated extrapolated(const std::vector<double>& sides, const std::vector<do
   return extrapolate(sides, values);
 }
 
-TEST(Extrapolation, TakesOutAnErrorOfFirstOrder) {
+TEST(Extrapolation, RemovesAnErrorOfFirstOrder) {
   const auto value = [](double h) { return 3.0 + 0.4 * h; };
   const auto two = extrapolated({0.2, 0.1}, {value(0.2), value(0.1)});
   EXPECT_NEAR(two.value, 3.0, 1e-14);
@@ -25,7 +25,7 @@ TEST(Extrapolation, TakesOutAnErrorOfFirstOrder) {
   EXPECT_NEAR(three.half_band, 0.25 * 0.04, 1e-14);
 }
 
-TEST(Extrapolation, ThreeGridsMeasureWhatIsLeft) {
+TEST(Extrapolation, ThreeGridsMeasureTheRemainingError) {
   const auto value = [](double h) { return 3.0 + 0.4 * h + 0.5 * h * h; };
   const auto three = extrapolated({0.4, 0.2, 0.1}, {value(0.4), value(0.2), value(0.1)});
   // Linear through h and 2h: the limit is off by -2 h^2 / 2.

@@ -28,7 +28,7 @@ Curve curve_of(double bulk_share, double shear_share, const TimeWindow& window) 
   return curve;
 }
 
-TEST(HomogenisedMaterial, TakesTheBulkModulusOutOfThePlaneStrainOne) {
+TEST(HomogenisedMaterial, ComputesTheBulkModulusFromThatInPlaneStrain) {
   const TimeWindow window = {1e-6, 1.0};
   const auto found =
       homogenised_material("stage", 1700.0, curve_of(0.0, 1.0, window), curve_of(1.0, 1.0 / 3.0, window), tolerance);

@@ -56,7 +56,7 @@ TEST(DomainSequence, AGivenFactorIsValidAfterSixTransits) {
   EXPECT_NEAR(domains[0].window.end, 60.0, 0.15);
 }
 
-TEST(DomainSequence, HandsOverWithTheOverlapThatIsAskedFor) {
+TEST(DomainSequence, EndsADomainAfterTheRequestedOverlap) {
   const auto domains = walk(unit_box({6.1, 1000.0}, {1.0, 100.0}), one);
   ASSERT_EQ(domains.size(), 2U);
   EXPECT_NEAR(domains[1].window.begin, 60.0, 0.2);

@@ -88,7 +88,7 @@ TEST(Interconversion, ComplexCompliancesAreReciprocal) {
   }
 }
 
-TEST(CreepCompliance, RefusesWhatIsNoComplianceOrTime) {
+TEST(CreepCompliance, RefusesInvalidCompliancesAndTimes) {
   EXPECT_THROW(CreepCompliance(0.0, {}), InputError);
   EXPECT_THROW(CreepCompliance(1.0, {{0.0, 1.0}}), InputError);
   EXPECT_THROW(CreepCompliance(1.0, {{1.0, -1.0}}), InputError);

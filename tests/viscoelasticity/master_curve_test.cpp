@@ -18,7 +18,7 @@ namespace {
 
 constexpr WilliamsLandelFerry estane = {6.5, 120.0, 292.15};
 
-/// What an instrument would measure from 0.1 to 100 rad/s at one temperature.
+/// Data of an ideal instrument from 0.1 to 100 rad/s at one temperature.
 FrequencySweep sweep_at(double temperature, Noise& noise) {
   FrequencySweep sweep = {.temperature = temperature};
   const double shift = estane.shift_factor(temperature);

@@ -48,7 +48,7 @@ TEST(PronySeries, ShiftMovesTheCurveInLogTime) {
   for (const double t : {1e-3, 0.1, 2.0, 30.0}) EXPECT_DOUBLE_EQ(shifted.at(100.0 * t), two_terms.at(t));
 }
 
-TEST(PronySeries, RefusesWhatIsNoModulusOrTime) {
+TEST(PronySeries, RefusesInvalidModuliAndTimes) {
   EXPECT_THROW(PronySeries(-1.0), InputError);
   EXPECT_THROW(PronySeries(std::nan("")), InputError);
   EXPECT_THROW(PronySeries(0.0, {{0.0, 1.0}}), InputError);

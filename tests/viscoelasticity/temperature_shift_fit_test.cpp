@@ -59,7 +59,7 @@ TEST(WilliamsLandelFerryFit, StatedErrorsHoldTheTruth) {
   EXPECT_LT(fit->worst_deviation, 4.0 * scatter);
 }
 
-TEST(WilliamsLandelFerryFit, FactorsThatBendTheOtherWayHaveNone) {
+TEST(WilliamsLandelFerryFit, ReturnsNothingForFactorsOfOppositeCurvature) {
   const std::vector<ShiftFactor> factors = {{280.0, 0.9}, {290.0, 0.0}, {300.0, -1.1}, {310.0, -2.4}};
   EXPECT_FALSE(fit_williams_landel_ferry(factors, 290.0));
 }

@@ -2,10 +2,10 @@
 
 namespace breccia {
 
-/// What counts as time where speed is measured.
+/// The time by which speeds are measured.
 enum class Clock {
-  wall,      ///< what a user waits
-  processor  ///< mean over the threads of what they got: leaves out other programs, but for what they do to the caches
+  wall,      ///< wall time
+  processor  ///< mean processor time of the threads: unaffected by other programs, except through the caches
 };
 
 }  // namespace breccia

@@ -4,13 +4,14 @@
 
 namespace breccia {
 
-/// What a speed depends on.
+/// The properties of a machine that determine the speed.
 struct Machine {
-  std::string processor;  ///< as the system calls it; empty where it does not tell
+  std::string processor;  ///< model name from the operating system; empty if unknown
   int cores = 1;          ///< hardware threads that this process may use
-  double cache = 0.0;     ///< last level of cache [B]; 0 where the system does not tell
+  double cache = 0.0;     ///< size of the last-level cache [B]; 0 if unknown
 };
 
+/// The machine that runs this process.
 Machine this_machine();
 
 }  // namespace breccia

@@ -7,11 +7,11 @@
 
 namespace breccia {
 
-/// What the memory moves where next to nothing is computed, counted as STREAM does (McCalpin 1995): every array once
-/// for each time that the statement reads or writes it [B/s].
+/// Memory bandwidth, with the bytes counted as in the STREAM benchmark (McCalpin 1995): every array once for each time
+/// that the statement reads or writes it.
 struct MemoryBandwidth {
-  double triad = 0.0;   ///< a = b + s c
-  double update = 0.0;  ///< a = a + s b: what is written has been read, as in an explicit step
+  double triad = 0.0;   ///< of a = b + s c [B/s]
+  double update = 0.0;  ///< of a = a + s b, which updates an array in place as an explicit step does [B/s]
 };
 
 /// Arrays larger than the caches, on which the bandwidth is measured.
@@ -19,7 +19,7 @@ class MemoryStreams {
  public:
   explicit MemoryStreams(int threads);
 
-  /// Goes over the arrays for about so long [s]. Of several processes, which all measure at a time, the sum.
+  /// Measures for about `seconds`. On several processes, which must call it together, returns the sum over them.
   [[nodiscard]] MemoryBandwidth measure(double seconds, Clock clock);
 
  private:

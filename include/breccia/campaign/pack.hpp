@@ -6,8 +6,8 @@
 
 namespace breccia {
 
-/// Packs the microstructures of a study alone and writes them, and checkpoints from which run_study goes on. Throws as
-/// run_study does.
+/// Packs the microstructures of a study without running tests, and writes them to a directory together with checkpoints
+/// from which run_study() can resume. Throws as run_study().
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options = {},
                        const RunObserver& observer = {});
 

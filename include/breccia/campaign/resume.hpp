@@ -7,15 +7,15 @@
 
 namespace breccia {
 
-/// Wall time [s] of the run that left its results in a directory, if they are complete, and of this study, its data
-/// files and this version of Breccia. Throws FileError when `study.json` cannot be read.
+/// Wall time [s] of the run whose results are in a directory; nothing unless they are complete and belong to this
+/// study, its data files and this version of Breccia. Throws FileError when `study.json` cannot be read.
 std::optional<double> time_of_complete_run(const Study& study, const std::filesystem::path& directory);
 
-/// The same, and does for a run that was killed at its very end what was left: its page, and the checkpoints and
-/// half-written files. Throws DirectoryInUse where another process writes to the directory.
+/// The same. If that run was killed after its last test, first completes its work: writes the page and removes
+/// checkpoints and half-written files. Throws DirectoryInUse if another process writes to the directory.
 std::optional<double> take_over_complete_run(const Study& study, const std::filesystem::path& directory);
 
-/// Whether an earlier run has left results of tests, complete or not, in a directory.
+/// Whether a directory has results of tests, complete or not.
 bool holds_tests(const std::filesystem::path& directory);
 
 }  // namespace breccia

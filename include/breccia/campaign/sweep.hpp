@@ -13,31 +13,31 @@
 
 namespace breccia {
 
-/// Those who follow a sweep. What they throw ends it.
+/// Functions that are called during a sweep. An exception that they throw ends the sweep.
 struct SweepObserver {
   std::function<void(std::size_t task)> begun = {};
-  std::function<void(std::size_t task)> skipped = {};  ///< complete already
+  std::function<void(std::size_t task)> skipped = {};  ///< called for a task that is already complete
   std::function<void(std::size_t task, const std::string& error)> failed = {};
-  RunObserver study = {};  ///< follows each task
+  RunObserver study = {};  ///< called during each task
 };
 
-/// Runs the tasks one after the other, those of each group of processes (parallel::divide) beside the others, each in
-/// the directory of its name, and writes `sweep.csv`, `sweep.json`, `sweep.svg` and, where seeds are swept,
-/// `spread.csv` (docs/results.md) anew after each of them. A task that fails for its numbers or its microstructure does
-/// not end the others. One that resumes leaves alone the tasks that are complete, and goes on with the others from
-/// their checkpoints. Throws FileError or Interrupted, DirectoryInUse where another process writes to the directory or
-/// to that of a task, and InputError as refuse_objections does.
+/// Runs the tasks of a sweep, each in the directory of its name. Each group of processes (parallel::divide) runs its
+/// tasks one after the other. After each task it rewrites `sweep.csv`, `sweep.json`, `sweep.svg` and, if seeds are
+/// swept, `spread.csv` (docs/results.md). If a task fails with NumericalError or InputError, the others still run.
+/// With `resume`, complete tasks are skipped, and the others resume from their checkpoints. Throws FileError,
+/// Interrupted, DirectoryInUse if another process writes to the directory or to that of a task, and InputError as
+/// refuse_objections().
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
 
-/// Locks the directory of a sweep for as long as what is returned lives, and brings to their ends replacements in the
-/// directories of its tasks that were cut off. Returns nullptr in processes but the first, and for a single task
-/// without a name, which locks the directory itself. Throws DirectoryInUse where another process writes to one of the
-/// directories, and FileError.
+/// Locks the directory of a sweep during the lifetime of the returned object, and completes interrupted replacements
+/// (finish_replacement) in the directories of its tasks. Returns nullptr on all processes but the first, and for a
+/// single task without a name, which locks the directory itself. Throws DirectoryInUse if another process writes to one
+/// of the directories, and FileError.
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
 
-/// Throws InputError, for all tasks at once, where a run would replace or go on from results of another study, sweep or
-/// version and is not to overwrite them, or replace files that Breccia did not write.
+/// Throws InputError, for all tasks at once, if the sweep would replace or resume results of another study, sweep or
+/// version without `overwrite`, or replace files that Breccia did not write.
 void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

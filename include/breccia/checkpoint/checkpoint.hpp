@@ -12,32 +12,32 @@
 
 namespace breccia {
 
-/// When a calculation leaves its state.
+/// When a calculation saves its state.
 struct CheckpointSchedule {
-  double interval = 600.0;          ///< wall time from one to the next [s]
-  std::function<bool()> stop = {};  ///< is the run to end? Asked often, by each process
+  double interval = 600.0;          ///< wall time between two saved states [s]
+  std::function<bool()> stop = {};  ///< true when the run shall end; called often, on each process
 };
 
-/// The state of one calculation on the disk, so that it can go on after it was interrupted, killed or cut off by a
-/// limit of time. The state before the last one is kept, too, until the calculation is done.
+/// The state of one calculation in a file, so that the calculation can be resumed after it was interrupted, killed or
+/// ended by a limit of time. The last but one state is kept, too, until the calculation is finished.
 class Checkpoint {
  public:
   Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointSchedule schedule);
 
-  /// Looks for what an earlier run has left. Returns what is wrong with files that had to be left aside, and what is
-  /// taken instead.
-  /// Throws InputError when a state is of another deck or version.
+  /// Looks for the state that an earlier run has saved. Returns a message for each file that is damaged and had to be
+  /// set aside, with what is used instead.
+  /// Throws InputError when a state belongs to another deck or version.
   std::vector<std::string> look_for_earlier();
-  /// What was found: of the unfinished calculation, or its result. nullptr: it begins anew.
+  /// The state that was found, of the unfinished calculation or of its result; nullptr if the calculation starts anew.
   [[nodiscard]] const StateReader* earlier() const noexcept { return earlier_ ? &*earlier_ : nullptr; }
-  /// Whether that is the result.
+  /// Whether earlier() is the result of a finished calculation.
   [[nodiscard]] bool is_finished() const;
 
-  /// Is the state to be left now? The same on all processes, each of which must ask.
+  /// Whether the state should be saved now. The answer is the same on all processes, each of which must ask.
   [[nodiscard]] bool is_due();
-  /// Leaves it. Throws Interrupted thereafter if the run is to end.
+  /// Saves the state; then throws Interrupted if the run shall end. Throws FileError.
   void save(const WriteState& write);
-  /// Leaves the result.
+  /// Saves the result. Throws FileError.
   void finish(const WriteState& write);
 
  private:
@@ -53,7 +53,7 @@ class Checkpoint {
   std::optional<StateReader> earlier_;
 };
 
-/// Is this the name of the file of a checkpoint, of the one before it, or of a damaged one that was set aside?
+/// Whether this is the name of a checkpoint file, of the previous checkpoint, or of a damaged one that was set aside.
 bool is_checkpoint_file(std::string_view name);
 
 }  // namespace breccia

@@ -12,15 +12,15 @@
 
 namespace breccia {
 
-/// Which calculation a state belongs to. Another one is not to take it up.
+/// The calculation that a state belongs to. Only the same calculation may be resumed from it.
 struct StateOwner {
-  std::string deck_hash;  ///< of what the deck says, seeds included, and its data files
-  std::string version;    ///< of Breccia
+  std::string deck_hash;  ///< hash of the deck's content, seeds included, and of its data files
+  std::string version;    ///< version of Breccia
 };
 
-/// Writes the state of a calculation, numbers under names such as "/domains/0/steps", to a file that appears whole,
-/// with a checksum behind its last byte, or not at all. Of several processes the first writes; what the others say is
-/// dropped. All members throw FileError.
+/// Writes the state of a calculation, numbers under names such as "/domains/0/steps", to a file with a checksum at its
+/// end. The file gets its name only when it is complete. On several processes only the first one writes; calls on the
+/// others do nothing. All members throw FileError.
 class StateWriter {
  public:
   StateWriter(const std::filesystem::path& path, const StateOwner& owner);
@@ -30,7 +30,7 @@ class StateWriter {
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, const std::string& text);
 
-  /// Gives the file its name, once its bytes are on the disk. A file that has the name is kept as the older one.
+  /// Gives the complete file its name. An existing file of that name is kept under older_state().
   void commit();
 
  private:
@@ -38,10 +38,10 @@ class StateWriter {
   std::optional<Hdf5Writer> file_;
 };
 
-/// Reads a state. All members throw FileError.
+/// Reads the state of a calculation. All members throw FileError.
 class StateReader {
  public:
-  /// Throws FileError when there is no such file, or when it is torn or damaged or none of Breccia.
+  /// Throws FileError when the file is missing, incomplete, damaged or not a state that Breccia has written.
   explicit StateReader(const std::filesystem::path& path);
 
   [[nodiscard]] const std::string& path() const noexcept { return path_; }
@@ -50,7 +50,7 @@ class StateReader {
   [[nodiscard]] double number(const std::string& name) const;
   [[nodiscard]] std::int64_t integer(const std::string& name) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const { return file_.read_numbers(name); }
-  /// Throws FileError, too, when there are not as many.
+  /// The same; throws FileError also when there are not `count` numbers.
   [[nodiscard]] std::vector<double> numbers(const std::string& name, std::size_t count) const;
   [[nodiscard]] std::string text(const std::string& name) const;
 
@@ -60,10 +60,10 @@ class StateReader {
   StateOwner owner_;
 };
 
-/// What a calculation does to leave its state.
+/// Function by which a calculation writes its state.
 using WriteState = std::function<void(StateWriter&)>;
 
-/// The name under which the state before the last one is kept.
+/// The path under which the last but one state is kept.
 std::filesystem::path older_state(const std::filesystem::path& path);
 
 }  // namespace breccia

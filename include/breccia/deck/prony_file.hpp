@@ -10,18 +10,18 @@
 
 namespace breccia {
 
-/// What a file of Maxwell elements holds; the equilibrium modulus may be missing.
+/// The content of a file of Maxwell elements; the equilibrium modulus may be missing.
 struct PronyFile {
   std::optional<double> equilibrium;  ///< [Pa]
   std::vector<MaxwellTerm> terms;
 };
 
-/// Reads a table (read_measured_table) of relaxation times and moduli of some kind; an infinite relaxation time marks
-/// the equilibrium modulus. Throws InputError with what is wrong, as where the moduli are of another kind or the
-/// file holds the series of several tests, and FileError.
+/// Reads a table (read_measured_table) of relaxation times and moduli of the given kind; an infinite relaxation time
+/// marks the equilibrium modulus. Throws InputError with all mistakes in the file, for example if the moduli are of
+/// another kind or the file has the series of several tests, and FileError when it cannot be read.
 PronyFile read_prony_file(const std::filesystem::path& path, ModulusKind kind = ModulusKind::unspecified);
 
-/// Writes such a file; the second column is called `modulus_Pa`, with the kind before it where that is known. Throws
+/// Writes such a file. The second column is named `modulus_Pa`, preceded by the kind if that is specified. Throws
 /// FileError.
 void write_prony_file(const std::filesystem::path& path, const PronySeries& series,
                       ModulusKind kind = ModulusKind::unspecified, std::string_view comment = {});

@@ -12,32 +12,32 @@ namespace breccia {
 /// A key of a deck that takes several values.
 struct SweptKey {
   std::string path;      ///< as in `--set`: `stages.*.packing.seed`
-  std::string label;     ///< the last steps of it, as many as tell the keys apart
-  bool is_seed = false;  ///< its values are samples of the same
+  std::string label;     ///< the last steps of the path, as many as are needed to distinguish the keys
+  bool is_seed = false;  ///< true for seeds, whose values give samples of the same microstructure
 };
 
 /// A deck with one value for each swept key.
 struct SweepTask {
-  std::string name;                 ///< also that of its directory: `volumetric-averaged_seed-2`
-  std::vector<std::string> labels;  ///< of each key with its value: the parts of the name
-  std::vector<Scalar> values;       ///< of the keys
+  std::string name;                 ///< name of the task and of its directory: `volumetric-averaged_seed-2`
+  std::vector<std::string> labels;  ///< parts of the name, one for each key with its value
+  std::vector<Scalar> values;       ///< one for each key
   Study study;
 
-  /// Where its results go in a directory: the directory itself without a name.
+  /// The directory of the task's results within that of the sweep; the same directory for a task without a name.
   [[nodiscard]] std::filesystem::path directory_in(const std::filesystem::path& results) const {
     return name.empty() ? results : results / name;
   }
 };
 
-/// All combinations of the values of some keys, the last key running fastest. Without keys it is a single task, which
-/// has no name.
+/// All combinations of the values of the swept keys, the last key running fastest. A sweep without keys has one task,
+/// without a name.
 struct Sweep {
   std::vector<SweptKey> keys;
   std::vector<SweepTask> tasks;
 };
 
-/// Reads a deck with overrides as read_study does, with its `[sweep]` and further keys `key.path=[value, ...]`. Throws
-/// InputError with one line for every mistake in any task, and FileError.
+/// Reads a deck with overrides as read_study() does, with its `[sweep]` and with further swept keys
+/// `key.path=[value, ...]`. Throws InputError with one line for every mistake in any task, and FileError.
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
                  const std::vector<std::string>& further_keys);
 

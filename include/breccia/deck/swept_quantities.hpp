@@ -9,13 +9,13 @@
 
 namespace breccia {
 
-/// The values of a swept key that are quantities, as numbers in one unit.
+/// The values of a swept key as numbers in one unit.
 struct SweptQuantity {
-  std::string unit;             ///< that of the first task's value
-  std::vector<double> numbers;  ///< of each task
+  std::string unit;             ///< unit of the first task's value
+  std::vector<double> numbers;  ///< one for each task
 };
 
-/// The quantities of a key of a sweep; nothing where not all of its values are quantities of one dimension.
+/// The values of a key of a sweep as quantities; nothing unless all of them are quantities of one dimension.
 std::optional<SweptQuantity> swept_quantity(const Sweep& sweep, std::size_t key);
 
 }  // namespace breccia

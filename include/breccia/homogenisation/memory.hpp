@@ -7,18 +7,19 @@
 
 namespace breccia {
 
-/// Memory [B] that a quasi-static test takes, about: from experience, with all that it keeps.
+/// Approximate memory [B] of a quasi-static test of a stage on a grid with `cells` cells per side; an empirical
+/// formula.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 
-/// Memory [B] that this process may still take: what the machine has left, the limits of its control groups and that of
-/// `ulimit -v`, whichever is least; infinite where none can be read.
+/// Memory [B] that this process may still allocate: the smallest of the free memory of the machine, the limits of its
+/// control groups and that of `ulimit -v`; infinite if none of them can be read.
 double available_memory();
 
-/// A line for every stage and method that will take more memory [B] than there is, with the number of cells that would
-/// fit. Of a process alone; several may be on several machines.
+/// A message for every stage and method that needs more than the available memory [B], with the number of cells that
+/// would fit. It assumes a single process.
 std::vector<std::string> lacking_memory(const Study& study, double available);
 
-/// Throws InputError with those lines, if there are any.
+/// Throws InputError with the lines of lacking_memory(), if there are any.
 void require_memory(const Study& study, double available);
 
 }  // namespace breccia

@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// The result of a stage that is packed and not tested yet.
+/// The result of a stage that has its microstructure and its warnings, but no tests yet.
 StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostructure microstructure);
 
 }  // namespace breccia

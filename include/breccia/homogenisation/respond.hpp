@@ -12,8 +12,8 @@
 
 namespace breccia {
 
-/// The reduced responses of a stage: its microstructure under all boundaries and loads that were tested, ready for
-/// another matrix. They follow from a solution in the memory (responses_of) or from a file `response.h5`
+/// The reduced responses of a stage under all boundaries and loads that were tested, from which its moduli with another
+/// matrix can be computed. They come from a result in memory (responses_of) or from a file `response.h5`
 /// (results/response_file.hpp).
 struct StoredResponses {
   struct Entry {
@@ -22,37 +22,38 @@ struct StoredResponses {
   };
 
   std::string stage;
-  StageMatrix matrix;                         ///< an earlier stage, or a material, of which a file keeps the name alone
+  StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
   double side = 0.0;                          ///< of the box [m]
-  std::string deck_hash;                      ///< of the study that left it; empty for a study without a deck
-  double fit_tolerance = 0.0;                 ///< of that study
+  std::string deck_hash;                      ///< of the study; empty for a study without a deck
+  double fit_tolerance = 0.0;                 ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]
   int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
   std::vector<Entry> entries;
 };
 
-/// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
+/// The reduced responses of a stage from its result; without entries if none of its tests was computed by the
 /// quasi-static method with the reduced solver.
 StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The same of all stages of a study that have such tests, in their order.
+/// The reduced responses of all stages of a study that have such tests, in the order of the stages.
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
-/// The stage with another matrix, at the times given or else those of the study: milliseconds.
-/// Throws InputError where the matrix leaves the sampled range, telling both and the times that are covered.
+/// Computes, in milliseconds, the moduli of a stage with another matrix, at the given times [s] or else those of the
+/// study. Throws InputError if the matrix leaves the sampled range; the message has both and the times that are
+/// covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
 
-/// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others
-/// take what it makes of the stage before them. In the order in which they build on each other. Throws InputError as
-/// above, and where a stage that another builds on is missing, the responses are of several studies, or their matrices
-/// of several materials.
+/// The same for several stages of a study that build on each other. The new matrix replaces that of the stages that do
+/// not build on another one; the matrix of each other stage is the new result of the stage before it. Returns the
+/// stages in the order in which they build on each other. Throws InputError as above, and if a stage that another one
+/// builds on is missing, the responses are from several studies, or several materials would be replaced by the one.
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
                                  std::optional<TimeWindow> times = {});
 
-/// The same with a new material for each of those that the stages had as their matrix, by its name in the study.
+/// The same with several new materials; each is given under the name of the material of the study that it replaces.
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                  const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times = {});
 

@@ -7,13 +7,14 @@
 
 namespace breccia {
 
-/// The result of a stage as a material, for every boundary and method of the study: what later stages take as their
-/// matrix. `earlier` are the stages that may have made its own. Throws NumericalError where a fit is worse than the
-/// study tolerates.
+/// The result of a stage as a material, for every boundary and method of the study; later stages use it as their
+/// matrix. `earlier` are the results of the stages before it. Throws NumericalError if the error of a fit exceeds the
+/// tolerance of the study.
 std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage,
                                           const std::vector<StageResult>& earlier, const StageResult& result);
 
-/// The matrix of a stage under a boundary and by a method: a material, or what an earlier stage made of it.
+/// The matrix of a stage under a boundary and by a method: a material, or the result of an earlier stage under the same
+/// boundary and by the same method.
 const Material& matrix_of(const Stage& stage, const std::vector<StageResult>& earlier, Boundary boundary,
                           Method method);
 

@@ -5,9 +5,9 @@
 
 namespace breccia {
 
-/// Leaves a microstructure in a state, and reads it again. Throws FileError where the state is not one of discs in a
-/// box.
+/// Writes a microstructure to a state. Throws FileError.
 void save(StateWriter& state, const StageMicrostructure& microstructure);
+/// Reads a microstructure from a state. Throws FileError if the state does not have valid discs in a box.
 StageMicrostructure read_stage_microstructure(const StateReader& state);
 
 }  // namespace breccia

@@ -9,13 +9,13 @@
 
 namespace breccia {
 
-/// What makes the results of a stage doubtful before anything is computed, each with the name of the stage: a gap that
-/// follows the grid, particles too near in size to those of its matrix, gaps that its grid hardly sees, particles that
-/// a boundary cuts, times at which the spectrum of its matrix says nothing; and each with the name of the material what
-/// is doubtful in the materials that no earlier stage has.
+/// Warnings about a stage that are known before its tests. Those that name the stage are about: a gap that depends on
+/// the grid, particles too close in size to those of its matrix, gaps that the grid does not resolve, particles that a
+/// boundary cuts, times outside the spectrum of its matrix. Those that name a material are about materials that no
+/// earlier stage has, such as an unusual Poisson's ratio.
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage, const StageMicrostructure& microstructure);
 
-/// Warns of times [s] at which the spectrum of a matrix says nothing; nothing where it does.
+/// A warning if some of the times [s] are outside the relaxation spectrum of a matrix; otherwise nothing.
 std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times);
 
 }  // namespace breccia

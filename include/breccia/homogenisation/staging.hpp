@@ -6,19 +6,19 @@
 
 namespace breccia {
 
-/// A stage that holds a part of the sizes of a filler.
+/// A stage with the particles of a range of diameters.
 struct SizeStage {
-  double smallest = 0.0;  ///< [m]
-  double largest = 0.0;   ///< [m]
-  double share = 0.0;     ///< of the volume of the filler [-]
-  double fraction = 0.0;  ///< that its particles fill of its box [-]
+  double smallest = 0.0;  ///< smallest diameter [m]
+  double largest = 0.0;   ///< largest diameter [m]
+  double share = 0.0;     ///< share of the volume of the filler [-]
+  double fraction = 0.0;  ///< volume fraction of the particles in the box of the stage [-]
 };
 
-/// Divides the particles of a composite between stages, each the matrix of the next, from the smallest up. `fraction`
-/// is the filler of the whole by volume [-]; `bounds` are the rising diameters [m] at which the stages begin and end,
-/// so one more than stages. With v_k the volume in stage k, its particles fill v_k / (1 - fraction + v_1 + ... + v_k)
-/// of its box. Throws InputError where the fraction is not between 0 and 1, the bounds do not rise, or a stage holds
-/// nothing.
+/// Divides the particles of a composite between stages from the smallest diameters up; each stage is the matrix of the
+/// next one. `fraction` is the volume fraction of the filler in the composite [-]; `bounds` are the rising diameters
+/// [m] that separate the stages, one more than there are stages. With v_k the volume of the particles in stage k, their
+/// fraction in its box is v_k / (1 - fraction + v_1 + ... + v_k). Throws InputError if the fraction is not between 0
+/// and 1, the bounds do not rise, or a stage has no particles.
 std::vector<SizeStage> divide_into_stages(const SizeDistribution& sizes, const std::vector<double>& bounds,
                                           double fraction);
 

@@ -8,7 +8,8 @@
 
 namespace breccia {
 
-/// Functions that are called while a study is solved, each of which may be empty. What they throw ends the solution.
+/// Functions that are called while a study is solved; each of them may be empty. An exception that they throw ends the
+/// solution.
 struct StudyObserver {
   std::function<void(const Stage&, const PackingProgress&)> packing = {};
   std::function<void(const Stage&, const StageResult&)> packed = {};

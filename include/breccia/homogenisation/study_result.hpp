@@ -14,41 +14,41 @@
 
 namespace breccia {
 
-/// How a quasi-static result was made.
+/// Record of the computation of a quasi-static result.
 struct QuasistaticRecord {
   QuasistaticResponse response;  ///< without its curves
   LinearEffort effort;           ///< of all loads together
   double seconds = 0.0;          ///< wall time, of all loads together
 };
 
-/// How far an extrapolated curve may be off, and from which grids it comes.
+/// The grids and the error band of an extrapolated curve.
 struct ExtrapolationRecord {
-  std::vector<int> cells;          ///< per side, rising
-  std::vector<double> half_bands;  ///< of the modulus at each time [Pa]
+  std::vector<int> cells;          ///< cells per side of the grids, rising
+  std::vector<double> half_bands;  ///< half width of the error band of the modulus at each time [Pa]
 };
 
-/// Where the fields of a test at one time have been written: names of files in the directory of its stage.
+/// The files with the fields of a test at one time, by their names in the directory of the stage.
 struct FieldRecord {
   double time = 0.0;  ///< [s]
   std::string file;   ///< VTKHDF
   std::string stress_picture, strain_picture;
 };
 
-/// One virtual test of one stage under one load, done.
+/// The result of one virtual test of one stage under one load.
 struct TestResult {
   TestId id = {};
-  Curve modulus = {};                       ///< relaxation modulus; of a creep test after interconversion
-  Creep compliance = {};                    ///< of a creep test
-  PronySeries series = {};                  ///< of the modulus
-  std::vector<TimedFields<2>> fields = {};  ///< of the material points, in the memory; empty where they were written
+  Curve modulus = {};                       ///< relaxation modulus; for a creep test by interconversion
+  Creep compliance = {};                    ///< creep compliance, for a creep test only
+  PronySeries series = {};                  ///< relaxation modulus
+  std::vector<TimedFields<2>> fields = {};  ///< at the material points; empty if they were written to field_files
   std::vector<FieldRecord> field_files = {};
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
-/// The test under a load and a boundary that stands for all grids (is_preferred); null where there is none.
+/// The test under a load and a boundary on the preferred grid (is_preferred); nullptr if there is no such test.
 const TestResult* find_preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                       Method method = Method::quasistatic);
-/// The same; throws InputError where there is no such test.
+/// The same; throws InputError if there is no such test.
 const TestResult& preferred_test(const std::vector<TestResult>& tests, Load load, Boundary boundary,
                                  Method method = Method::quasistatic);
 
@@ -59,7 +59,7 @@ struct StageMaterial {
   HomogenisedMaterial result = {};
 };
 
-/// A computed modulus beside a measured one.
+/// A computed and a measured modulus at the same time.
 struct ComparedSample {
   double time = 0.0;      ///< [s]
   double modulus = 0.0;   ///< computed [Pa]
@@ -68,18 +68,19 @@ struct ComparedSample {
   [[nodiscard]] double ratio() const { return modulus / measured; }
 };
 
-/// G(t) of a stage under one boundary and by one method beside a measurement.
+/// Comparison of G(t) of a stage, under one boundary and by one method, with a measurement.
 struct Comparison {
-  std::string measurement;              ///< its label
-  TestId test;                          ///< the one that stands for its boundary and method
+  std::string measurement;              ///< label of the measurement
+  TestId test;                          ///< the preferred test of its boundary and method
   std::vector<ComparedSample> samples;  ///< at the times of the curve, at least one
 
-  /// Where the ratio is nearest to one, and where it is furthest.
+  /// The sample whose ratio is nearest to one.
   [[nodiscard]] const ComparedSample& best() const;
+  /// The sample whose ratio is furthest from one.
   [[nodiscard]] const ComparedSample& worst() const;
 };
 
-/// The results of one stage, of those of its tests that are done.
+/// The results of one stage, from the tests that are finished so far.
 struct StageResult {
   std::string name;
   int cells = 0;
@@ -87,16 +88,17 @@ struct StageResult {
   double point_fraction = 0.0;  ///< share of the material points that are filler [-]
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
-  std::vector<StageMaterial> materials;  ///< what later stages take as their matrix
-  std::vector<Comparison> comparisons;   ///< with all that was measured
-  std::vector<std::string> warnings;     ///< what makes the results doubtful
-  /// The task of a sweep whose reduced responses gave the tests at another temperature; empty where they were computed.
+  std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
+  std::vector<Comparison> comparisons;   ///< with all measurements of the stage
+  std::vector<std::string> warnings;     ///< reasons to doubt the results
+  /// The task of a sweep from whose reduced responses these tests were obtained; empty if they were computed.
   std::string answered_from = {};
 };
 
+/// The results of a study.
 struct StudyResult {
   std::vector<StageResult> stages;
-  std::optional<double> seconds = {};  ///< wall time, once everything is done and written
+  std::optional<double> seconds = {};  ///< wall time [s], once everything is computed and written
 };
 
 }  // namespace breccia

@@ -10,9 +10,9 @@
 
 namespace breccia {
 
-/// Where the parts of a solution go as they are found, and from where calculations that were cut off go on. This class
-/// keeps nothing, so that a solution exists in the memory alone; one that writes overrides what it needs. All functions
-/// are called on every process of a group. What they throw ends the solution.
+/// Receives the parts of a solution as they are computed, and provides the checkpoints. This base class does nothing,
+/// so that a solution exists only in memory; a class that writes files overrides what it needs. All functions are
+/// called on every process of a group. An exception that they throw ends the solution.
 class StudySink {
  public:
   StudySink() = default;
@@ -22,27 +22,28 @@ class StudySink {
   StudySink& operator=(StudySink&&) = delete;
   virtual ~StudySink() = default;
 
-  /// The states of a packing, of all loads of a quasi-static test, and of a dynamic test; nothing where none are left.
+  /// The checkpoints of a packing, of a quasi-static test (all loads), and of a dynamic test; nothing if no state shall
+  /// be saved.
   virtual std::optional<Checkpoint> packing_checkpoint(const Stage&) { return std::nullopt; }
   virtual std::optional<Checkpoint> quasistatic_checkpoint(const Stage&, Boundary, TestGrid) { return std::nullopt; }
   virtual std::optional<Checkpoint> dynamic_checkpoint(const Stage&, const TestId&) { return std::nullopt; }
 
-  /// A stage has its microstructure; it is the last one of the result.
+  /// Is called when a stage has its microstructure; it is the last stage of the result.
   virtual void packed(const Stage&, const StudyResult&) {}
-  /// A time domain of a dynamic test is done, the one of this number, from 1.
+  /// Is called when a time domain of a dynamic test is finished; the number counts from 1.
   virtual void domain_finished(const Stage&, const TestId&, std::size_t /*number*/, const TimeDomain&) {}
-  /// A test has found fields on a discretisation. Returns the files to which they have been written, on every process
-  /// of a group or on none; where nothing is returned they stay in the result. States of tests do not hold fields: a
-  /// sink that leaves states must take the fields, or they are lost to whoever goes on from there.
+  /// Is called with the fields of a test and its discretisation. Returns the files to which they were written, on every
+  /// process of a group or on none; if it returns nothing, the fields remain in the result. Checkpoints do not contain
+  /// fields: a sink with checkpoints must write the fields, or a resumed run will lack them.
   virtual std::optional<std::vector<FieldRecord>> fields(const Stage&, const TestId&, const Discretisation<2>&,
                                                          const std::vector<TimedFields<2>>&) {
     return std::nullopt;
   }
-  /// Another test, or the extrapolation of several, is in the result of the last stage.
+  /// Is called when a test, or the extrapolation of several, has been added to the last stage of the result.
   virtual void tested(const Stage&, const StudyResult&) {}
-  /// All loads of a quasi-static test are in the result of the last stage.
+  /// Is called when all loads of a quasi-static test have been added to the last stage of the result.
   virtual void all_loads_tested(const Stage&, const StudyResult&) {}
-  /// All tests of the last stage are done, and compared with what was measured.
+  /// Is called when all tests of the last stage are finished and compared with the measurements.
   virtual void stage_finished(const Stage&, const StudyResult&) {}
 };
 

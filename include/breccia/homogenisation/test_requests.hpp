@@ -7,15 +7,15 @@
 
 namespace breccia {
 
-/// A virtual test of a stage on a grid, with the material that is its matrix, ready to be run.
+/// The dynamic test of a stage on a grid, under one boundary and load, with its matrix as a material.
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
                               const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads);
-/// The same by the quasi-static method, under all loads of the stage.
+/// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const Discretisation<2>& discretisation, Boundary boundary, int threads);
 
-/// The matrix of a stage as it can be guessed before anything has been computed: exact where it is a material. It plans
-/// runs; no result depends on it.
+/// An estimate of the matrix of a stage before anything is computed; exact if the matrix is a material. It serves to
+/// plan runs; no result depends on it.
 Material expected_matrix(const Study& study, const Stage& stage);
 
 }  // namespace breccia

@@ -17,11 +17,11 @@ class CsvTable {
   /// The names of the columns in the order of the file.
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   [[nodiscard]] bool has(const std::string& name) const;
-  /// A column of numbers. Throws InputError, naming the columns there are, when this one is missing.
+  /// A column of numbers. Throws InputError, with the names of the existing columns, when it is missing.
   [[nodiscard]] const std::vector<double>& numbers(const std::string& name) const;
-  /// A column of text, one of those that read_csv was told of. Throws InputError when it is missing.
+  /// A column that was given to read_csv() as a text column. Throws InputError when it is missing.
   [[nodiscard]] const std::vector<std::string>& text(const std::string& name) const;
-  /// `file:line` of a row, to begin a message about it.
+  /// Place of a row, `file:line`, for messages about it.
   [[nodiscard]] std::string place(std::size_t row) const;
 
  private:
@@ -30,15 +30,15 @@ class CsvTable {
 
   std::filesystem::path path_;
   std::vector<std::string> names_;
-  std::vector<std::size_t> lines_;  ///< of the file, for each row
+  std::vector<std::size_t> lines_;  ///< line number of each row in the file
   std::map<std::string, std::vector<double>, std::less<>> numbers_;
   std::map<std::string, std::vector<std::string>, std::less<>> text_;
 };
 
-/// Reads a CSV file: a header line with the names of the columns, then one row a line. All columns hold numbers (`inf`
-/// is one) except those named as text. Empty lines, lines that begin with #, spaces around values, double quotes (with
-/// separators and line breaks within them), CRLF and a UTF-8 byte order mark are allowed. For tables that Breccia
-/// writes itself; read_measured_table reads what people and instruments write. Throws InputError with what is wrong
+/// Reads a CSV file that Breccia has written: a header line with the names of the columns, then one row per line. All
+/// columns hold numbers (`inf` is allowed) except the text columns. Empty lines, lines that begin with #, spaces around
+/// values, double quotes (with separators and line breaks within them), CRLF and a UTF-8 byte order mark are allowed.
+/// For tables of other origin use read_measured_table(). Throws InputError with all mistakes in the file
 /// (FileMistakes), and FileError when the file cannot be read.
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& text_columns = {});
 
@@ -48,8 +48,8 @@ struct CsvColumn {
   std::variant<std::vector<double>, std::vector<std::string>> values;
 };
 
-/// Writes columns of equal length atomically; numbers are the shortest that read back as the same double, and so is
-/// text of any kind. Each line of the comment gets a leading "# ". Throws FileError.
+/// Writes columns of equal length atomically. Each number has the fewest digits that are read back as the same double;
+/// text of any kind is read back unchanged. Each line of the comment gets a leading "# ". Throws FileError.
 void write_csv(const std::filesystem::path& path, const std::vector<CsvColumn>& columns, std::string_view comment = {});
 
 }  // namespace breccia

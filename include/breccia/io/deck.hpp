@@ -33,10 +33,10 @@ struct Range {
   static Range above_and_up_to(double lower, double upper) { return {lower, upper, true, false}; }
 };
 
-/// What the value of a key is.
+/// The type of the value of a key.
 enum class Kind { absent, boolean, integer, number, text, date, array, table };
 
-/// A word of a choice and what it stands for.
+/// A word that a key accepts, and the value that it stands for.
 template <class T>
 using Choice = std::pair<std::string_view, T>;
 
@@ -46,20 +46,21 @@ struct DeckState;
 struct DeckValue;
 }  // namespace detail
 
-/// A table of a deck. A getter reports a missing key or a bad value to the deck, which gathers all mistakes; it then
-/// returns a placeholder (NaN, 0, empty), and Deck::finish throws. The `optional_` getters return nothing for a
-/// missing key. A section that is missing altogether answers with placeholders and reports nothing more. Every key that
-/// was asked for is known; Deck::finish reports all others.
+/// A table of a deck. A getter reports a missing key or a bad value to the deck, which collects all mistakes; it then
+/// returns a placeholder (NaN, 0, empty), and Deck::finish() throws. The `optional_` getters return nothing for a
+/// missing key. The getters of a missing section return placeholders without further reports. Every key that a getter
+/// was called for is known; Deck::finish() reports all others as unknown.
 class Section {
  public:
   [[nodiscard]] Kind kind(const std::string& key) const;
   [[nodiscard]] bool has(const std::string& key) const { return kind(key) != Kind::absent; }
-  /// All keys, in the order of the deck. They count as known.
+  /// All keys, in the order of the deck. Marks them as known.
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// The one of these keys that the section has. Reports it, and returns an empty string, when it has none or several.
+  /// The one key among these that the section has. If it has none of them or several, reports that and returns an empty
+  /// string.
   [[nodiscard]] std::string exactly_one(const std::vector<std::string>& keys) const;
 
-  /// A quantity in its SI unit.
+  /// The value of a quantity in its SI unit.
   [[nodiscard]] double quantity(const std::string& key, Dimension dimension, const Range& range = {}) const;
   [[nodiscard]] std::optional<double> optional_quantity(const std::string& key, Dimension dimension,
                                                         const Range& range = {}) const;
@@ -68,7 +69,7 @@ class Section {
   [[nodiscard]] double number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<double> optional_number(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<double> numbers(const std::string& key, const Range& range = {}) const;
-  /// A share above 0 and below 1, given as a number or in per cent: 0.35 or "35 %".
+  /// A fraction above 0 and below 1, given as a number or in per cent: 0.35 or "35 %".
   [[nodiscard]] double fraction(const std::string& key) const;
   [[nodiscard]] std::int64_t integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<std::int64_t> optional_integer(const std::string& key, const Range& range = {}) const;
@@ -76,21 +77,21 @@ class Section {
   [[nodiscard]] std::optional<bool> optional_boolean(const std::string& key) const;
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] std::optional<std::string> optional_text(const std::string& key) const;
-  /// A file, named relative to the deck, that must exist.
+  /// The path of a file, which the deck names relative to itself. Reports a file that does not exist.
   [[nodiscard]] std::filesystem::path file(const std::string& key) const;
 
-  /// What one word of a choice stands for.
+  /// The value that the word of a key stands for.
   template <class T>
   [[nodiscard]] std::optional<T> choice(const std::string& key, const std::vector<Choice<T>>& choices) const {
     const auto index = choice_index(key, words_of(choices));
     return index ? std::optional<T>(choices[*index].second) : std::nullopt;
   }
-  /// The same with all words of an enumeration.
+  /// The same for all words of an enumeration.
   template <HasWords Enum>
   [[nodiscard]] std::optional<Enum> choice(const std::string& key) const {
     return choice<Enum>(key, {words<Enum>.begin(), words<Enum>.end()});
   }
-  /// What the words of an array stand for.
+  /// The values that the words of an array stand for.
   template <class T>
   [[nodiscard]] std::vector<T> list_of_choices(const std::string& key, const std::vector<Choice<T>>& choices) const {
     std::vector<T> chosen;
@@ -102,7 +103,7 @@ class Section {
     return list_of_choices<Enum>(key, {words<Enum>.begin(), words<Enum>.end()});
   }
 
-  /// The elements of an array of numbers, text, true and false.
+  /// The elements of an array of numbers, texts and booleans.
   [[nodiscard]] std::vector<PlacedScalar> scalars(const std::string& key) const;
 
   [[nodiscard]] Section section(const std::string& key) const;
@@ -112,14 +113,15 @@ class Section {
 
   /// Reports a mistake in the value of a key, or in the section when it has no such key.
   void report(const std::string& key, const std::string& message) const;
-  /// Runs an action and reports an InputError that it throws, line by line, as a mistake in the value of a key.
+  /// Runs an action. If it throws InputError, reports each line of the message as a mistake in the value of a key.
   void report_errors_of(const std::string& key, const std::function<void()>& action) const;
-  /// Reports keys that make no sense here, if they are present, with the reason.
+  /// Reports those of the keys that are present as not allowed here, with the reason.
   void refuse(const std::vector<std::string>& keys, const std::string& reason) const;
-  /// Where a key that the section has, and its value, stand.
+  /// Place of an existing key.
   [[nodiscard]] Place place_of_key(const std::string& key) const;
+  /// Place of the value of an existing key.
   [[nodiscard]] Place place_of_value(const std::string& key) const;
-  /// Takes all keys for known: for a section whose meaning cannot be told because of another mistake.
+  /// Marks all keys as known: for a section that cannot be interpreted because of another mistake.
   void accept_all_keys() const { static_cast<void>(keys()); }
 
  private:
@@ -152,10 +154,10 @@ class Section {
 /// A TOML file with overrides.
 class Deck {
  public:
-  /// Reads a deck and applies overrides `key.path=value`, whose values are TOML or else taken as text. A step of a path
-  /// into an array is an index from 0 or, for tables, the `name` of one; the step `*` is every element of an array and
-  /// every entry of a table. Throws InputError when there is no such file or it is not TOML, and FileError when it
-  /// cannot be read. Overrides that lead nowhere are left to finish().
+  /// Reads a deck and applies overrides `key.path=value`. A value that is not TOML is taken as text. A step of a path
+  /// that selects an element of an array is its index from 0 or, for tables, its `name`; the step `*` stands for every
+  /// element of an array and every entry of a table. Throws InputError when the file does not exist or is not TOML, and
+  /// FileError when it cannot be read. Overrides whose path does not exist are reported by finish().
   explicit Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
   Deck(const Deck&) = delete;
   Deck& operator=(const Deck&) = delete;
@@ -163,30 +165,30 @@ class Deck {
   Deck& operator=(Deck&&) noexcept;
   ~Deck();
 
-  /// The same deck with nothing asked of it yet, and without the mistakes found so far.
+  /// A copy of the deck in which no key is known yet and no mistake has been reported.
   [[nodiscard]] Deck unread_copy() const;
 
-  /// Replaces or adds a value, before the deck is read, and returns the paths of all that it has replaced: more than
-  /// one where the path has a `*`. A path that leads nowhere is a mistake, and returns none.
+  /// Replaces or adds a value, before the deck is read. Returns the paths of all values that it has set: several if the
+  /// path has a `*`. Reports a path that does not exist as a mistake and returns an empty list.
   std::vector<std::string> set(const Setting& setting);
-  /// Adds the entry `key=[...]` of an option to a table at the top, which is made where it is missing. The key is taken
-  /// whole, with its dots.
+  /// Adds the entry `key=[...]` of a command-line option to a table at the top of the deck, which is created if it is
+  /// missing. Dots in the key are part of its name.
   void add(const std::string& table, const std::string& option, const std::string& entry);
 
-  /// The files that the deck names and that have been asked for so far, in the order of their names.
+  /// The files that have been read through Section::file() so far, in alphabetical order.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] const std::filesystem::path& path() const noexcept;
-  /// The deck as it stands in the file.
+  /// The text of the file.
   [[nodiscard]] const std::string& text() const noexcept;
-  /// What the deck says, overrides included, but for one key of its top: the same for decks that differ in their
-  /// comments and spaces alone.
+  /// The content of the deck, overrides included, without one of its top-level keys. Decks that differ only in comments
+  /// and spaces have the same content.
   [[nodiscard]] std::string content_without(std::string_view key) const;
-  /// The same without several keys of its top, and with no more than the first elements of one of its arrays.
+  /// The content without several top-level keys, and with only the first `count` elements of one top-level array.
   [[nodiscard]] std::string content_with_first(std::size_t count, std::string_view array,
                                                std::span<const std::string_view> left_out) const;
-  /// The top of the deck. Sections live as long as the deck.
+  /// The top-level table. Sections are valid as long as the deck exists.
   [[nodiscard]] Section root() const;
-  /// All mistakes found so far, unknown keys of the tables that were looked into included.
+  /// All mistakes found so far, including the unknown keys of all tables that were accessed.
   [[nodiscard]] std::vector<Mistake> mistakes() const;
   /// Throws one InputError with all mistakes (refuse_mistakes).
   void finish() const { refuse_mistakes(path(), mistakes()); }

@@ -10,9 +10,9 @@
 
 namespace breccia {
 
-/// Where something stands: in a line and column of the deck, or on the command line.
+/// A place in a deck, by line and column, or on the command line.
 struct Place {
-  std::string option;  ///< `--set key.path=value`; empty for the deck itself
+  std::string option;  ///< such as `--set key.path=value`; empty for a place in the deck
   std::uint32_t line = 0;
   std::uint32_t column = 0;
 };
@@ -27,29 +27,30 @@ struct Mistake {
 /// `pbx9501.toml:14:9: materials.binder.bulk: expected a pressure, got "3.6 um"`.
 void refuse_mistakes(const std::filesystem::path& deck, std::vector<Mistake> mistakes);
 
-/// A value of a deck that has no parts.
+/// A value of a deck that is neither an array nor a table.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;
 
-/// As it stands in a deck: `"3.6 GPa"`, `1.0`, `true`.
+/// The value as a deck has it: `"3.6 GPa"`, `1.0`, `true`.
 std::string toml_text(const Scalar& value);
 
-/// As it stands in a table: `3.6 GPa`, `1`, `true`.
+/// The value as a CSV file has it: `3.6 GPa`, `1`, `true`.
 std::string plain_text(const Scalar& value);
 
+/// A value with its place.
 struct PlacedScalar {
   Scalar value;
   Place place;
 };
 
-/// A value for a key of a deck, and where either stands.
+/// A value for a key of a deck, and the places of both.
 struct Setting {
   std::string path;  ///< as in `--set`
   Place path_place;
   PlacedScalar value;
 };
 
-/// The steps of a dotted path; a step in double quotes may hold dots. Nothing when a step is empty, or when
-/// they are more than a hundred.
+/// The steps of a dotted path; a step in double quotes may contain dots. Nothing when a step is empty or there are more
+/// than a hundred steps.
 std::optional<std::vector<std::string>> split_path(std::string_view path);
 
 }  // namespace breccia

@@ -7,19 +7,19 @@
 
 namespace breccia {
 
-/// Another process writes to a directory that is to be written to.
+/// Error: another process is writing to the directory.
 class DirectoryInUse : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Keeps other processes of Breccia from writing to a directory of results, for as long as it lives. The system gives
-/// the directory free when the process ends, however it ends. A process cannot lock a directory twice. On a file system
-/// without locks it keeps nobody away.
+/// Prevents other processes of Breccia from writing to a results directory during the lifetime of this object. The
+/// operating system releases the lock when the process ends, in whatever way. A process cannot lock a directory twice.
+/// On a file system without locks it has no effect.
 class DirectoryLock {
  public:
-  /// The directory is made where it is missing. Throws DirectoryInUse where another lock holds it, FileError where it
-  /// cannot be made or opened.
+  /// Creates the directory if it is missing. Throws DirectoryInUse when another lock holds it, FileError when it cannot
+  /// be created or opened.
   explicit DirectoryLock(const std::filesystem::path& directory);
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;

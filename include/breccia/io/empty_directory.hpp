@@ -5,10 +5,10 @@
 
 namespace breccia {
 
-/// Is nothing at this path, or a directory with nothing in it?
+/// Whether the path does not exist or is an empty directory.
 bool is_missing_or_empty(const std::filesystem::path& directory) noexcept;
 
-/// Removes a directory if it is empty. A symbolic link to a directory stays, and what cannot be removed stays.
+/// Removes a directory if it is empty. Keeps a symbolic link to a directory, and ignores a failure to remove.
 void remove_if_empty(const std::filesystem::path& directory) noexcept;
 
 /// The same for several directories, in their order.

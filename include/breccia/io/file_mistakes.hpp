@@ -8,17 +8,17 @@
 
 namespace breccia {
 
-/// What is wrong with a file. Of each kind of mistake the first three are told, and how many more there are: a column
-/// in a wrong format is wrong in all of its ten thousand rows.
+/// Collects the mistakes in a file. Of each kind of mistake the message has the first three and the number of the
+/// others, since a column in a wrong format is wrong in every row.
 class FileMistakes {
  public:
   explicit FileMistakes(const std::filesystem::path& file);
 
-  /// A mistake at a place (`file:line`) or, where that is empty, of the file as a whole: `table.csv:3: b: expected a
-  /// number, got "x"`. Mistakes with the same `expected` are of one kind. Bytes that cannot be printed are escaped.
+  /// Adds a mistake at a place (`file:line`) or, if `place` is empty, in the file as a whole: `table.csv:3: b: expected
+  /// a number, got "x"`. Mistakes with the same `expected` are of one kind. Unprintable bytes are escaped.
   void add(std::string_view place, std::string_view expected, std::string_view got = {});
   [[nodiscard]] bool empty() const noexcept { return kinds_.empty(); }
-  /// Throws one InputError with a line for each mistake, if there are any.
+  /// Throws one InputError with a line for each mistake; does nothing if there are none.
   void refuse() const;
 
  private:
@@ -30,10 +30,10 @@ class FileMistakes {
   std::string file_;
   std::vector<std::string> lines_;
   std::vector<Kind> kinds_;
-  std::size_t others_ = 0;  ///< of further kinds
+  std::size_t others_ = 0;  ///< number of mistakes of further kinds
 };
 
-/// A value of a file in a message: in quotes, bytes escaped, cut where it is long; `nothing` where it is empty.
+/// A value of a file for a message: in quotes, unprintable bytes escaped, long values cut; `nothing` for an empty one.
 std::string shown_value(std::string_view text);
 
 }  // namespace breccia

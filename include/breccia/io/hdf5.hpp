@@ -30,7 +30,7 @@ class Hdf5Handle {
   ~Hdf5Handle() { reset(); }
 
   [[nodiscard]] std::int64_t id() const noexcept { return id_; }
-  /// Closes the handle. False when the library could not.
+  /// Closes the handle. Returns false if the library fails to close it.
   bool reset() noexcept;
 
  private:
@@ -38,14 +38,14 @@ class Hdf5Handle {
   Close close_;
 };
 
-/// Writes an HDF5 file, which appears under its name when commit() is called. Objects have absolute names such as
-/// "/history/time"; groups on the way are created as needed. All members throw FileError with file and object.
+/// Writes an HDF5 file, which gets its name when commit() is called. Objects have absolute names such as
+/// "/history/time"; missing parent groups are created. All members throw FileError with file and object.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const std::filesystem::path& path);
 
   void create_group(const std::string& name);
-  /// Writes a dataset. The values fill the shape in the order of its last index.
+  /// Writes a dataset. The last index of the shape runs fastest through the values.
   void write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
   void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
   /// The same, compressed.
@@ -56,16 +56,16 @@ class Hdf5Writer {
   /// Writes a one-dimensional dataset.
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::int64_t> values);
-  /// Attaches an attribute to a group or dataset that exists.
+  /// Adds an attribute to an existing group or dataset.
   void write_attribute(const std::string& object, const std::string& attribute, const Hdf5Attribute& value);
-  /// Closes the file, which has its bytes under a temporary name then.
+  /// Closes the file, which still has its temporary name.
   void close();
   [[nodiscard]] const std::filesystem::path& temporary() const noexcept { return target_.temporary(); }
-  /// Closes the file if that was not done, and gives it its name.
+  /// Closes the file if it is open, and gives it its name.
   void commit();
 
  private:
-  /// With the properties of a dataset that is made, an identifier of HDF5.
+  /// `properties` is the HDF5 identifier of the creation properties of the dataset.
   void write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
                  const Hdf5Shape& shape, std::int64_t properties);
   void write_in_chunks(const std::string& name, const void* values, std::size_t count, std::int64_t type,
@@ -82,7 +82,7 @@ class Hdf5Reader {
   explicit Hdf5Reader(const std::filesystem::path& path);
 
   [[nodiscard]] bool has(const std::string& name) const;
-  /// The names of what a group holds, in alphabetical order.
+  /// The names of the objects in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
   [[nodiscard]] Hdf5Shape shape(const std::string& name) const;
   [[nodiscard]] std::vector<double> read_numbers(const std::string& name) const;

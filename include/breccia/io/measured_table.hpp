@@ -11,7 +11,7 @@
 
 namespace breccia {
 
-/// What a column of a file holds; its values in the unit given here.
+/// The quantity in a column of a file, with the unit of its values.
 enum class Quantity {
   time,                        ///< [s]
   relaxation_time,             ///< [s]
@@ -30,37 +30,37 @@ enum class Quantity {
 /// A column of a file.
 struct MeasuredColumn {
   Quantity quantity;
-  ModulusKind kind;             ///< of a modulus or compliance
-  std::string name;             ///< in the file
+  ModulusKind kind;             ///< kind of a modulus or compliance
+  std::string name;             ///< name of the column in the file
   std::vector<double> values;   ///< in the unit of the quantity
-  std::vector<double> written;  ///< as they stand in the file
+  std::vector<double> written;  ///< the numbers in the file
 };
 
-/// The columns of a file whose names say what they are. Others are left out, whatever they hold.
+/// The columns of a file that are recognised by their names. All other columns are ignored.
 class MeasuredTable {
  public:
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
   [[nodiscard]] std::size_t rows() const noexcept { return lines_.size(); }
   /// The names of all columns in the order of the file, in quotes, for a message.
   [[nodiscard]] std::string list_of_names() const;
-  /// `file:line` of a row, to begin a message about it.
+  /// Place of a row, `file:line`, for messages about it.
   [[nodiscard]] std::string place(std::size_t row) const;
 
   [[nodiscard]] bool has(std::initializer_list<Quantity> quantities) const;
-  /// The kinds of the moduli and compliances, each once.
+  /// The kinds of all moduli and compliances, without repetition.
   [[nodiscard]] std::vector<ModulusKind> kinds() const;
-  /// Throws InputError with a line for each of these quantities that has no column, or one whose unit is not known.
+  /// Throws InputError with a line for each of these quantities that has no column, or only one with an unknown unit.
   void require(std::initializer_list<Quantity> quantities) const;
-  /// Throws InputError where a column that is left out, for its unit is not known, would be the only one of a quantity.
+  /// Throws InputError if the only column of one of these quantities was ignored because its unit is unknown.
   void refuse_unknown_units(std::initializer_list<Quantity> quantities) const;
-  /// Throws InputError where the rows belong to several curves or series, one below the other, as in tables of results:
-  /// of several tasks, stages, loads, boundaries, methods or grids.
+  /// Throws InputError if the rows belong to several curves or series, one below the other, as in Breccia's tables of
+  /// results: of several tasks, stages, loads, boundaries, methods or grids.
   void refuse_several_series() const;
-  /// The column of a quantity that has no kind. Throws InputError without one.
+  /// The column of a quantity other than a modulus or compliance. Throws InputError if there is none.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity) const;
-  /// The column of a modulus or compliance of some kind, or else one whose kind is not said; any where no kind is
-  /// wanted. Throws InputError where there are but columns of other kinds, with what is to be done, and without a
-  /// column.
+  /// The column of a modulus or compliance of the wanted kind, or else of unspecified kind; any column if the wanted
+  /// kind is unspecified. Throws InputError if there is no column, or only columns of other kinds; the message says how
+  /// to convert them.
   [[nodiscard]] const MeasuredColumn& column(Quantity quantity, ModulusKind wanted) const;
 
  private:
@@ -69,23 +69,23 @@ class MeasuredTable {
     Quantity quantity;
     std::string message;
   };
-  /// A line for each column of these quantities that is left out and is the only one of its quantity.
+  /// A message for each ignored column that is the only one of these quantities.
   [[nodiscard]] std::vector<std::string> unknown_units(std::initializer_list<Quantity> quantities) const;
 
   std::filesystem::path path_;
   std::vector<std::string> names_;
-  std::vector<std::size_t> lines_;  ///< of the file, for each row
+  std::vector<std::size_t> lines_;  ///< line number of each row in the file
   std::vector<MeasuredColumn> columns_;
   std::vector<UnknownUnit> unknown_units_;
   bool has_several_series_ = false;
 };
 
-/// Reads a table as instruments and spreadsheets write it: separated by commas, semicolons or tabs, with decimal points
-/// or, where commas do not separate, decimal commas; as UTF-8 or Latin-1. Lines before the first that names two known
-/// columns are skipped. The unit of a column ends its name (`time_ms`, `storage_modulus_MPa`,
-/// `compliance_1_per_Pa`), stands there in brackets (`Storage modulus [MPa]`), or in a row of units below the names
+/// Reads a table that an instrument or a spreadsheet has written: separated by commas, semicolons or tabs, with decimal
+/// points or, if the separator is not a comma, decimal commas; in UTF-8 or Latin-1. Lines above the first line that
+/// names two known columns are skipped. The unit of a column is the end of its name (`time_ms`, `storage_modulus_MPa`,
+/// `compliance_1_per_Pa`), in brackets behind its name (`Storage modulus [MPa]`), or in a row of units below the names
 /// (docs/decks.md, "Files"). Numbers are finite or `inf`.
-/// Throws InputError with what is wrong (FileMistakes), and FileError.
+/// Throws InputError with all mistakes in the file (FileMistakes), and FileError when it cannot be read.
 MeasuredTable read_measured_table(const std::filesystem::path& path);
 
 }  // namespace breccia

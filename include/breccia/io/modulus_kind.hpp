@@ -6,29 +6,29 @@
 
 namespace breccia {
 
-/// Which modulus, or its compliance, a column of a file holds.
+/// The kind of modulus, or of compliance, in a column of a file.
 enum class ModulusKind {
-  unspecified,  ///< the column says only that it is a modulus
-  shear,        ///< G, of shear
-  young,        ///< E, of tension
-  bulk,         ///< K, of equal pressure from all sides
-  other         ///< one from which none of these follows, such as that of a confined column
+  unspecified,  ///< a modulus whose kind the name of the column does not say
+  shear,        ///< shear modulus G
+  young,        ///< Young's modulus E
+  bulk,         ///< bulk modulus K
+  other         ///< another modulus, such as the P-wave (confined) modulus
 };
 
-/// "shear modulus", "Young's modulus", "bulk modulus", or else "modulus".
+/// The name of a kind: "shear modulus", "Young's modulus", "bulk modulus"; "modulus" for the others.
 std::string_view name(ModulusKind kind);
 
-/// With what names of columns begin: "shear_", "youngs_", "bulk_", or else nothing. Moduli of dynamic tests carry it
-/// too: "shear_storage_modulus_Pa".
+/// The beginning of the names of columns: "shear_", "youngs_", "bulk_"; empty for the others. It also precedes the
+/// moduli of dynamic tests: "shear_storage_modulus_Pa".
 std::string_view column_prefix(ModulusKind kind);
 
-/// G, E or K; also G where the kind is not known.
+/// The symbol of a kind: G, E or K; G for the others.
 std::string_view symbol(ModulusKind kind);
 
-/// The kind that a word in the name of a column tells, such as "shear" or "tensile".
+/// The kind that a word in the name of a column stands for, such as "shear" or "tensile"; nothing for other words.
 std::optional<ModulusKind> kind_of_word(std::string_view word);
 
-/// How to come from the modulus that a file holds to the one that is wanted: the end of a message.
+/// The end of a message: how to convert the modulus in the file into the wanted one.
 std::string conversion_hint(ModulusKind held, ModulusKind wanted);
 
 }  // namespace breccia

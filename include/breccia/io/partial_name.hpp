@@ -5,11 +5,11 @@
 
 namespace breccia {
 
-/// The name under which a process writes a file until it is whole: `curves.csv.4711.partial`, with the number of the
+/// The name of a file that a process has not written completely yet: `curves.csv.4711.partial`, with the id of the
 /// process (AtomicFile).
 std::string partial_name(std::string_view name, int process);
 
-/// Is this such a name, with or without directories before it?
+/// Whether this is such a name, with or without a directory.
 bool is_partial_name(std::string_view name);
 
 }  // namespace breccia

@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// The share that a text in per cent stands for: "35 %" is 0.35. Nothing where the text is anything else.
+/// The fraction that a text in per cent stands for: "35 %" is 0.35. Nothing for any other text.
 std::optional<double> parse_percentage(std::string_view text);
 
 }  // namespace breccia

@@ -5,11 +5,12 @@
 
 namespace breccia {
 
-/// False for a text with a control character, such as a line break or a tab, or with bytes that are not UTF-8: it can
-/// be neither a value of a table nor part of the name of a file.
+/// False for a text with a control character, such as a line break or a tab, or with bytes that are not UTF-8. Such a
+/// text can be neither a value of a table nor part of a file name.
 bool is_printable(std::string_view text);
 
-/// The text on one line, harmless to a terminal: control characters as \u000a, bytes that are not UTF-8 as \xe9.
+/// The text on one line, safe for a terminal: control characters are written as \u000a, bytes that are not UTF-8 as
+/// \xe9.
 std::string printable(std::string_view text);
 
 }  // namespace breccia

@@ -8,29 +8,29 @@
 
 namespace breccia {
 
-/// Results that take the place of earlier ones are written beside them, to this subdirectory of theirs. Only when they
-/// are whole are the earlier files removed and the new ones moved into their place. So a run that fails, is killed or
-/// fills the disk leaves the earlier results as they were.
+/// Subdirectory of a results directory to which a run writes results that will replace earlier ones. When the new
+/// results are complete, the earlier files are removed and the new files are moved into their place. So a run that
+/// fails, is killed or fills the disk leaves the earlier results unchanged.
 inline constexpr std::string_view unfinished_directory = "unfinished";
 
-/// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are named relative to the
-/// directory; those that are missing do not matter. `record` is the file by which the results are known: the old one is
-/// removed first, the new one is moved last. A process that is killed on the way leaves a list from which
-/// finish_replacement goes on. Throws FileError, with nothing touched, where there is no new record, or a new file
-/// would replace one that is not among the old ones; and where a file cannot be removed or moved. Only the holder of a
-/// DirectoryLock may call it.
+/// Replaces files of a directory by all files of its subdirectory `unfinished`. `old_files` are relative to the
+/// directory; missing ones are ignored. `record` is the file that identifies the results: the old one is removed first,
+/// the new one is moved last. If the process is killed meanwhile, finish_replacement() can complete the work from a
+/// list that it leaves. Throws FileError before any change if there is no new record or a new file would replace a file
+/// that is not one of `old_files`; throws FileError also if a file cannot be removed or moved. The caller must hold the
+/// DirectoryLock.
 void replace_results(const std::filesystem::path& directory, std::span<const std::string> old_files,
                      const std::string& record);
 
-/// Brings a replacement to its end that was cut off; does nothing where there is none. Only the holder of a
-/// DirectoryLock may call it. Throws FileError.
+/// Completes a replacement that was interrupted; does nothing if there is none. The caller must hold the DirectoryLock.
+/// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
-/// Has a replacement begun that has not come to its end?
+/// Whether the directory has a replacement that was begun and is not complete.
 bool is_being_replaced(const std::filesystem::path& directory);
 
-/// The files in `unfinished`, relative to it, but for the lists of a replacement and half-written files
-/// (is_partial_name). Touches nothing.
+/// The files in `unfinished`, relative to it, without the lists of a replacement and half-written files
+/// (is_partial_name). Changes nothing.
 std::vector<std::string> unfinished_files(const std::filesystem::path& directory);
 
 }  // namespace breccia

@@ -7,8 +7,9 @@
 
 namespace breccia {
 
-/// A file that appears under its name all at once: it is written under a temporary name beside it, and renamed by
-/// commit(). Without commit() the destructor removes the temporary file and an older file of that name stays as it was.
+/// A file that is written under a temporary name in the same directory and renamed by commit(), so that it never
+/// appears incomplete. Without commit() the destructor removes the temporary file, and an older file of that name
+/// remains unchanged.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -19,14 +20,14 @@ class AtomicFile {
   ~AtomicFile();
 
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
-  /// Where to write until commit().
+  /// The path to write to before commit().
   [[nodiscard]] const std::filesystem::path& temporary() const noexcept { return temporary_; }
   /// Renames the temporary file, which must be closed by now. Throws FileError.
   void commit();
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path temporary_;  ///< empty when nothing is left to remove
+  std::filesystem::path temporary_;  ///< empty after commit() or a move
 };
 
 /// The bytes of a file. Throws FileError.
@@ -38,20 +39,21 @@ void write_text(const std::filesystem::path& path, std::string_view text);
 /// Copies a file atomically. Throws FileError.
 void copy_result(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Makes a directory, and those above it. Throws FileError.
+/// Creates a directory and its missing parents. Throws FileError.
 void make_directory(const std::filesystem::path& directory);
 
-/// Throws InputError where a file of a directory that is to be written or removed is one of the inputs it comes from.
+/// Throws InputError if one of the named files of a directory, which will be written or removed, is an input file.
 void refuse_to_replace(const std::filesystem::path& directory, std::span<const std::string> names,
                        std::span<const std::filesystem::path> inputs);
 
-/// Removes files of a directory where they are. Throws FileError.
+/// Removes the named files from a directory; missing ones are ignored. Throws FileError.
 void remove_files(const std::filesystem::path& directory, std::span<const std::string> names);
 
-/// Removes what a process that was killed has left of atomic files in a directory, if there is one. Throws FileError.
+/// Removes the temporary files that killed processes have left in a directory (is_partial_name). Throws FileError.
 void remove_partial_files(const std::filesystem::path& directory);
 
-/// 64-bit xxHash of some bytes, as 16 hexadecimal digits. Tells contents apart; it is no protection against forgery.
+/// 64-bit xxHash of some bytes, as 16 hexadecimal digits. It distinguishes contents, but does not protect against
+/// forgery.
 std::string content_hash(std::string_view bytes);
 
 }  // namespace breccia

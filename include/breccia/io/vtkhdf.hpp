@@ -9,11 +9,11 @@
 
 namespace breccia {
 
-/// Equal squares side by side in the plane, nx in a row and ny rows.
+/// A regular lattice of nx times ny equal squares in the plane.
 struct Lattice {
   std::size_t nx = 0;
   std::size_t ny = 0;
-  std::array<double, 2> origin{};  ///< the lower left corner of the first [m]
+  std::array<double, 2> origin{};  ///< lower left corner of the lattice [m]
   double spacing = 0.0;            ///< side of a square [m]
 };
 
@@ -21,11 +21,11 @@ struct Lattice {
 struct LatticeField {
   std::string name;
   std::size_t components = 1;
-  /// One value after the other: components innermost, then the squares of a row from the left, then rows from below.
+  /// Values in the order: components fastest, then the squares of a row from the left, then the rows from below.
   std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
 
-/// A number that belongs to all of the fields: an attribute of the file.
+/// A number that belongs to all fields, such as the time: it is written as an attribute of the file.
 struct FieldNumber {
   std::string name;
   double value;

@@ -8,23 +8,23 @@
 
 namespace breccia {
 
-/// Results that a command makes in one go, with a record of what they come from.
+/// The command and the source of results that a single command computes at once, such as `fit`.
 struct ResultsOrigin {
-  std::string command;             ///< "fit": the record is `fit.json`
-  std::string source;              ///< what they come from, in words: the name of a file, say
-  std::string identity;            ///< what tells one source from another
+  std::string command;             ///< "fit", for example: the record of the results is then `fit.json`
+  std::string source;              ///< the source in words, such as the name of a file
+  std::string identity;            ///< distinguishes sources, such as a hash
   std::vector<std::string> files;  ///< names of all files that the command may write
-  bool overwrite = false;          ///< may results from another source be replaced?
+  bool overwrite = false;          ///< whether results from another source may be replaced
 };
 
-/// Results of a command on their way to a directory. They are written to `place` and put into the directory by commit,
-/// in the place of what the command has written there before; without commit nothing of them is left. The directory is
-/// locked meanwhile.
+/// Writes the results of such a command to a directory. The files are written to place(); commit() moves them into the
+/// directory and removes the earlier results of the command. Without commit() no file is left. The directory is locked
+/// during the lifetime of this object.
 class WholeResults {
  public:
-  /// Throws InputError where the directory holds the results of a study or a sweep, files of these names that Breccia
-  /// did not write, or results from another source that are not to be overwritten, and DirectoryInUse where another
-  /// process writes to it. Throws FileError.
+  /// Throws InputError if the directory has the results of a study or a sweep, files of these names that Breccia did
+  /// not write, or results from another source without `overwrite`; DirectoryInUse if another process writes to the
+  /// directory; and FileError.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;
   WholeResults& operator=(const WholeResults&) = delete;
@@ -32,10 +32,10 @@ class WholeResults {
   WholeResults& operator=(WholeResults&&) = delete;
   ~WholeResults();
 
-  /// Where the files are to be written.
+  /// The directory to write the files to.
   [[nodiscard]] const std::filesystem::path& place() const noexcept { return place_; }
 
-  /// Throws FileError.
+  /// Moves the files into the directory of the results. Throws FileError.
   void commit();
 
  private:

@@ -4,7 +4,7 @@
 
 namespace breccia::parallel {
 
-/// The processes of the group of this one (session.hpp), for MPI. Only after start().
+/// The MPI communicator of the group of this process (session.hpp). Valid after start().
 MPI_Comm communicator() noexcept;
 
 }  // namespace breccia::parallel

@@ -2,9 +2,10 @@
 
 namespace breccia::parallel {
 
-/// Over the processes of the group, each of which must call it. A process alone gets its own value back, and MPI is not
-/// started for it.
+/// The sum of a value over the processes of the group, each of which must call the function. A single process gets its
+/// own value back, without starting MPI.
 [[nodiscard]] double sum(double value);
+/// The largest value over the processes of the group, in the same way.
 [[nodiscard]] double largest(double value);
 
 }  // namespace breccia::parallel

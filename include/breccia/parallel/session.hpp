@@ -5,51 +5,53 @@
 
 namespace breccia::parallel {
 
-/// Starts MPI and PETSc in this process, if they do not run yet. Solvers do it when they first need them, so that what
-/// needs neither does not wait for them. In a host program that runs MPI, or MPI and PETSc, already, what runs is used.
-/// Throws NumericalError when they cannot start.
+/// Starts MPI and PETSc in this process, unless they are running. Solvers call it when they first need them, so that
+/// other work does not wait for their start. If the host program has started MPI or PETSc, that one is used.
+/// Throws NumericalError when they cannot be started.
 void start();
 
-/// Whether this process is one of several that mpirun started. Asks the environment alone.
+/// Whether this process is one of several that mpirun started, from the environment variables; does not start MPI.
 bool is_under_mpirun() noexcept;
 
-/// Hands options to PETSc, written as on a command line ("-ksp_type cg -ksp_monitor"); starts it.
+/// Passes options to PETSc, written as on a command line ("-ksp_type cg -ksp_monitor"); starts PETSc.
 /// Throws InputError when PETSc cannot read them.
 void set_petsc_options(const std::string& options);
 
-/// Parts the processes that mpirun started into groups of so many, which work by themselves from now on: what this
-/// process does with others is with those of its group. To be called once, before anything is solved.
-/// Throws InputError when the processes cannot be so divided.
+/// Divides the processes that mpirun started into groups of `processes_each`. From then on each group works
+/// independently: solvers and reductions involve only the processes of one group. Must be called once, before anything
+/// is solved. Throws InputError when the number of processes is not a multiple of `processes_each`.
 void divide(int processes_each);
 
-/// Ends in good order what start() has started of MPI and PETSc; to be called once, last. A host program ends by itself
-/// what it has started.
+/// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. A host program finalises
+/// what it has started itself.
 void stop() noexcept;
 
-/// Ends all processes of this run with an exit code. For a failure that the others may not share and would wait for.
+/// Ends all processes of this run with an exit code: for a failure of one process for which the others would wait.
 [[noreturn]] void abort(int exit_code) noexcept;
 
-/// Number of this process in its group, from 0, and how many there are; 0 of 1 before start().
+/// Rank of this process in its group, from 0; 0 before start().
 int rank() noexcept;
+/// Number of processes in the group; 1 before start().
 int ranks() noexcept;
 
-/// Number of the group of this process, from 0, and how many there are; 0 of 1 before divide().
+/// Number of the group of this process, from 0; 0 before divide().
 int group() noexcept;
+/// Number of groups; 1 before divide().
 int groups() noexcept;
 
-/// Whether there is no other process, of this group or another.
+/// Whether this is the only process of the run.
 bool is_alone() noexcept;
 
-/// Whether this is the first process of the first group, which speaks for all.
+/// Whether this is the first process of the first group, which writes the messages for all processes.
 bool is_first() noexcept;
 
-/// A text from each group, in their order, for every process. Waits for all.
+/// Gathers one text per group, in the order of the groups, on every process. Waits for all groups.
 std::vector<std::string> gather(const std::string& text_of_group);
 
-/// A text from the first process of the group, for all of its processes. Waits for all.
+/// Broadcasts a text from the first process of the group to all of its processes. Waits for all of them.
 std::string text_of_first(const std::string& text);
 
-/// Throws NumericalError when a PETSc function has failed, naming what was tried.
+/// Throws NumericalError when a PETSc function has returned an error; `what` describes the operation.
 void check(int petsc_error, const char* what);
 
 }  // namespace breccia::parallel

@@ -16,13 +16,13 @@ enum class PlotStyle {
   line_and_points
 };
 
-/// One curve of modulus against time, or of what else the axes of its plot say.
+/// One curve of modulus against time, or of the other quantities that the axes of its plot name.
 struct PlotCurve {
   std::string label;
   std::vector<double> times = {};   ///< [s]
   std::vector<double> moduli = {};  ///< [Pa], as many as times
   PlotStyle style = PlotStyle::line;
-  std::optional<std::size_t> colour = {};  ///< place in the palette, for curves to share one; by default the next
+  std::optional<std::size_t> colour = {};  ///< index in the palette, to share a colour; the next one by default
 };
 
 /// A span of time marked as a band behind the curves, such as the valid window of a time domain.
@@ -32,24 +32,25 @@ struct PlotWindow {
   double end;    ///< [s]
 };
 
-/// A plot of moduli against time on logarithmic axes; with other words on its axes, of compliances or against
-/// frequency.
+/// A plot of moduli against time on logarithmic axes. With other labels on the axes it can show compliances, or moduli
+/// against frequency.
 struct ModulusPlot {
   std::string title;
   std::vector<PlotCurve> curves;
   std::vector<PlotWindow> windows = {};
   std::string quantity = "Relaxation modulus";
-  std::string unit = "MPa";  ///< that the axis is labelled with
-  double unit_size = 1e6;    ///< in the SI unit of the values
+  std::string unit = "MPa";  ///< unit of the axis
+  double unit_size = 1e6;    ///< that unit in the SI unit of the values
   std::string abscissa = "Time / s";
 };
 
 /// SVG of a plot, drawn by gnuplot. Points that logarithmic axes cannot show (time or modulus not positive and finite)
-/// are left out. Throws InputError if a curve has not as many moduli as times or if nothing is left to show,
-/// and FileError if gnuplot is missing or fails.
+/// are left out. Throws InputError if a curve has not as many moduli as times or if no point is left, and FileError if
+/// gnuplot is missing or fails.
 std::string modulus_plot(const ModulusPlot& plot);
 
-/// Why gnuplot cannot draw, and what to install; nothing where it can. For results whose plots can be left out.
+/// The reason why gnuplot cannot draw, with the package to install; nothing if it can. For callers that leave out their
+/// plots in that case.
 std::optional<std::string> why_no_plots();
 
 }  // namespace breccia

@@ -5,13 +5,11 @@
 
 namespace breccia {
 
-/// Reports as HTML documents, which need no other file and no network: a page of src/report/page with a title and its
-/// data, a JSON object (docs/results.md).
-
-/// Of a study.
+/// The report of a study as an HTML document that needs neither other files nor a network. `data` is a JSON object
+/// (docs/results.md).
 std::string study_page(std::string_view title, std::string_view data);
 
-/// Of a sweep.
+/// The report of a sweep, in the same way.
 std::string sweep_page(std::string_view title, std::string_view data);
 
 }  // namespace breccia

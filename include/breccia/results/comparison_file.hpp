@@ -6,7 +6,7 @@
 
 namespace breccia {
 
-/// Writes `comparison.csv` to a directory if there is something to compare. Throws FileError.
+/// Writes `comparison.csv` to a directory if a stage was compared with a measurement. Throws FileError.
 void write_comparisons(const std::filesystem::path& directory, const StudyResult& result);
 
 }  // namespace breccia

@@ -11,17 +11,17 @@
 namespace breccia {
 
 /// Writes the fields of a test of the first load to the directory of its stage, as VTKHDF and as pictures of stress and
-/// strain. Those of the first boundary and method at the last time are `fields.vtkhdf`; the names of others tell their
-/// boundary and method, and the place of an earlier time. Throws FileError.
+/// strain. The file for the first boundary and method at the last time is `fields.vtkhdf`; the names of the other files
+/// contain their boundary and method, and the number of an earlier time. Throws FileError.
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const Discretisation<2>& discretisation,
                                       const std::vector<TimedFields<2>>& fields);
 
-/// Copies the files of the fields of tests from one directory to another. Throws FileError.
+/// Copies the files with the fields of tests from one directory to another. Throws FileError.
 void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to,
                  const std::vector<TestResult>& tests);
 
-/// Is this the name of one of these files?
+/// Whether this is the name of such a file.
 bool is_of_fields(std::string_view name);
 
 }  // namespace breccia

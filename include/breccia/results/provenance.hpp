@@ -7,7 +7,8 @@
 
 namespace breccia {
 
-/// Writes `study.json` to a directory: what was asked for, and how every number was made. Throws FileError.
+/// Writes `study.json` to a directory: the settings of the study and a record of how each result was computed. Throws
+/// FileError.
 void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result);
 
 }  // namespace breccia

@@ -8,18 +8,19 @@
 
 namespace breccia {
 
-/// Where the curves of a response go.
+/// The directory for the curves of a response, and the origin of the curves.
 struct ResponseDestination {
   std::filesystem::path directory;
-  std::string matrix;                         ///< the new matrix, in words
-  std::string study;                          ///< hash of the study whose responses answer
-  std::vector<std::filesystem::path> inputs;  ///< the files from which the curves come
-  bool overwrite = false;  ///< may curves of another matrix, study, stage or time window be replaced?
+  std::string matrix;                         ///< description of the new matrix
+  std::string study;                          ///< hash of the study with the reduced responses
+  std::vector<std::filesystem::path> inputs;  ///< the files that the curves were computed from
+  bool overwrite = false;  ///< whether curves of another matrix, study, stage or time window may be replaced
 };
 
-/// Writes `curves.csv`, `prony.csv`, `quality.csv` and, of creep tests, `compliance.csv` to a directory, which is made,
-/// and `respond.json`, which tells what they come from. Throws InputError where that would replace one of the inputs,
-/// results of a study, files that Breccia did not write, or curves from other inputs that are not to be overwritten.
+/// Writes `curves.csv`, `prony.csv`, `quality.csv`, `compliance.csv` (for creep tests) and `respond.json`, with the
+/// origin of the curves, to a directory, which is created if it is missing. Throws InputError if that would replace one
+/// of the inputs, results of a study, files that Breccia did not write, or, without `overwrite`, curves from other
+/// inputs. Throws FileError.
 void write_response_curves(const ResponseDestination& destination, const std::vector<StageResult>& stages);
 
 }  // namespace breccia

@@ -9,19 +9,19 @@
 
 namespace breccia {
 
-/// Writes `sweep.csv` and `spread.csv`, each if it has rows; a table without rows is removed. Throws FileError.
+/// Writes `sweep.csv` and `spread.csv`; a table that has no rows is removed. Throws FileError.
 void write_sweep_tables(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
-/// Writes `sweep.json`: the state of each task, and of those that are not done which results they may replace, by the
-/// hashes of their records. Throws FileError.
+/// Writes `sweep.json`: the state of each task and, for each unfinished task, the earlier results that it may replace,
+/// identified by the hashes of their records. Throws FileError.
 void write_sweep_record(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result,
                         const std::vector<std::vector<std::string>>& replaceable);
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done. Writes nothing where gnuplot
-/// cannot draw.
+/// Writes `sweep.svg`, the shear modulus of the last stage in all finished tasks. Writes nothing if no task is finished
+/// or gnuplot cannot draw.
 void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
 
-/// Writes `report.html` beside `sweep.json`, which write_sweep_record writes.
+/// Writes `report.html` to the directory that has `sweep.json` (write_sweep_record). Throws FileError.
 void write_sweep_report(const std::filesystem::path& directory, const SweepResult& result);
 
 }  // namespace breccia

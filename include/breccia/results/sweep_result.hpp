@@ -10,16 +10,17 @@
 
 namespace breccia {
 
-/// The relaxation modulus that one test of a stage has found in a task.
+/// The relaxation modulus from one test of a stage in one task.
 struct TaskCurve {
   std::string stage;
   TestId test;
   Curve modulus;
 
-  /// Are both of the same test of the same stage?
+  /// Whether both curves are of the same test of the same stage.
   [[nodiscard]] bool matches(const TaskCurve& other) const { return stage == other.stage && test == other.test; }
 };
 
+/// The state of a task of a sweep.
 enum class TaskState { waiting, done, failed };
 
 template <>
@@ -27,31 +28,31 @@ inline constexpr auto words<TaskState> = std::to_array<Word<TaskState>>({{"waiti
                                                                          {"done", TaskState::done},
                                                                          {"failed", TaskState::failed}});
 
-/// What became of a task of a sweep.
+/// The result of a task of a sweep.
 struct TaskResult {
   TaskState state = TaskState::waiting;
-  std::vector<TaskCurve> curves = {};  ///< when it is done
-  double seconds = 0.0;                ///< wall time of the run that has done it
-  std::string error = {};              ///< why it has failed
+  std::vector<TaskCurve> curves = {};  ///< of a finished task
+  double seconds = 0.0;                ///< wall time of its run [s]
+  std::string error = {};              ///< message of a failed task
 };
 
-/// In the order of the sweep's tasks.
+/// One result for each task, in the order of the sweep.
 using SweepResult = std::vector<TaskResult>;
 
-/// The curves of a run.
+/// The curves of a study.
 std::vector<TaskCurve> curves_of(const StudyResult& result);
 
-/// The curves that an earlier run has left in a directory. Throws FileError or InputError when they cannot be read.
+/// Reads the curves of an earlier run from its directory. Throws FileError or InputError when they cannot be read.
 std::vector<TaskCurve> read_curves(const std::filesystem::path& directory);
 
-/// The names of the stages that the tasks have tested, in their order.
+/// The names of the stages that the tasks have tested, in the order of the stages.
 std::vector<std::string> tested_stages(const SweepResult& result);
 
-/// The results with but one curve for each boundary of a stage: of shear if it was tested, and of the tests that differ
-/// in method or grid the preferred one (is_preferred).
+/// The results reduced to one curve for each boundary of a stage: under shear if that was tested, and of the tests that
+/// differ in method or grid the preferred one (is_preferred).
 SweepResult stage_of(const SweepResult& result, const std::string& stage);
 
-/// The same with the last stage of each task.
+/// The same for the last stage of each task.
 SweepResult last_stage_of(const SweepResult& result);
 
 }  // namespace breccia

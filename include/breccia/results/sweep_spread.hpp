@@ -10,31 +10,31 @@
 
 namespace breccia {
 
-/// The moduli of tasks that differ in their seeds alone, at one time of one test.
+/// Statistics over the tasks that differ only in their seeds: the modulus of one test at one time.
 struct Spread {
   double time = 0.0;                ///< [s]
   std::size_t tasks = 0;            ///< two or more
   double mean = 0.0;                ///< [Pa]
-  double standard_deviation = 0.0;  ///< of a sample, with n - 1 [Pa]
+  double standard_deviation = 0.0;  ///< of the sample, with n - 1 in the denominator [Pa]
   double smallest = 0.0;            ///< [Pa]
   double largest = 0.0;             ///< [Pa]
 };
 
-/// The spread of a test over the seeds.
+/// The spread of one test over the seeds, against time.
 struct SpreadCurve {
-  std::size_t first_task = 0;  ///< of those that differ in their seeds alone
-  TaskCurve test;              ///< without its curve
+  std::size_t first_task = 0;  ///< number of the first of these tasks
+  TaskCurve test;              ///< stage and test, without a curve
   std::vector<Spread> spreads;
 };
 
-/// The spread of every test over the seeds, for each combination of the other keys; times that a single task has are
+/// The spread of every test over the seeds, for each combination of the other keys. Times that only one task has are
 /// left out.
 std::vector<SpreadCurve> spread_over_seeds(const Sweep& sweep, const SweepResult& result);
 
-/// The parts of the name of a task that do not tell its seeds; empty when there are no others.
+/// The name of a task without its seeds; empty if only seeds are swept.
 std::string name_without_seeds(const Sweep& sweep, const SweepTask& task);
 
-/// Have two tasks the same values of all keys but those that a function picks?
+/// Whether two tasks have the same values of all keys, except those for which the function returns true.
 bool differ_only_in(const Sweep& sweep, const SweepTask& one, const SweepTask& other,
                     const std::function<bool(const SweptKey&)>& keys);
 

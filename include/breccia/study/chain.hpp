@@ -6,16 +6,17 @@
 
 namespace breccia {
 
-/// The earlier stage whose result is the matrix of a stage; null where its matrix is a material.
+/// The earlier stage whose result is the matrix of a stage; nullptr if its matrix is a material.
 const Stage* stage_of_matrix(const Study& study, const Stage& stage);
 
-/// The material at the bottom of a stage: its matrix, or the binder of the stage that is its matrix.
+/// The binder of a stage: its matrix if that is a material, or else the binder of the stage that is its matrix.
 const Material& binder_of(const Study& study, const Stage& stage);
 
-/// Does a later stage take the result of this one as its matrix?
+/// Whether the result of a stage is the matrix of a later stage.
 bool serves_as_matrix(const Study& study, const Stage& stage);
 
-/// The loads under which a stage is tested: those of the study, and shear and bulk where the result serves as a matrix.
+/// The loads under which a stage is tested: those of the study, and also shear and bulk if its result is the matrix of
+/// a later stage.
 std::vector<Load> loads_of(const Study& study, const Stage& stage);
 
 }  // namespace breccia

@@ -46,7 +46,7 @@ struct LubachevskyStillingerPacking {
   std::uint64_t seed = 1;
 };
 
-/// Particles of one size in the middle of equal rectangles.
+/// Particles of one size in the centres of equal rectangles.
 struct RegularPacking {
   int columns = 1;
   int rows = 1;
@@ -61,18 +61,18 @@ struct ExplicitPacking {
 
 using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
 
-/// What a deck has derived the gap between particles from.
+/// The form in which a deck gives the gap between particles.
 enum class GapSource {
   length,         ///< a length
   diameter,       ///< a share of the smallest diameter
-  default_share,  ///< the share of the smallest diameter that holds where the deck says nothing
-  points          ///< a number of material points, so that the gap follows the grid
+  default_share,  ///< not given: the default share of the smallest diameter
+  points          ///< a number of material points, so that the gap depends on the grid
 };
 
 /// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
 struct Filler {
   Material material;
-  std::optional<double> fraction = {};  ///< share of the box [-]
+  std::optional<double> fraction = {};  ///< area fraction in the box [-]
   std::optional<double> smallest = {};  ///< sizes are cut below this diameter [m]
   std::optional<double> largest = {};   ///< sizes are cut above this diameter [m]
   std::optional<Sizes> sizes = {};

@@ -7,17 +7,17 @@
 
 namespace breccia {
 
-/// The distribution that a random packing is drawn from; none for a list of particles. Throws InputError when nothing
-/// of it lies between the smallest and the largest size of the filler.
+/// The size distribution from which a random packing is drawn; nothing for a list of particles. Throws InputError when
+/// no part of it lies between the smallest and the largest size of the filler.
 std::optional<SizeDistribution> distribution_of(const Filler& filler);
 
-/// The diameters that a filler may have [m].
+/// A range of diameters [m].
 struct DiameterRange {
   double smallest;
   double largest;
 };
 
-/// From the smallest to the largest diameter that a filler asks for; nothing where it has no sizes.
+/// The range of the diameters that a filler can have; nothing if it has no sizes.
 std::optional<DiameterRange> diameters_of(const Filler& filler);
 
 }  // namespace breccia

@@ -10,16 +10,16 @@
 
 namespace breccia {
 
-/// A shear relaxation modulus that was measured, to be compared with that of a stage.
+/// A measured shear relaxation modulus, to be compared with that of a stage.
 struct Measurement {
   std::string label;
-  std::string stage;                       ///< the name of the one that stands for what was measured
+  std::string stage;                       ///< name of the stage that models the measured material
   std::variant<PronySeries, Curve> shear;  ///< [Pa]
-  std::optional<TimeWindow> times = {};    ///< in which it holds [s]
+  std::optional<TimeWindow> times = {};    ///< times for which the measurement is valid [s]
 
-  /// The times [s] in a window at which it tells the modulus; nothing where the two have none in common.
+  /// The part of a window of times [s] in which the measured modulus is known; nothing if there is none.
   [[nodiscard]] std::optional<TimeWindow> known_within(const TimeWindow& window) const;
-  /// Measured modulus [Pa] at one of them; between the points of a curve a power of time.
+  /// Measured modulus [Pa] at a time [s] in that part; interpolated between the points of a curve as a power of time.
   [[nodiscard]] double at(double time) const;
 };
 

@@ -6,16 +6,16 @@
 
 namespace breccia {
 
-/// Where a study comes from: the deck that says it. Results on the disk carry it, so that they can be told from those
-/// of other studies. A study that is put together in memory has none.
+/// The origin of a study: its deck. Result files contain it, so that they can be distinguished from the results of
+/// other studies. For a study that was composed in memory it is empty.
 struct Provenance {
   std::filesystem::path deck;
   std::string deck_text;
   std::vector<std::filesystem::path> inputs;  ///< the deck, and the data files that it names
   std::vector<std::string> overrides;         ///< `key.path=value`
-  std::string hash;                           ///< of what the deck says, overrides included, and of the data files
-  /// The hash of each stage: of everything that its results may depend on. That is the deck up to this stage, but for
-  /// title and measurements, the data files, and the loads that the stage is tested under.
+  std::string hash;                           ///< of the deck's content, overrides included, and of the data files
+  /// One hash for each stage, of everything that its results depend on: the deck up to this stage without title and
+  /// measurements, the data files, and the loads of the stage.
   std::vector<std::string> stage_hashes;
 };
 

@@ -10,26 +10,26 @@
 
 namespace breccia {
 
-/// An earlier stage, by name, whose result serves as a material.
+/// Name of an earlier stage whose result is the matrix.
 struct EarlierStage {
   std::string name;
 };
 
-/// What lies between the particles of a stage.
+/// The matrix of a stage: a material, or the result of an earlier stage.
 using StageMatrix = std::variant<Material, EarlierStage>;
 
-/// The name of the material or stage.
+/// The name of the material or of the earlier stage.
 const std::string& name_of(const StageMatrix& matrix);
 
-/// A microstructure to be tested.
+/// A microstructure, on its scale, and the grids on which it is tested.
 struct Stage {
-  std::string name;  ///< also that of its directory
+  std::string name;  ///< name of the stage and of its directory
   StageMatrix matrix;
-  double side = 0.0;                    ///< of the square box [m]
-  int cells = 0;                        ///< per side; of the finest grid where there are several
-  std::vector<int> coarser_cells = {};  ///< per side of the coarser grids from which curves are extrapolated, rising
+  double side = 0.0;                    ///< side of the square box [m]
+  int cells = 0;                        ///< cells per side of the finest grid
+  std::vector<int> coarser_cells = {};  ///< cells per side of the coarser grids, rising, for extrapolation
   std::optional<Filler> filler = {};
-  std::vector<std::string> warnings = {};  ///< what is doubtful in the deck itself, without the name of the stage
+  std::vector<std::string> warnings = {};  ///< warnings about the deck, without the name of the stage
 
   /// Side of a cell of the finest grid [m].
   [[nodiscard]] double cell_size() const { return side / cells; }

@@ -13,14 +13,14 @@
 
 namespace breccia {
 
-/// What is asked for, in SI units: microstructures on several scales, each the matrix of the next or of none, and the
-/// virtual tests that all of them undergo. A deck is a study written down (read_study).
+/// A computation as it is requested, in SI units: microstructures on several scales, which may serve as matrices of
+/// later ones, and the virtual tests of all of them. read_study() reads a study from a deck.
 struct Study {
   std::string title = {};
-  std::vector<Material> materials = {};  ///< all that have a name, in the order of the deck
-  /// By the names of the materials that have one; their relaxation times are shifted already.
+  std::vector<Material> materials = {};  ///< the named materials, in the order of the deck
+  /// Temperature shifts, by the names of their materials, whose relaxation times are already shifted.
   std::map<std::string, TemperatureShift> temperature_shifts = {};
-  std::vector<Stage> stages;  ///< from the smallest scale up: a stage may have an earlier one as its matrix
+  std::vector<Stage> stages;  ///< from the smallest scale up; an earlier stage may be the matrix of a later one
   Tests tests;
   std::vector<Measurement> measurements = {};
   Provenance provenance = {};

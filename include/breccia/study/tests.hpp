@@ -11,7 +11,7 @@
 
 namespace breccia {
 
-/// How a test is computed.
+/// The numerical method of a test.
 enum class Method {
   quasistatic,  ///< implicit, without inertia
   dynamic       ///< explicit material point method
@@ -26,11 +26,11 @@ struct Tests {
   std::vector<Load> loads{Load::shear};
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
-  double first_time = 0.0;  ///< [s]
-  double last_time = 0.0;   ///< [s]
-  int points_per_decade = 20;
-  std::vector<double> field_times = {};  ///< at which the fields of the first load are left, rising [s]
-  /// Largest relative deviation that the fit of a stage's result may have where a later stage builds on it [-].
+  double first_time = 0.0;               ///< of the curves [s]
+  double last_time = 0.0;                ///< of the curves [s]
+  int points_per_decade = 20;            ///< of the curves
+  std::vector<double> field_times = {};  ///< rising times at which the fields of the first load are saved [s]
+  /// Largest relative deviation that the fit of a stage's result may have if a later stage builds on it [-].
   double fit_tolerance = 0.03;
   QuasistaticOptions quasistatic = {};
   DynamicOptions dynamic = {};

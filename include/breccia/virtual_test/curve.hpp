@@ -32,9 +32,10 @@ using Creep = std::vector<CreepSample>;
 /// Times from begin to end, both included, and between them the times 10^(k / per_decade) s.
 std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade);
 
-/// Value of a densely sampled curve at a time: least-squares parabola in ln t through the samples within a fortieth of
-/// a decade of it. Ringing with shorter periods averages out; the bias is of fourth order in the width. Falls back on
-/// linear interpolation in ln t where fewer than five samples are that close. Throws InputError outside the curve.
+/// Modulus [Pa] of a densely sampled curve at a time [s]: a least-squares parabola in ln t through the samples within a
+/// fortieth of a decade of it. Ringing with shorter periods averages out; the bias is of fourth order in the width.
+/// With fewer than five samples that close, the value is interpolated linearly in ln t. Throws InputError outside the
+/// curve.
 double smoothed_at(std::span<const Sample> curve, double time);
 
 }  // namespace breccia

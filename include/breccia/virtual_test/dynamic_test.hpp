@@ -15,31 +15,31 @@ namespace breccia {
 
 class Checkpoint;
 
-/// What a dynamic test is made on: relaxation under a displacement or periodic boundary, creep under a traction one.
+/// A dynamic virtual test: relaxation under a displacement or periodic boundary, creep under a traction boundary.
 struct DynamicTest {
   Discretisation<2> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
-  TimeWindow times;                      ///< wanted [s]
+  TimeWindow times;                      ///< times of the curve [s]
   int points_per_decade = 20;            ///< of the stitched curve
-  std::vector<double> field_times = {};  ///< at which fields are wanted, rising [s]
+  std::vector<double> field_times = {};  ///< rising times at which fields are wanted [s]
   DynamicOptions options = {};
-  int threads = 0;  ///< 0: all
+  int threads = 0;  ///< number of threads; 0: all cores
 };
 
-/// One dynamic run with one density factor.
+/// One dynamic run with one density factor (mass scaling).
 struct TimeDomain {
-  double density_factor = 1.0;
-  double time_step = 0.0;  ///< [s]
-  double ramp = 0.0;       ///< duration of the ramp [s]
-  TimeWindow window;       ///< where it is valid [s]
+  double density_factor = 1.0;  ///< [-]
+  double time_step = 0.0;       ///< [s]
+  double ramp = 0.0;            ///< duration of the ramp [s]
+  TimeWindow window;            ///< times at which the run is valid [s]
   std::int64_t steps = 0;
-  std::size_t terms = 0;         ///< Prony terms with state in the material that has most
-  double reduction_error = 0.0;  ///< bound on the relative error of the materials' moduli by leaving out the others [-]
-  double seconds = 0.0;          ///< wall time
-  /// The modulus from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from its end on.
-  /// Each sample is a mean over a few steps.
+  std::size_t terms = 0;         ///< largest number of integrated Prony terms of a material
+  double reduction_error = 0.0;  ///< bound on the relative error of the moduli without the other Prony terms [-]
+  double seconds = 0.0;          ///< wall time [s]
+  /// The modulus [Pa] from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from the end
+  /// of the ramp on. Each sample is a mean over a few steps.
   Curve history;
 
   [[nodiscard]] double point_steps_per_second(std::size_t points) const {
@@ -47,58 +47,60 @@ struct TimeDomain {
   }
 };
 
-/// Where two neighbouring domains are both valid.
+/// The times at which two neighbouring domains are both valid.
 struct Overlap {
   TimeWindow window;      ///< [s]
   double mismatch = 0.0;  ///< largest relative difference of the two curves in it [-]
 };
 
+/// The result of a dynamic test.
 struct DynamicTestResult {
   std::vector<TimeDomain> domains;
-  std::vector<Overlap> overlaps;
-  /// Of a traction boundary: largest relative deviation of the fit through which the compliance became a modulus [-].
+  std::vector<Overlap> overlaps;  ///< of neighbouring domains, in their order
+  /// Largest relative deviation of the fit by which the compliance is converted; under a traction boundary only [-].
   std::optional<double> fit_error = {};
-  Curve curve;       ///< relaxation modulus, stitched, at logarithmic times; from creep by interconversion
-  Creep compliance;  ///< creep compliance at the same times, stitched, of a traction boundary alone
-  std::vector<TimedFields<2>> fields;  ///< at the first sample at or after each of the times wanted
+  Curve curve;       ///< stitched relaxation modulus at logarithmic times; under a traction boundary by interconversion
+  Creep compliance;  ///< stitched creep compliance at the same times, under a traction boundary only
+  std::vector<TimedFields<2>> fields;  ///< at the first sample at or after each of the field times
 };
 
-/// Where a running test stands.
+/// Progress of a running test.
 struct DynamicProgress {
-  std::size_t domain = 0;  ///< 0 for the first
+  std::size_t domain = 0;  ///< number of the present domain, from 0
   double density_factor = 1.0;
-  double time = 0.0;   ///< reached in this domain [s]
-  double share = 0.0;  ///< of the whole test, estimated on the logarithmic time axis, 0 to 1
+  double time = 0.0;   ///< time reached in this domain [s]
+  double share = 0.0;  ///< finished share of the whole test, estimated on the logarithmic time axis, 0 to 1
   double point_steps_per_second = 0.0;
 };
 
-/// Those who follow a running test. What they throw ends it.
+/// Functions that are called during a test. An exception that they throw ends the test.
 struct DynamicObserver {
-  std::function<void(const DynamicProgress&)> progress = {};  ///< now and then
-  std::function<void(const TimeDomain&)> finished = {};       ///< each domain, as soon as it is done
+  std::function<void(const DynamicProgress&)> progress = {};  ///< called repeatedly
+  std::function<void(const TimeDomain&)> finished = {};       ///< called for each domain when it is finished
 };
 
-/// What a test will take, from an estimate of the composite's modulus (ShearModulusBounds).
+/// Estimate of the cost of a test, from an estimate of the composite's modulus (ShearModulusBounds).
 struct DynamicPlan {
   std::vector<TimeDomain> domains;  ///< without histories and wall times
-  std::size_t bytes = 0;            ///< memory of the largest run, about
+  std::size_t bytes = 0;            ///< approximate memory of the largest run [B]
 };
+/// Plans the time domains of a test. Throws as run_dynamic_test().
 DynamicPlan plan_dynamic_test(const DynamicTest& test);
 
-/// Runs the time domains that the test needs and stitches them. With a checkpoint it leaves its state there when that
-/// is due, and goes on from what is there: the same bits as in one go.
+/// Runs the time domains that the test needs and stitches their curves. With a checkpoint, the state is saved when that
+/// is due, and an earlier state is resumed, with the same bits as in one run.
 /// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
 DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {},
                                    Checkpoint* checkpoint = nullptr);
 
-/// Material points x steps per second that a run of this test does on this machine, from a short trial.
+/// Speed of this test on this machine in material points x steps per second [1/s], from a short trial.
 double trial_speed(const DynamicTest& test);
 
-/// Joins the valid windows of the domains, in order, at logarithmic times: cut by validity, blended in log time where
-/// two are valid. Throws NumericalError where the domains leave a gap.
+/// Joins the valid windows of the domains, in their order, at logarithmic times; blends two domains in log time where
+/// both are valid. Throws NumericalError if the domains leave a gap.
 Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, int points_per_decade);
 
-/// The overlaps of neighbouring domains, with their mismatch at logarithmic times.
+/// The overlaps of neighbouring domains; the mismatch is evaluated at logarithmic times.
 std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, int points_per_decade);
 
 /// Mean density of a discretisation [kg/m^3].

@@ -5,7 +5,8 @@
 
 namespace breccia {
 
-/// Writes a result, without its fields, as the state of a finished test, from which run_dynamic_test() returns at once.
+/// Writes a result, without its fields, as the state of a finished test. run_dynamic_test() returns at once with the
+/// result when it finds such a state.
 void save_result(StateWriter& state, const DynamicTestResult& result);
 
 }  // namespace breccia

@@ -8,22 +8,22 @@
 
 namespace breccia {
 
-/// A composite as an isotropic material, and how well that describes its curves.
+/// A composite as an isotropic material, with the errors of the fit to its curves.
 struct HomogenisedMaterial {
   Material material;
-  TimeWindow fitted;         ///< in which the material stands for the composite [s]
-  double shear_error = 0.0;  ///< largest relative deviation of G(t) from the curve there [-]
-  double bulk_error = 0.0;   ///< the same of K(t) + G(t)/3 [-]
+  TimeWindow fitted;         ///< time range of the fitted curves [s]
+  double shear_error = 0.0;  ///< largest relative deviation of G(t) from its curve [-]
+  double bulk_error = 0.0;   ///< largest relative deviation of K(t) + G(t)/3 from its curve [-]
 };
 
-/// The material whose shear modulus follows the curve G(t) and whose answer to an equibiaxial strain in the plane,
-/// K(t) + G(t)/3, follows the curve of the plane-strain bulk modulus: both fitted with non-negative Prony series
-/// (theory, Eqs. 32 and 33), so that in the plane the material dissipates, whatever the sign of what K(t) = (K + G/3) -
-/// G/3 does alone. Since every term costs time and memory in the stages that build on the material, the relaxation
-/// times are spaced as widely as a thirtieth of the tolerance [-] on the relative deviation from the curves allows
-/// (theory, Eq. 33a); a fit that cannot meet the tolerance is returned as it is, with its errors. The density [kg/m^3]
-/// is that of the composite. The times of the two curves that are the same count; throws NumericalError where they are
-/// fewer than three.
+/// Fits an isotropic material to the curves of a composite: its shear modulus follows the curve G(t), and its modulus
+/// under equibiaxial strain in the plane, K(t) + G(t)/3, follows the curve of the plane-strain bulk modulus. Both are
+/// fitted with non-negative Prony series (theory, Eqs. 32 and 33), so that the material dissipates energy in the plane,
+/// even if K(t) = (K + G/3) - G/3 has negative terms. Since every term costs time and memory in later stages, the
+/// relaxation times are spaced as widely as a thirtieth of the tolerance [-] on the relative deviation from the curves
+/// allows (theory, Eq. 33a); a fit that cannot meet the tolerance is returned with its errors. The density [kg/m^3] is
+/// that of the composite. Only the times that both curves have are used; throws NumericalError if there are fewer than
+/// three.
 HomogenisedMaterial homogenised_material(const std::string& name, double density, const Curve& shear,
                                          const Curve& plane_strain_bulk, double tolerance);
 

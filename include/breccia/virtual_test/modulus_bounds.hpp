@@ -7,16 +7,17 @@
 
 namespace breccia {
 
-/// Bounds of Hashin (1965) on the in-plane shear modulus of a composite in plane strain, with the phases' relaxation
-/// moduli taken as elastic ones (theory, Eq. 15). They plan runs; no result depends on them.
+/// Bounds of Hashin (1965) on the in-plane shear modulus of a composite in plane strain, with the relaxation moduli of
+/// the phases used as elastic moduli (theory, Eq. 15). They serve to plan runs; no result depends on them.
 class ShearModulusBounds {
  public:
   ShearModulusBounds(const Discretisation<2>& discretisation, const std::vector<Material>& materials);
 
-  /// [Pa], at a time [s].
+  /// Lower bound [Pa] at a time [s].
   [[nodiscard]] double lower(double time) const;
+  /// Upper bound [Pa] at a time [s].
   [[nodiscard]] double upper(double time) const;
-  /// Between the two, in the geometric mean.
+  /// Geometric mean of the bounds [Pa] at a time [s].
   [[nodiscard]] double estimate(double time) const;
 
  private:
@@ -25,7 +26,7 @@ class ShearModulusBounds {
     PronySeries bulk;
     PronySeries shear;
   };
-  /// The composite if the medium around each phase had these moduli [Pa].
+  /// Shear modulus [Pa] of the composite if the medium around each phase had these moduli [Pa].
   [[nodiscard]] double surrounded_by(double bulk, double shear, double time) const;
 
   std::vector<Phase> phases_;

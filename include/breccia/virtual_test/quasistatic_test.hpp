@@ -46,7 +46,7 @@ struct QuasistaticOptions {
   LinearOptions linear = {};
 };
 
-/// A quasi-static test: the composite, its loads and what is wanted. The matrix is material 0.
+/// A quasi-static virtual test. The matrix is material 0.
 struct QuasistaticTest {
   Discretisation<2> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
@@ -74,6 +74,7 @@ struct QuasistaticResponse {
   std::optional<ReducedResponse> reduced = {};
 };
 
+/// The result of a quasi-static test.
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
   std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, zero on the others

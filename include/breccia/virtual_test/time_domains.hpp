@@ -12,15 +12,15 @@ namespace breccia {
 /// There-and-back transits of the shear wave after which a dynamic run is taken as quasi-static (the paper's three).
 constexpr double there_and_back_transits = 3.0;
 
-/// What decides which density factors a curve needs.
+/// The parameters by which density factors (mass scaling) are chosen for a curve.
 struct DomainRules {
-  double side = 0.0;                    ///< of the box [m]
-  double density = 0.0;                 ///< mean, before scaling [kg/m^3]
-  TimeWindow times;                     ///< requested
-  std::vector<double> density_factors;  ///< given, rising; empty: chosen
-  double factor_ratio = 10.0;           ///< of neighbouring factors where they are chosen
-  double overlap = 1.5;                 ///< ratio of times for which a run goes on beside the next one
-  double longest = 100.0;               ///< largest ratio of times in one domain, from where it is expected to be valid
+  double side = 0.0;                    ///< side of the box [m]
+  double density = 0.0;                 ///< mean density before scaling [kg/m^3]
+  TimeWindow times;                     ///< requested times [s]
+  std::vector<double> density_factors;  ///< rising factors given by the user [-]; empty: chosen by the program
+  double factor_ratio = 10.0;           ///< ratio of neighbouring factors if the program chooses them [-]
+  double overlap = 1.5;                 ///< ratio of times over which two neighbouring runs overlap [-]
+  double longest = 100.0;               ///< largest ratio of end time to expected begin of validity of a run [-]
 
   /// Largest density factor with which a run is valid at a time when the composite's shear modulus is `modulus` [Pa]:
   /// s = (t / 6 L)^2 G(t) / density (theory, Eq. 14).
@@ -29,33 +29,34 @@ struct DomainRules {
   [[nodiscard]] double transit(double density_factor, double modulus) const;
 };
 
-/// Chooses density factors one after the other, while the curve that they need becomes known.
+/// Chooses density factors one after the other from the curve as it is computed.
 ///
-/// A domain with factor s is valid while s is at most the admissible factor. It hands over when the next factor has
-/// been admissible for the ratio of times `overlap`. Where the composite relaxes so fast that the admissible factor
-/// falls again, factors that are chosen fall with it.
+/// A domain with factor s is valid while s is at most the admissible factor. It ends when the next factor has been
+/// admissible for the ratio of times `overlap`. If the composite relaxes so fast that the admissible factor falls
+/// again, the factors that the program chooses fall with it.
 class DomainSequence {
  public:
   /// `modulus` is a lower estimate of the composite's shear modulus at the first requested time [Pa].
   DomainSequence(DomainRules rules, double modulus);
 
   [[nodiscard]] double density_factor() const noexcept { return factor_; }
-  /// Where the present domain is expected to become valid [s].
+  /// Time [s] at which the present domain is expected to become valid.
   [[nodiscard]] double expected_begin() const noexcept { return expected_begin_; }
-  /// Time [s] that the present domain will not go beyond.
+  /// Latest time [s] to which the present domain can run.
   [[nodiscard]] double last_time() const;
-  /// Where the present domain has been found valid so far; empty before.
+  /// Times at which the present domain has been valid so far [s]; nothing if it has not been valid yet.
   [[nodiscard]] std::optional<TimeWindow> window() const noexcept { return window_; }
 
-  /// Takes note of the composite's shear modulus at a time, times rising. Returns false when the domain is over: either
-  /// the last time requested is reached, or the next domain can take over.
-  /// Throws NumericalError when the first domain becomes valid only after the first time requested.
+  /// Records the composite's shear modulus [Pa] at a time [s]; times must rise. Returns false when the domain is
+  /// finished: the last requested time is reached, or the next domain can take over.
+  /// Throws NumericalError when the first domain becomes valid only after the first requested time.
   [[nodiscard]] bool observe(double time, double modulus);
 
   [[nodiscard]] bool is_first() const noexcept { return is_first_; }
+  /// Whether the last requested time has been reached.
   [[nodiscard]] bool is_complete() const noexcept { return complete_; }
-  /// Goes on to the next domain.
-  /// Throws NumericalError when the present one never was valid, or no given factor is left, naming times and factors.
+  /// Begins the next domain.
+  /// Throws NumericalError, with times and factors, when the present domain was never valid or no given factor is left.
   void advance();
 
  private:

@@ -8,43 +8,48 @@
 
 namespace breccia {
 
+/// Settings of a fit.
 struct FitOptions {
-  /// Relaxation or retardation times among which a fit chooses. It takes one or two a decade of them; a grid as sparse
-  /// as that would miss the times of a spectrum of few terms by up to 4 % of the modulus.
+  /// Candidates for the relaxation or retardation times, per decade. A fit keeps one or two of them per decade; a grid
+  /// of only that many would miss the times of a spectrum of few terms, with errors of up to 4 % of the modulus.
   double times_per_decade = 10.0;
-  /// Duration [s] of the constant-rate ramp in which strain (or stress) was applied, times counted from its beginning;
-  /// 0: a step. The fit is to the answer to the ramp, so that data from its first moment on count (theory, Eq. 26).
+  /// Duration [s] of the constant-rate ramp by which strain (or stress) was applied; 0: a step. Times count from the
+  /// beginning of the ramp. The response to the ramp is fitted, so that data taken during it can be used (theory,
+  /// Eq. 26).
   double ramp = 0.0;
 };
 
-/// How well a fit meets its data; all relative to the data.
+/// Deviations of a fit from its data, relative to the data.
 struct FitQuality {
-  double median_error = 0.0;            ///< of the absolute deviations [-]
-  double worst_error = 0.0;             ///< [-]
-  double worst_at = 0.0;                ///< time [s] or angular frequency [rad/s] of the worst
-  std::vector<double> fitted;           ///< what the fit says at each datum, in the data's unit
-  std::vector<double> standard_errors;  ///< of the fit at each datum, from the scatter of the data [-]
+  double median_error = 0.0;            ///< median of the absolute deviations [-]
+  double worst_error = 0.0;             ///< largest absolute deviation [-]
+  double worst_at = 0.0;                ///< its time [s] or angular frequency [rad/s]
+  std::vector<double> fitted;           ///< values of the fit at the data points, in the unit of the data
+  std::vector<double> standard_errors;  ///< of the fit at each data point, from the scatter of the data [-]
 };
 
+/// A relaxation modulus fitted to data.
 struct RelaxationFit {
   PronySeries series;
   FitQuality quality;
 };
 
+/// A creep compliance fitted to data.
 struct CreepFit {
   CreepCompliance compliance;
   FitQuality quality;
 };
 
-/// Fits with non-negative spectra at logarithmic times over the range of the data, in the least squares of the relative
-/// deviations. All throw InputError when the data are fewer than three, out of order, or not positive, and
-/// NumericalError when a fit does not converge.
+/// Fits a relaxation modulus to moduli [Pa] at rising times [s]: a non-negative spectrum at logarithmic times over the
+/// range of the data, by least squares of the relative deviations. Throws InputError when there are fewer than three
+/// data points, or they are out of order or not positive, and NumericalError when the fit does not converge.
 RelaxationFit fit_relaxation(std::span<const double> times, std::span<const double> moduli,
                              const FitOptions& options = {});
+/// Fits a creep compliance to compliances [1/Pa] at rising times [s] in the same way. Throws as fit_relaxation().
 CreepFit fit_creep(std::span<const double> times, std::span<const double> compliances, const FitOptions& options = {});
 
-/// From storage and loss modulus [Pa] at angular frequencies [rad/s]. The quality is first that of the storage, then
-/// that of the loss moduli.
+/// Fits a relaxation modulus to storage and loss moduli [Pa] at rising angular frequencies [rad/s] in the same way. The
+/// quality lists the storage moduli first, then the loss moduli. Throws as fit_relaxation().
 RelaxationFit fit_dynamic(std::span<const double> frequencies, std::span<const double> storage,
                           std::span<const double> loss, const FitOptions& options = {});
 

@@ -9,7 +9,7 @@ namespace breccia {
 /// One Maxwell element: modulus * exp(-t / relaxation_time).
 struct MaxwellTerm {
   double relaxation_time;  ///< [s], positive
-  double modulus;          ///< [Pa]; negative in a difference of series alone
+  double modulus;          ///< [Pa]; negative only in PronySeries::difference()
 
   friend bool operator==(const MaxwellTerm&, const MaxwellTerm&) = default;
 };
@@ -21,7 +21,7 @@ class PronySeries {
   PronySeries() = default;
   /// An elastic modulus [Pa].
   explicit PronySeries(double equilibrium) : PronySeries(equilibrium, {}) {}
-  /// Equilibrium modulus [Pa] and terms, kept in order of falling relaxation time.
+  /// Equilibrium modulus [Pa] and terms, which are sorted by falling relaxation time.
   /// Throws InputError when a modulus is negative or not finite, or a relaxation time is not positive and finite.
   PronySeries(double equilibrium, std::vector<MaxwellTerm> terms);
 
@@ -39,10 +39,11 @@ class PronySeries {
   [[nodiscard]] PronySeries shifted(double shift_factor) const;
   /// The same series with every modulus multiplied by a factor that is not negative.
   [[nodiscard]] PronySeries scaled(double factor) const;
-  /// The series with that many of its slowest terms as springs and that many of its fastest gone.
+  /// The series without its `slow` slowest terms, whose moduli are added to the equilibrium modulus, and without its
+  /// `fast` fastest terms, which are dropped.
   [[nodiscard]] PronySeries truncated(std::size_t slow, std::size_t fast) const;
-  /// What is left of one series without another. Terms with the same time become one. It is no solid by itself, for
-  /// its terms may be negative: in plane strain a composite's K(t) = (K + G/3)(t) - G(t)/3 may rise.
+  /// The difference of two series; terms with the same relaxation time are merged. Its terms may be negative, so it is
+  /// not a solid by itself: in plane strain the K(t) = (K + G/3)(t) - G(t)/3 of a composite may rise.
   [[nodiscard]] static PronySeries difference(const PronySeries& whole, const PronySeries& part);
 
   friend bool operator==(const PronySeries&, const PronySeries&) = default;

@@ -10,14 +10,14 @@ struct WilliamsLandelFerry {
   double reference_temperature;  ///< [K]
 
   /// Shift factor a_T at a temperature [K]. Throws InputError at or below T_ref - c2, where the law has no meaning, and
-  /// so close to it that the factor is beyond 10^100.
+  /// at temperatures so close to it that the factor exceeds 10^100.
   [[nodiscard]] double shift_factor(double temperature) const;
 };
 
-/// A law, and the temperature to which it brings a material.
+/// A shift law, and the temperature to which a material is shifted by it.
 struct TemperatureShift {
   WilliamsLandelFerry law;
-  double temperature;  ///< [K]
+  double temperature;  ///< temperature of the shifted material [K]
 };
 
 }  // namespace breccia

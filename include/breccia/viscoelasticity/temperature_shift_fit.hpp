@@ -8,17 +8,18 @@
 
 namespace breccia {
 
+/// A Williams-Landel-Ferry law fitted to shift factors.
 struct WilliamsLandelFerryFit {
   WilliamsLandelFerry law;
-  double c1_error = 0.0;         ///< standard error [-], of factors that are independent
-  double c2_error = 0.0;         ///< standard error [K], likewise
-  double worst_deviation = 0.0;  ///< of log10 a_T from the law [-]
-  double worst_at = 0.0;         ///< its temperature [K]
+  double c1_error = 0.0;         ///< standard error of c1, if the factors have independent errors [-]
+  double c2_error = 0.0;         ///< standard error of c2, likewise [K]
+  double worst_deviation = 0.0;  ///< largest deviation of log10 a_T from the law [-]
+  double worst_at = 0.0;         ///< temperature of that deviation [K]
 };
 
-/// The law that meets shift factors best in the least squares of log10 a_T, with a_T = 1 at the reference [K].
-/// None when the factors do not bend the way the law does. Throws InputError when temperatures other than the reference
-/// are fewer than two, or the factors do not fall with the temperature.
+/// Fits the law to shift factors by least squares of log10 a_T, with a_T = 1 at the reference temperature [K].
+/// Returns nothing when log10 a_T does not level off with rising temperature as the law does. Throws InputError when
+/// there are fewer than two temperatures other than the reference, or the factors do not fall with the temperature.
 std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const ShiftFactor> factors,
                                                                 double reference_temperature);
 
