@@ -7,6 +7,9 @@
 
 namespace breccia {
 
+/// Unknown displacements of a quasi-static test on `cells` cells along each side of the box, about.
+double quasistatic_unknowns(int cells);
+
 /// Memory [B] that a quasi-static test takes, about: from experience, with all that it keeps.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 
