@@ -106,8 +106,7 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
 
 TEST(Solve, SaysOfWhichTestATimeDomainIs) {
   auto study = test::two_stages();
-  study.stages = {test::four_discs("box", test::binder, 6e-3, 12)};
-  study.stages[0].coarser_cells = {8};
+  study.stages = {{.name = "plain", .matrix = test::binder, .side = 6e-3, .cells = 12, .coarser_cells = {8}}};
   study.tests.methods = {Method::dynamic};
   study.tests.boundaries = {Boundary::displacement};
   std::vector<TestGrid> grids;
