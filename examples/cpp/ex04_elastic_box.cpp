@@ -2,10 +2,10 @@
 // the volume fractions alone.
 
 #include <array>
-#include <vector>
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/phases.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
 #include "breccia/virtual_test/modulus_bounds.hpp"
@@ -23,17 +23,19 @@ int main() {
   request.seed = 1;
   const breccia::Microstructure<2> box = {request.side, request.walls, breccia::pack<2>(request).balls};
   constexpr int cells = 100;
-  constexpr breccia::PhaseIndex matrix = 0, filler = 1;
+  // A material point belongs to one of the phases, which have names, and a phase is of one material.
+  const breccia::Phases phases({"matrix", "filler"});
+  const auto matrix = phases.index_of("matrix"), filler = phases.index_of("filler");
   const auto discretisation = breccia::discretise(box, cells, matrix, filler);
 
-  // Name, density [kg/m^3], bulk modulus K and shear modulus G [Pa], in the order of the phases.
-  const std::vector<breccia::Material> materials = {
-      {"epoxy", 1200.0, breccia::PronySeries(4.0e9), breccia::PronySeries(1.3e9)},
-      {"glass", 2500.0, breccia::PronySeries(40.0e9), breccia::PronySeries(30.0e9)}};
+  // Name, density [kg/m^3], bulk modulus K and shear modulus G [Pa].
+  const breccia::Material epoxy = {"epoxy", 1200.0, breccia::PronySeries(4.0e9), breccia::PronySeries(1.3e9)};
+  const breccia::Material glass = {"glass", 2500.0, breccia::PronySeries(40.0e9), breccia::PronySeries(30.0e9)};
+  const auto materials = phases.materials({{"matrix", epoxy}, {"filler", glass}});
 
-  const auto fractions = discretisation.fractions(2);
-  const double voigt = fractions[0] * 1.3e9 + fractions[1] * 30.0e9;
-  const double reuss = 1.0 / (fractions[0] / 1.3e9 + fractions[1] / 30.0e9);
+  const auto fractions = discretisation.fractions(phases.size());
+  const double voigt = fractions[matrix] * 1.3e9 + fractions[filler] * 30.0e9;
+  const double reuss = 1.0 / (fractions[matrix] / 1.3e9 + fractions[filler] / 30.0e9);
   const breccia::ShearModulusBounds hashin(discretisation, materials);
 
   const auto moduli_under = [&](Boundary boundary) {
@@ -44,7 +46,7 @@ int main() {
   const auto periodic = moduli_under(Boundary::periodic);
   const auto subc = moduli_under(Boundary::traction);
 
-  fmt::print("{:.1f} % glass in epoxy, in plane strain\n\n", 100.0 * fractions[1]);
+  fmt::print("{:.1f} % glass in epoxy, in plane strain\n\n", 100.0 * fractions[filler]);
   fmt::print("{:24}  {:>8}  {:>14}\n", "", "G [GPa]", "K + G/3 [GPa]");
   fmt::print("{:24}  {:8.3f}\n", "Voigt", voigt / 1e9);
   fmt::print("{:24}  {:8.3f}\n", "Hashin, upper", hashin.upper(0.0) / 1e9);

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/solve.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
@@ -56,18 +57,19 @@ int main() {
   const Material binder = {"binder", 1000.0, PronySeries(2e9), fit.series};
   const Material grain = {"grain", 2000.0, PronySeries(20e9), PronySeries(10e9)};
   const Filler filler = {.material = grain, .fraction = 0.25, .sizes = SingleSize{1.1e-3}, .gap = 0.25e-3};
-  const Study study = {.stages = {{.name = "box", .matrix = binder, .side = 8e-3, .cells = 64, .filler = filler}},
+  const Stage box = {.name = "box", .matrix = binder, .side = 8e-3, .cells = 64, .filler = filler};
+  const Study study = {.stages = {box},
                        .tests = {.boundaries = {Boundary::displacement}, .first_time = 1e-4, .last_time = 1e4}};
   const StageResult done = solve(study).stages[0];
   const auto& composite = preferred_test(done.tests, Load::shear, Boundary::displacement).series;
 
   fmt::print("\n{:>8}  {:>13}  {:>16}\n", "s [1/s]", "s G~(s) [MPa]", "elastic G [MPa]");
   double worst = 0.0;
-  const auto discretisation = discretise(done.microstructure.microstructure, 64, 0, 1);
+  const auto discretisation = discretise(box, done.microstructure.microstructure, box.cells);
   for (const double s : {1e-3, 1.0, 1e3}) {
     const Material transformed = {"binder at s", 1000.0, PronySeries(2e9), PronySeries(carson_of_law(s))};
-    const double elastic = apparent_moduli({.discretisation = discretisation, .materials = {transformed, grain}},
-                                           std::array{Load::shear})[0];
+    const double elastic = apparent_moduli(
+        {.discretisation = discretisation, .materials = materials_of(box, transformed)}, std::array{Load::shear})[0];
     fmt::print("{:8}  {:13.4f}  {:16.4f}\n", s, carson_of_series(composite, s) / 1e6, elastic / 1e6);
     worst = std::max(worst, std::abs(carson_of_series(composite, s) / elastic - 1.0));
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "breccia/discretisation/phases.hpp"
 #include "breccia/microstructure/packing.hpp"
 
 namespace breccia::benchmark {
@@ -27,9 +28,11 @@ DynamicProblem<2> model_problem(int cells, int terms) {
   std::vector<MaxwellTerm> spectrum;
   spectrum.reserve(static_cast<std::size_t>(terms));
   for (int k = 0; k < terms; ++k) spectrum.push_back({1e-3 * std::pow(10.0, k), 1e8});
-  DynamicProblem<2> problem{discretise(box, cells, 0, 1),
-                            {{"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)},
-                             {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}};
+  static const Phases phases({"matrix", "filler"});
+  DynamicProblem<2> problem{
+      discretise(box, cells, phases.index_of("matrix"), phases.index_of("filler")),
+      phases.materials({{"matrix", {"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)}},
+                        {"filler", {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}})};
   problem.load = {.xy = 0.5};
   problem.ramp = StrainRamp(1e-3);
   constexpr double courant = 0.9;

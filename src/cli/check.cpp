@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/study/chain.hpp"
-#include "breccia/study/phases.hpp"
 
 #include "command.hpp"
 #include "filler_summary.hpp"
@@ -39,16 +39,14 @@ std::string memory(double bytes) {
   return display(bytes, "B");
 }
 
-Plan dynamic_plan(const Study& study, const Stage& stage, const Discretisation<2>& discretisation, Boundary boundary,
-                  Load load) {
-  const auto test = make_dynamic_test(study, stage, expected_matrix(study, stage), discretisation, boundary, load, 0);
+Plan dynamic_plan(const Stage& stage, const DynamicTest& test) {
   const auto plan = plan_dynamic_test(test);
   const double speed = trial_speed(test);
   const auto points = test.discretisation.points();
   const auto bytes = static_cast<double>(plan.bytes);
   std::int64_t steps = 0;
-  auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {}\n", stage.name, name_of(load), bound_of(boundary),
-                          points, memory(bytes));
+  auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {}\n", stage.name, name_of(test.load),
+                          bound_of(test.boundary), points, memory(bytes));
   for (const auto& domain : plan.domains) {
     steps += domain.steps;
     text += fmt::format("    density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps of {:.3g} s, {}\n",
@@ -79,7 +77,7 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
 }
 
 Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
-  const double unknowns = 2.0 * cells * cells;
+  const double unknowns = quasistatic_unknowns(cells);
   const double bytes = quasistatic_memory(study, stage, cells), seconds = quasistatic_time(study, stage, unknowns);
   return {fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
                       bound_of(boundary), cells, cells, unknowns, memory(bytes), display_duration(seconds, 1)),
@@ -93,8 +91,11 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
     }
-    const auto discretisation = discretise(packed.microstructure, cells, matrix_phase, filler_phase);
-    for (const auto load : loads_of(study, stage)) plan.add(dynamic_plan(study, stage, discretisation, boundary, load));
+    const auto discretisation = discretise(stage, packed.microstructure, cells);
+    const auto matrix = expected_matrix(study, stage);
+    for (const auto load : loads_of(study, stage)) {
+      plan.add(dynamic_plan(stage, make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0)));
+    }
   }
   return plan;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/study/gap.hpp"
 
@@ -61,12 +62,12 @@ RunObserver narrate(Progress& progress) {
   observer.finished = [&progress](const Stage& stage, const TestResult& test) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
   };
-  observer.domain_finished = [&progress](const Stage& stage, Boundary boundary, Load load, const TimeDomain& domain) {
-    const auto points = 4 * static_cast<std::size_t>(stage.cells) * static_cast<std::size_t>(stage.cells);
+  observer.domain_finished = [&progress](const Stage& stage, const TestId& test, const TimeDomain& domain) {
+    const auto points = point_count(test.grid.cells().value());
     progress.print(
         fmt::format("{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
                     "points x steps/s",
-                    stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin,
+                    stage.name, name_of(test.load), bound_of(test.boundary), domain.density_factor, domain.window.begin,
                     domain.window.end, domain.steps, display_count(static_cast<std::size_t>(domain.terms), "term"),
                     domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/study/chain.hpp"
-#include "breccia/study/phases.hpp"
 
 namespace breccia {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 /// cannot be planned from estimated moduli are left out; the run itself plans with computed moduli.
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // The positions of the particles do not matter.
-  const auto discretisation = discretise<2>({stage.side, Walls::hard, {}}, cells, matrix_phase, filler_phase);
+  const auto discretisation = discretise(stage, {stage.side, Walls::hard, {}}, cells);
   double most = 0.0;
   try {
     for (const auto boundary : study.tests.boundaries) {
@@ -37,8 +37,13 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
 
 }  // namespace
 
+double quasistatic_unknowns(int cells) {
+  constexpr int dim = 2;  // displacements of a node; there are about as many nodes as cells
+  return dim * static_cast<double>(Grid<dim>{.cells = {cells, cells}}.cell_count());
+}
+
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
-  const double unknowns = 2.0 * cells * cells;
+  const double unknowns = quasistatic_unknowns(cells);
   double steps = 0.0;
   if (study.tests.quasistatic.solver == Solver::stepping) {
     // A nodal vector for each term, in the run with fine and in that with coarse time steps.

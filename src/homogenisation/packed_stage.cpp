@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
-#include "breccia/study/phases.hpp"
 
 namespace breccia {
 
@@ -13,9 +13,12 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   result.cells = stage.cells;
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
-  const auto discretisation = discretise(result.microstructure.microstructure, stage.cells, matrix_phase, filler_phase);
+  const auto discretisation = discretise(stage, result.microstructure.microstructure, stage.cells);
   result.points = discretisation.points();
-  result.point_fraction = discretisation.fractions(2)[1];
+  if (stage.filler) {
+    const auto phases = phases_of(stage);
+    result.point_fraction = discretisation.fractions(phases.size())[phases.index_of(name_of_filler_phase)];
+  }
   return result;
 }
 

@@ -8,9 +8,9 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/packed_stage.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/study/chain.hpp"
-#include "breccia/study/phases.hpp"
 
 #include "comparison.hpp"
 #include "matrix_moduli.hpp"
@@ -29,8 +29,7 @@ class StageSolution {
 
   void run(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_,
-                           discretise(done_.microstructure.microstructure, cells, matrix_phase, filler_phase), threads};
+      const StageGrid grid{&study_, &stage_, discretise(stage_, done_.microstructure.microstructure, cells), threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);
       }

@@ -105,7 +105,7 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
   };
   follow.finished = [&](const TimeDomain& domain) {
     sink.domain_finished(stage, result.id, ++number, domain);
-    if (observer.domain_finished) observer.domain_finished(stage, boundary, load, domain);
+    if (observer.domain_finished) observer.domain_finished(stage, result.id, domain);
   };
   const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
   auto checkpoint = sink.dynamic_checkpoint(stage, result.id);

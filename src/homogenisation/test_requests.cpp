@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/study/chain.hpp"
 
 #include "mixtures.hpp"
 
 namespace breccia {
 namespace {
-
-std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
-  std::vector<Material> materials = {matrix};
-  if (stage.filler) materials.push_back(stage.filler->material);
-  return materials;
-}
 
 /// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
 std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation<2>& discretisation,
@@ -43,6 +38,7 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
   options.linear.threads = threads;
   return {.discretisation = discretisation,
           .materials = materials_of(stage, matrix),
+          .matrix = phases_of(stage).index_of(name_of_matrix_phase),
           .boundary = boundary,
           .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/homogenisation/quality.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -130,7 +131,7 @@ struct DescribeRecord {
 
 Json json_of(const TestResult& test, const Study& study) {
   const auto cells = test.id.grid.cells();
-  const auto points = 4 * static_cast<std::size_t>(cells.value_or(0)) * static_cast<std::size_t>(cells.value_or(0));
+  const auto points = cells ? point_count(*cells) : 0;
   Json json = {{"load", name_of(test.id.load)},
                {"boundary", name_of(test.id.boundary)},
                {"method", name_of(test.id.method)},
@@ -182,7 +183,8 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
   if (!packing.microstructure.particles.empty()) {
-    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.particles, {}, &Disc::diameter);
+    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.particles, {},
+                                                         [](const auto& particle) { return particle.diameter; });
     microstructure["smallest_diameter_m"] = smallest.diameter;
     microstructure["largest_diameter_m"] = largest.diameter;
   }

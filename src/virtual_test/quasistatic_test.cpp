@@ -31,7 +31,7 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
 
 /// Training set of the reduced basis: moduli of the matrix [Pa], from stiff to soft.
 std::vector<Moduli> training_set(const QuasistaticTest& test) {
-  const auto& matrix = test.materials.front();
+  const auto& matrix = test.materials[test.matrix];
   // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
   // training set has both.
   auto path = carson_path(matrix, test.times);
@@ -44,11 +44,11 @@ std::vector<Moduli> training_set(const QuasistaticTest& test) {
 
 void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                  Checkpoint* checkpoint) {
-  const auto& matrix = test.materials.front();
+  const auto& matrix = test.materials[test.matrix];
   const auto path = training_set(test);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
   auto sampled = sample_responses(
-      problem_of(test), 0, test.loads, path, test.options.sampling,
+      problem_of(test), test.matrix, test.loads, path, test.options.sampling,
       [&](const SamplingProgress& progress) {
         if (!observer) return;
         observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
@@ -160,6 +160,10 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Qu
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
+  if (test.options.solver == Solver::reduced && test.matrix >= test.materials.size()) {
+    throw InputError(fmt::format("quasi-static test: expected one of the {} phases as the matrix, got number {}",
+                                 test.materials.size(), test.matrix));
+  }
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

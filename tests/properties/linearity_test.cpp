@@ -19,7 +19,7 @@ using test::random_composite;
 
 std::vector<Averages<2>> averages_under(const Composite& composite, Boundary boundary, Formulation formulation,
                                         const Strain<2>& load) {
-  DynamicProblem<2> problem{.discretisation = discretise(composite.box, test::cells, 0, 1),
+  DynamicProblem<2> problem{.discretisation = discretise(composite.box, test::cells, test::matrix, test::filler),
                             .materials = composite.materials,
                             .volumetric = composite.volumetric,
                             .boundary = boundary,
@@ -79,7 +79,7 @@ Composite unrelaxed(Composite composite) {
 
 /// Work of the stress under each load on the strain of the other, over that on its own; and their difference.
 double mutual_work_difference(const Composite& composite, Boundary boundary) {
-  const QuasistaticProblem problem{.discretisation = discretise(composite.box, test::cells, 0, 1),
+  const QuasistaticProblem problem{.discretisation = discretise(composite.box, test::cells, test::matrix, test::filler),
                                    .materials = composite.materials,
                                    .volumetric = composite.volumetric,
                                    .boundary = boundary};

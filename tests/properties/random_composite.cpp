@@ -57,7 +57,7 @@ PronySeries random_spectrum(double unrelaxed, Random& random) {
 
 }  // namespace
 
-Composite random_composite(std::uint64_t seed, FillerKind filler) {
+Composite random_composite(std::uint64_t seed, FillerKind kind) {
   Random random(seed);
   Composite composite;
   composite.box = random_box(random);
@@ -68,14 +68,15 @@ Composite random_composite(std::uint64_t seed, FillerKind filler) {
   composite.materials = {
       {"matrix", 1000.0, bulk_relaxes ? random_spectrum(bulk, random) : PronySeries(bulk), shear},
       {"filler", 1500.0, PronySeries(3.0 * contrast * unrelaxed), PronySeries(contrast * unrelaxed)}};
-  if (filler == FillerKind::relaxing) composite.materials[1].shear = random_spectrum(contrast * unrelaxed, random);
+  if (kind == FillerKind::relaxing) composite.materials[filler].shear = random_spectrum(contrast * unrelaxed, random);
   composite.volumetric = random() % 2 == 0 ? Volumetric::averaged : Volumetric::standard;
   return composite;
 }
 
 QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) {
-  QuasistaticTest test{.discretisation = discretise(composite.box, cells, 0, 1),
+  QuasistaticTest test{.discretisation = discretise(composite.box, cells, matrix, filler),
                        .materials = composite.materials,
+                       .matrix = matrix,
                        .boundary = boundary,
                        .loads = {Load::shear, Load::bulk},
                        .times = window,
@@ -85,7 +86,7 @@ QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) 
 }
 
 DynamicTest dynamic_test(const Composite& composite, Boundary boundary) {
-  DynamicTest test{.discretisation = discretise(composite.box, cells, 0, 1),
+  DynamicTest test{.discretisation = discretise(composite.box, cells, matrix, filler),
                    .materials = composite.materials,
                    .boundary = boundary,
                    .times = window,

@@ -12,10 +12,13 @@
 
 namespace breccia::test {
 
+/// The phases of a composite.
+inline constexpr PhaseIndex matrix = 0, filler = 1;
+
 /// A composite of chance: a few discs in a matrix that relaxes.
 struct Composite {
   Microstructure<2> box;
-  std::vector<Material> materials;  ///< matrix and filler
+  std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
 };
 
@@ -24,7 +27,7 @@ enum class FillerKind { elastic, relaxing };
 
 /// A random composite, the same for a seed on every machine. The moduli, their ratios between the phases and of K to G
 /// vary over decades; a spectrum has one to six terms between 0.1 ms and 1 s.
-Composite random_composite(std::uint64_t seed, FillerKind filler = FillerKind::elastic);
+Composite random_composite(std::uint64_t seed, FillerKind kind = FillerKind::elastic);
 
 /// Times in which the composites are tested [s].
 inline constexpr TimeWindow window = {1e-3, 0.1};

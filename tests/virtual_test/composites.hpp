@@ -6,6 +6,9 @@
 
 namespace breccia::testing_composites {
 
+/// The phases of the composites.
+inline constexpr PhaseIndex matrix = 0, filler = 1;
+
 // Table 1 of the paper.
 inline const Material binder = {"binder", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})};
 inline const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
@@ -16,7 +19,7 @@ inline Discretisation<2> model_composite(int cells) {
   for (const double x : {1.5e-3, 4.5e-3}) {
     for (const double y : {1.5e-3, 4.5e-3}) four_discs.particles.push_back({{x, y}, 2e-3});
   }
-  return discretise(four_discs, cells, 0, 1);
+  return discretise(four_discs, cells, matrix, filler);
 }
 
 // An elastomer that is nearly incompressible once relaxed, and an explosive crystal.
@@ -32,7 +35,7 @@ inline Discretisation<2> packed_discs(int cells) {
   request.diameters.assign(12, 11e-6);
   request.minimum_gap = 1e-6;
   request.seed = 3;
-  return discretise<2>({request.side, Walls::hard, pack<2>(request).balls}, cells, 0, 1);
+  return discretise<2>({request.side, Walls::hard, pack<2>(request).balls}, cells, matrix, filler);
 }
 
 }  // namespace breccia::testing_composites

@@ -15,7 +15,7 @@ struct StudyObserver {
   std::function<void(const Stage&, const StageResult&)> packed = {};
   std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
-  std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};
+  std::function<void(const Stage&, const TestId&, const TimeDomain&)> domain_finished = {};
 };
 
 }  // namespace breccia

@@ -46,10 +46,12 @@ struct QuasistaticOptions {
   LinearOptions linear = {};
 };
 
-/// A quasi-static virtual test. The matrix is material 0.
+/// A quasi-static virtual test.
 struct QuasistaticTest {
   Discretisation<2> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
+  /// The phase whose moduli vary in the reduced basis; all others must be elastic. The stepping solver does not use it.
+  PhaseIndex matrix = no_phase;
   /// Carson moduli [Pa] of the matrix over its whole relaxation, from stiff to soft. They are given when the matrix is
   /// itself a composite, whose series is a fit to some times alone; empty, they follow from its series. Used with
   /// SampledRange::matrix alone.

@@ -15,11 +15,13 @@ std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span
     throw InputError(fmt::format("apparent moduli: {} relaxes; expected elastic materials", material.name));
   }
   if (problem.materials.empty()) throw InputError("apparent moduli: expected a material for each phase");
-  // The reduced basis of a single elastic solution is exact for the moduli of that solution.
-  const auto& first = problem.materials.front();
+  // The reduced basis of a single elastic solution is exact for the moduli of that solution. Any phase can be the one
+  // whose moduli vary in it, since they take a single value.
+  constexpr PhaseIndex any = 0;
+  const auto& first = problem.materials[any];
   const Moduli moduli = {.bulk = first.bulk.equilibrium(), .shear = first.shear.equilibrium()};
   std::vector<double> apparent;
-  for (const auto& response : sample_responses(problem, 0, loads, std::array{moduli}).responses) {
+  for (const auto& response : sample_responses(problem, any, loads, std::array{moduli}).responses) {
     apparent.push_back(response.modulus(moduli));
   }
   return apparent;

@@ -1,0 +1,54 @@
+#include "breccia/virtual_test/quasistatic_test.hpp"
+
+#include <cstddef>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "virtual_test/composites.hpp"
+
+namespace breccia {
+namespace {
+
+namespace composites = testing_composites;
+
+QuasistaticTest one_particle(PhaseIndex matrix, PhaseIndex filler) {
+  QuasistaticTest test = {
+      .discretisation = discretise<2>({6e-3, Walls::hard, {{{2e-3, 3e-3}, 3e-3}}}, 12, matrix, filler),
+      .materials = {composites::binder, composites::binder},
+      .matrix = matrix,
+      .loads = {Load::shear, Load::bulk},
+      .times = {1e-3, 0.1},
+      .points_per_decade = 4};
+  test.materials[filler] = composites::particle;
+  return test;
+}
+
+TEST(RunQuasistaticTest, AnyPhaseMayBeTheMatrix) {
+  const auto first = run_quasistatic_test(one_particle(0, 1)), second = run_quasistatic_test(one_particle(1, 0));
+  for (std::size_t load = 0; load < first.responses.size(); ++load) {
+    const auto &one = first.responses[load].modulus, &other = second.responses[load].modulus;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i].modulus / other[i].modulus, 1.0, 1e-7) << i;
+  }
+}
+
+TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
+  auto test = one_particle(0, 1);
+  test.matrix = no_phase;
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(run_quasistatic_test(test)); }),
+            "quasi-static test: expected one of the 2 phases as the matrix, got number 255");
+  test.matrix = 2;
+  EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
+  // With the particle as its matrix the binder would be a filler that relaxes.
+  test.matrix = 1;
+  EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
+  test.matrix = no_phase;
+  test.options.solver = Solver::stepping;
+  EXPECT_NO_THROW(static_cast<void>(run_quasistatic_test(test)));
+}
+
+}  // namespace
+}  // namespace breccia
