@@ -101,7 +101,7 @@ class SweepRun {
       const auto more = tasks.size() > 1 ? fmt::format(" and {} more", tasks.size() - 1) : "";
       mistakes.push_back(fmt::format("{}{}: {}", tasks.front(), more, line));
     }
-    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+    if (!mistakes.empty()) throw LackingMemory(fmt::format("{}", fmt::join(mistakes, "\n")));
   }
 
   void keep_if_done(std::size_t task, std::optional<double> seconds) {

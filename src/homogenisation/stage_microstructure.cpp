@@ -63,7 +63,7 @@ class StagePacking {
     try {
       return {request, read_packing_state(*earlier_)};
     } catch (const InputError& error) {
-      throw FileError(fmt::format("{}: {}; run without --resume, which begins anew", earlier_->path(), error.what()));
+      throw FileError(fmt::format("{}: {}; begin anew instead of resuming", earlier_->path(), error.what()));
     }
   }
 

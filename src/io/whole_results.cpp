@@ -53,8 +53,9 @@ WholeResults::~WholeResults() {
 void WholeResults::refuse_others() const {
   for (const auto* record : {"study.json", "sweep.json"}) {
     if (!fs::exists(directory_ / record)) continue;
-    throw InputError(fmt::format("{}: here are the results of a {}; take another directory (--out)",
-                                 directory_.string(), fs::path(record).stem().string()));
+    throw ForeignResults(fmt::format("{}: here are the results of a {}; take another directory", directory_.string(),
+                                     fs::path(record).stem().string()),
+                         false);
   }
   const auto record = directory_ / record_name();
   if (fs::is_regular_file(record)) {
@@ -63,11 +64,12 @@ void WholeResults::refuse_others() const {
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
       const auto before = json.value("source", Json());
-      throw InputError(fmt::format(
-          "{}: here is what `breccia {}` made of {}{}; replace it (--overwrite) or take another directory (--out)",
-          directory_.string(), origin_.command, before.dump(),
-          before == origin_.source ? ", whose content was another then"
-                                   : fmt::format(", not of {}", Json(origin_.source).dump())));
+      throw ForeignResults(
+          fmt::format("{}: here is what `breccia {}` made of {}{}; replace it or take another directory",
+                      directory_.string(), origin_.command, before.dump(),
+                      before == origin_.source ? ", whose content was another then"
+                                               : fmt::format(", not of {}", Json(origin_.source).dump())),
+          true);
     }
   }
   std::vector<std::string> foreign;
@@ -76,10 +78,10 @@ void WholeResults::refuse_others() const {
   }
   if (fs::exists(record)) foreign.push_back(record_name());
   if (foreign.empty()) return;
-  throw InputError(
-      fmt::format("{}: the results would replace {}, which `breccia {}` did not write; take another "
-                  "directory (--out)",
-                  directory_.string(), fmt::join(foreign, ", "), origin_.command));
+  throw ForeignResults(
+      fmt::format("{}: the results would replace {}, which `breccia {}` did not write; take another directory",
+                  directory_.string(), fmt::join(foreign, ", "), origin_.command),
+      false);
 }
 
 void WholeResults::refuse_directories() const {
@@ -87,8 +89,9 @@ void WholeResults::refuse_directories() const {
   names.push_back(record_name());
   std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
   if (names.empty()) return;
-  throw InputError(fmt::format("{}: directories are where the results are to be, {}; take another directory (--out)",
-                               directory_.string(), fmt::join(names, ", ")));
+  throw ForeignResults(fmt::format("{}: directories are where the results are to be, {}; take another directory",
+                                   directory_.string(), fmt::join(names, ", ")),
+                       false);
 }
 
 void WholeResults::refuse_foreign_unfinished() const {

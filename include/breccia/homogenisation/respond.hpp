@@ -42,7 +42,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
-/// Throws InputError where the matrix leaves the sampled range, telling both and the times that are covered.
+/// Throws NotCovered where the matrix leaves the sampled range, telling both and the times that are covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
 
 /// Stages that build on each other, all at once: the matrix is that of those that do not build on another, the others

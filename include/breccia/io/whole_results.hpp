@@ -4,9 +4,22 @@
 #include <string>
 #include <vector>
 
+#include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
 
 namespace breccia {
+
+/// A directory that results are to be written to holds something else.
+class ForeignResults : public InputError {
+ public:
+  ForeignResults(const std::string& message, bool may_be_overwritten)
+      : InputError(message), may_be_overwritten_(may_be_overwritten) {}
+  /// Does ResultsOrigin::overwrite help?
+  [[nodiscard]] bool may_be_overwritten() const noexcept { return may_be_overwritten_; }
+
+ private:
+  bool may_be_overwritten_;
+};
 
 /// Results that a command makes in one go, with a record of what they come from.
 struct ResultsOrigin {
@@ -22,7 +35,7 @@ struct ResultsOrigin {
 /// locked meanwhile.
 class WholeResults {
  public:
-  /// Throws InputError where the directory holds the results of a study or a sweep, files of these names that Breccia
+  /// Throws ForeignResults where the directory holds the results of a study or a sweep, files of these names that Breccia
   /// did not write, or results from another source that are not to be overwritten, and DirectoryInUse where another
   /// process writes to it. Throws FileError.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
