@@ -66,7 +66,4 @@ void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 void add_stages(CLI::App& application);
 
-/// Where one who reads the help finds a deck to begin with and the keys of a deck.
-std::string where_to_begin();
-
 }  // namespace breccia::cli

@@ -14,6 +14,7 @@
 
 #include "advice.hpp"
 #include "command.hpp"
+#include "help.hpp"
 #include "misuse.hpp"
 
 namespace {

@@ -98,7 +98,8 @@ std::string words_on_quality(const Study& study, const StudyResult& result) {
     const auto summary = summary_of(quality);
     if (summary.empty()) continue;
     // The summary ends with the packing.
-    text += fmt::format("\n{}, this box: {}{}", result.stages[i].name, summary, quality.is_random ? " (--seeds 3)" : "");
+    text +=
+        fmt::format("\n{}, this box: {}{}", result.stages[i].name, summary, quality.is_random ? " (--seeds 3)" : "");
   }
   return text.empty() ? text : text + "\n";
 }

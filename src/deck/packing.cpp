@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/limits.hpp"
 

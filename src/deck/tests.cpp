@@ -57,16 +57,18 @@ std::vector<Method> read_methods(const Section& section) {
 
 QuasistaticOptions read_quasistatic(const Section& section) {
   QuasistaticOptions options;
-  options.sampling.tolerance = section.optional_number("tolerance", allowed::accuracy).value_or(options.sampling.tolerance);
+  options.sampling.tolerance =
+      section.optional_number("tolerance", allowed::accuracy).value_or(options.sampling.tolerance);
   if (section.has("range")) {
     options.range = section.choice<SampledRange>("range").value_or(options.range);
   }
-  options.steps_per_decade =
-      static_cast<int>(section.optional_integer("steps_per_decade", allowed::steps_per_decade).value_or(options.steps_per_decade));
+  options.steps_per_decade = static_cast<int>(
+      section.optional_integer("steps_per_decade", allowed::steps_per_decade).value_or(options.steps_per_decade));
   if (section.has("linear")) {
     options.linear.method = section.choice<LinearMethod>("linear").value_or(options.linear.method);
   }
-  options.linear.tolerance = section.optional_number("linear_tolerance", allowed::accuracy).value_or(options.linear.tolerance);
+  options.linear.tolerance =
+      section.optional_number("linear_tolerance", allowed::accuracy).value_or(options.linear.tolerance);
   return options;
 }
 
@@ -81,14 +83,13 @@ DynamicOptions read_dynamic(const Section& section) {
   options.courant = section.optional_number("courant", allowed::courant).value_or(options.courant);
   if (section.has("ramp")) section.refuse({"ramp_transits"}, "the ramp is given as a time already");
   options.ramp_time = section.optional_quantity("ramp", Dimension::time, allowed::ramp);
-  options.ramp_transits =
-      section.optional_number("ramp_transits", allowed::ramp).value_or(options.ramp_transits);
+  options.ramp_transits = section.optional_number("ramp_transits", allowed::ramp).value_or(options.ramp_transits);
   options.creep_ramp_transits =
       section.optional_number("creep_ramp_transits", allowed::ramp).value_or(options.creep_ramp_transits);
   options.density_factors = read_density_factors(section);
   options.overlap = section.optional_number("overlap", allowed::overlap).value_or(options.overlap);
-  options.reduction_tolerance =
-      section.optional_number("reduction_tolerance", allowed::reduction_tolerance).value_or(options.reduction_tolerance);
+  options.reduction_tolerance = section.optional_number("reduction_tolerance", allowed::reduction_tolerance)
+                                    .value_or(options.reduction_tolerance);
   return options;
 }
 
@@ -128,9 +129,9 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
     tests.last_time = times->end;
   }
   tests.field_times = read_field_times(section, times);
-  tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
-  tests.fit_tolerance =
-      section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
+  tests.points_per_decade =
+      static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
+  tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
     tests.quasistatic = read_quasistatic(*quasistatic);
   }

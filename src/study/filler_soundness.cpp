@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/microstructure/size_distribution.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/limits.hpp"
@@ -83,7 +83,8 @@ void check_listed_particles(const Filler& filler, double side, const std::string
   }
   const auto& listed = std::get<ExplicitPacking>(filler.packing);
   if (listed.discs.empty()) mistakes.add(part, "expected at least one disc");
-  if (accepts(allowed::side, side)) mistakes.add_error_of(part, [&] { require_valid<2>({side, listed.walls, listed.discs}); });
+  if (accepts(allowed::side, side))
+    mistakes.add_error_of(part, [&] { require_valid<2>({side, listed.walls, listed.discs}); });
 }
 
 void check_gap(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {

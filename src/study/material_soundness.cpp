@@ -35,7 +35,8 @@ void check_materials(const Study& study, StudyMistakes& mistakes) {
   for (auto material = materials.begin(); material != materials.end(); ++material) {
     const auto part = "material " + material->name;
     check_material(*material, part, mistakes);
-    const bool is_repeated = std::ranges::find(materials.begin(), material, material->name, &Material::name) != material;
+    const bool is_repeated =
+        std::ranges::find(materials.begin(), material, material->name, &Material::name) != material;
     if (is_repeated) mistakes.add(part, "another material has this name");
   }
   for (const auto& [name, shift] : study.temperature_shifts) {

@@ -23,8 +23,8 @@ namespace {
 void check_grids(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   for (const int cells : stage.grids()) mistakes.check_integer(part, "cells per side", cells, allowed::cells);
   if (stage.coarser_cells.empty() || can_be_extrapolated(stage.grids())) return;
-  mistakes.add(part, fmt::format("expected at most {} grids, the cells per side rising from grid to grid",
-                                 allowed::most_grids));
+  mistakes.add(
+      part, fmt::format("expected at most {} grids, the cells per side rising from grid to grid", allowed::most_grids));
 }
 
 void check_matrix(const Stage& stage, std::span<const Stage> earlier, const std::string& part,

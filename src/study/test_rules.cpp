@@ -47,8 +47,7 @@ std::optional<std::string> too_few_times(const Study& study) {
   constexpr std::size_t fewest = 3;
   const auto& tests = study.tests;
   const bool are_known = tests.first_time > 0.0 && tests.last_time > tests.first_time &&
-                         std::isfinite(tests.last_time) &&
-                         accepts(allowed::points_per_decade, tests.points_per_decade);
+                         std::isfinite(tests.last_time) && accepts(allowed::points_per_decade, tests.points_per_decade);
   if (!are_known || !has_fits(study)) return std::nullopt;
   const auto times = logarithmic_times({tests.first_time, tests.last_time}, tests.points_per_decade).size();
   if (times >= fewest) return std::nullopt;

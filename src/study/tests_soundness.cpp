@@ -47,14 +47,14 @@ void check_dynamic(const DynamicOptions& options, StudyMistakes& mistakes) {
   }
   if (!is_rising(options.density_factors)) mistakes.add(part, "density factors: expected rising numbers");
   mistakes.check_number(part, "overlap", options.overlap, allowed::overlap);
-  mistakes.check_number(part, "tolerance of the reduction", options.reduction_tolerance,
-                        allowed::reduction_tolerance);
+  mistakes.check_number(part, "tolerance of the reduction", options.reduction_tolerance, allowed::reduction_tolerance);
 }
 
 void check_curve(const Curve& curve, const std::string& part, StudyMistakes& mistakes) {
   constexpr std::size_t fewest = 2;
   const auto has_positive = [&curve](auto member) {
-    return std::ranges::all_of(curve, [member](const Sample& sample) { return accepts(Range::positive(), sample.*member); });
+    return std::ranges::all_of(curve,
+                               [member](const Sample& sample) { return accepts(Range::positive(), sample.*member); });
   };
   if (curve.size() < fewest) mistakes.add(part, fmt::format("expected at least {} points of the curve", fewest));
   if (!has_positive(&Sample::time) || !std::ranges::is_sorted(curve, std::ranges::less_equal(), &Sample::time)) {

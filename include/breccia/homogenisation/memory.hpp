@@ -17,10 +17,6 @@ class LackingMemory : public InputError {
 /// Memory [B] that a quasi-static test takes, about: from experience, with all that it keeps.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 
-/// Memory [B] that this process may still take: what the machine has left, the limits of its control groups and that of
-/// `ulimit -v`, whichever is least; infinite where none can be read.
-double available_memory();
-
 /// A line for every stage and method that will take more memory [B] than there is, with the number of cells that would
 /// fit. Of a process alone; several may be on several machines.
 std::vector<std::string> lacking_memory(const Study& study, double available);
