@@ -20,9 +20,6 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   if (dynamic_cast<const DirectoryInUse*>(&error) != nullptr && has(command, "--out")) {
     return ", or take another directory (--out)";
   }
-  if (const auto* foreign = dynamic_cast<const ForeignResults*>(&error); foreign != nullptr && has(command, "--out")) {
-    return foreign->may_be_overwritten() ? " (--overwrite or --out)" : " (--out)";
-  }
   if (dynamic_cast<const LackingMemory*>(&error) != nullptr && has(command, "--no-memory-check")) {
     return " (--no-memory-check runs them nevertheless)";
   }
@@ -40,6 +37,12 @@ std::string advice_on(const Error& error, const CLI::App& command) {
 }  // namespace
 
 std::string with_advice(const Error& error, const CLI::App& command) {
+  const auto* const foreign = dynamic_cast<const ForeignResults*>(&error);
+  if (foreign != nullptr && has(command, "--out")) {
+    const bool may_be_overwritten = foreign->remedy() == ForeignResults::Remedy::overwriting;
+    return fmt::format("{}; {}take another directory (--out)", foreign->problem(),
+                       may_be_overwritten ? "replace it (--overwrite) or " : "");
+  }
   return error.what() + advice_on(error, command);
 }
 

@@ -96,7 +96,7 @@ bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
   constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",
                                                        "polygons", "ellipses", "tessellation"};
-  return std::ranges::find(methods, packing.optional_text("method")) != methods.end();
+  return std::ranges::find(methods, packing.optional_text("method").value_or("")) != methods.end();
 }
 
 }  // namespace

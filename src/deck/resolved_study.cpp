@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "breccia/io/deck.hpp"
+#include "breccia/io/printable.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/test_rules.hpp"
@@ -19,7 +20,7 @@ namespace breccia {
 Study resolve(const Deck& document) {
   const auto root = document.root();
   Study study;
-  study.title = root.optional_text("title").value_or(document.path().stem().string());
+  study.title = root.optional_text("title").value_or(printable(document.path().stem().string()));
   study.provenance.deck = document.path();
   study.provenance.deck_text = document.text();
   auto [materials, temperature_shifts] = read_materials(root);

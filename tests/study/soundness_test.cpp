@@ -60,7 +60,7 @@ Study with_random_packing(Sizes sizes) {
 Study with_measurement() {
   auto study = test::two_stages();
   study.measurements = {
-      {.label = "a", .stage = "fine", .shear = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = {{1e-3, 0.1}}},
+      {.label = "a", .stage = "fine", .shear = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = TimeWindow{1e-3, 0.1}},
       {.label = "b", .stage = "coarse", .shear = PronySeries(1e6)}};
   return study;
 }
@@ -293,7 +293,7 @@ TEST(RequireSound, NamesEachMistakeOfMeasurements) {
                {[](Study& study) { study.measurements[1].shear = PronySeries(); },
                 "measurement b: unrelaxed shear modulus: expected a positive pressure"},
                {[](Study& study) {
-                  study.measurements[0].times = {{0.1, 0.1}};
+                  study.measurements[0].times = TimeWindow{0.1, 0.1};
                 },
                 "measurement a: expected two rising positive times"},
                {with_curve({{1.0, 1e6}}), "measurement a: expected at least 2 points of the curve"},

@@ -9,16 +9,19 @@
 
 namespace breccia {
 
-/// A directory that results are to be written to holds something else.
+/// A directory that results are to be written to holds something else. The message has the problem and what helps.
 class ForeignResults : public InputError {
  public:
-  ForeignResults(const std::string& message, bool may_be_overwritten)
-      : InputError(message), may_be_overwritten_(may_be_overwritten) {}
-  /// Does ResultsOrigin::overwrite help?
-  [[nodiscard]] bool may_be_overwritten() const noexcept { return may_be_overwritten_; }
+  /// What helps: another directory, or ResultsOrigin::overwrite too.
+  enum class Remedy { another_directory, overwriting };
+
+  ForeignResults(const std::string& problem, Remedy remedy);
+  [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
+  [[nodiscard]] Remedy remedy() const noexcept { return remedy_; }
 
  private:
-  bool may_be_overwritten_;
+  std::string problem_;
+  Remedy remedy_;
 };
 
 /// Results that a command makes in one go, with a record of what they come from.
