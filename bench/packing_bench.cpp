@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/packing.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
 
 namespace {
 

@@ -2,11 +2,12 @@
 // library itself, 1.10 of Debian 12, is known to crash on hostile files, so that what it reads must be checked before.
 
 #include "breccia/campaign/resume.hpp"
+#include "breccia/results/study_report.hpp"
+#include "breccia/results/sweep_report.hpp"
 #include "breccia/results/sweep_result.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"
-#include "results/report_data.hpp"
 
 namespace {
 

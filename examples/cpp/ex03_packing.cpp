@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/packing.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/report/microstructure_picture.hpp"

@@ -1,15 +1,10 @@
 #include "result_place.hpp"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "breccia/error.hpp"
-#include "breccia/io/safe_name.hpp"
 #include "breccia/results/provenance.hpp"
-#include "breccia/study/result_names.hpp"
 
 #include "first_process.hpp"
 #include "result_directory.hpp"
@@ -19,33 +14,52 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The directory that the first process of a group chooses, on all processes of the group; or its InputError.
+/// What the first process tells the others: a directory, or an error of this kind.
+constexpr char is_chosen = '+', is_in_use = '!', is_bad_input = 'i', is_numerical = 'n', is_of_files = 'f';
+
+/// The kind of an error and its message.
+std::string as_text(const Error& error) {
+  if (dynamic_cast<const DirectoryInUse*>(&error) != nullptr) return is_in_use + std::string(error.what());
+  const char kind = error.exit_code() == ExitCode::bad_input           ? is_bad_input
+                    : error.exit_code() == ExitCode::numerical_failure ? is_numerical
+                                                                       : is_of_files;
+  return kind + std::string(error.what());
+}
+
+/// Throws the error whose text this is, if it is one.
+void refuse_if_error(const std::string& answer) {
+  const auto message = answer.substr(1);
+  switch (answer.front()) {
+    case is_in_use:
+      throw DirectoryInUse(message);
+    case is_bad_input:
+      throw InputError(message);
+    case is_numerical:
+      throw NumericalError(message);
+    case is_of_files:
+      throw FileError(message);
+    default:
+      return;
+  }
+}
+
+/// The directory that the first process of a group chooses, for all of them, or the error that it throws: whoever did
+/// not know of it would wait for the first for ever.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
-  constexpr char is_chosen = '+', is_refused = '-', is_in_use = '!';
   std::string answer;
   if (parallel::rank() == 0) {
     try {
       answer = is_chosen + choose().string();
-    } catch (const DirectoryInUse& error) {
-      answer = is_in_use + std::string(error.what());
-    } catch (const InputError& error) {
-      answer = is_refused + std::string(error.what());
+    } catch (const Error& error) {
+      answer = as_text(error);
+    } catch (const fs::filesystem_error& error) {
+      answer = is_of_files + std::string(error.what());
     }
   }
   answer = parallel::text_of_first(answer);
-  if (answer.front() == is_in_use) throw DirectoryInUse(answer.substr(1));
-  if (answer.front() == is_refused) throw InputError(answer.substr(1));
+  refuse_if_error(answer);
   return answer.substr(1);
-}
-
-/// Checks that the names of the stages are valid names of directories.
-void require_names_of_directories(const Study& study) {
-  const auto reserved = reserved_names();
-  for (const auto& stage : study.stages) {
-    if (is_safe_name(stage.name) && std::ranges::find(reserved, stage.name) == reserved.end()) continue;
-    throw InputError(fmt::format("\"{}\" cannot be the name of a stage: it names a directory", stage.name));
-  }
 }
 
 /// Checks that the study has a hash, by which its results are distinguished from those of others.
@@ -63,7 +77,6 @@ ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::func
       directory_(std::move(directory)),
       place_(chosen_by_first([&] {
         require_hash(study);
-        require_names_of_directories(study);
         lock_.emplace(directory_);
         return choose();
       })),

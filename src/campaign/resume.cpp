@@ -3,8 +3,8 @@
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/empty_directory.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/results/report.hpp"
 #include "breccia/results/study_record.hpp"
+#include "breccia/results/study_report.hpp"
 
 #include "checkpoints.hpp"
 #include "result_directory.hpp"

@@ -3,11 +3,12 @@
 #include <chrono>
 #include <exception>
 
+#include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/provenance.hpp"
-#include "breccia/results/report.hpp"
+#include "breccia/results/study_report.hpp"
 #include "breccia/study/soundness.hpp"
 
 #include "checkpoints.hpp"

@@ -10,15 +10,18 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/campaign/resume.hpp"
+#include "breccia/campaign/sweep_directory.hpp"
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
-#include "breccia/results/sweep_files.hpp"
+#include "breccia/results/sweep_plot.hpp"
+#include "breccia/results/sweep_report.hpp"
+#include "breccia/results/sweep_tables.hpp"
 
 #include "result_directory.hpp"
 #include "shared_stages.hpp"
-#include "sweep_directory.hpp"
 #include "sweep_temperatures.hpp"
 
 namespace breccia {
@@ -101,7 +104,7 @@ class SweepRun {
       const auto more = tasks.size() > 1 ? fmt::format(" and {} more", tasks.size() - 1) : "";
       mistakes.push_back(fmt::format("{}{}: {}", tasks.front(), more, line));
     }
-    if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+    if (!mistakes.empty()) throw LackingMemory(fmt::format("{}", fmt::join(mistakes, "\n")));
   }
 
   void keep_if_done(std::size_t task, std::optional<double> seconds) {

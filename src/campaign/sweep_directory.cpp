@@ -1,4 +1,4 @@
-#include "sweep_directory.hpp"
+#include "breccia/campaign/sweep_directory.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/campaign/sweep.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
@@ -62,13 +61,22 @@ std::vector<std::string> replaceable_by(const SweepTask& task, const nlohmann::j
   return hashes;
 }
 
+/// A directory for a sweep beside one that is taken: `results-sweep` for `results/`, `../study-sweep` for `.` where
+/// that is called `study`.
+fs::path directory_beside(const fs::path& taken) {
+  const auto normal = taken.lexically_normal();
+  const auto named = normal.has_filename() ? normal : normal.parent_path();
+  const auto name = named.filename();
+  if (!name.empty() && name != "." && name != "..") return named.string() + "-sweep";
+  const auto real = fs::canonical(taken);
+  return (taken / ".." / (real.filename().string() + "-sweep")).lexically_normal();
+}
+
 /// The reason why the tables of a sweep must not be written to a directory; empty if they may.
 std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    // Without the trailing slash of `--out results/`.
-    const auto name = directory.has_filename() ? directory : directory.parent_path();
-    return fmt::format("{}: here are the results of a single study; take another directory (--out {}-sweep)",
-                       directory.string(), name.string());
+    return fmt::format("{}: here are the results of a single study; take another directory (--out {})",
+                       directory.string(), directory_beside(directory).string());
   }
   const auto record = sweep_record(directory);
   if (record.is_null()) {

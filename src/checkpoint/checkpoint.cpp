@@ -19,8 +19,7 @@ constexpr auto finished_name = "/is_finished";
 void require_owner(const std::filesystem::path& path, const StateOwner& found, const StateOwner& expected) {
   const auto refuse = [&](const std::string& difference) {
     throw InputError(
-        fmt::format("{}: {}; take another directory (--out), or run without --resume, which starts anew and removes "
-                    "this file",
+        fmt::format("{}: {}; take another directory, or start anew instead of resuming, which removes this file",
                     path.string(), difference));
   };
   if (found.version != expected.version) {
@@ -93,7 +92,7 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
 
 void Checkpoint::save(const WriteState& write) {
   put(write, false);
-  if (ends_) throw Interrupted("interrupted; the state is saved, and --resume continues from it");
+  if (ends_) throw Interrupted("interrupted; the state is on the disk");
 }
 
 void Checkpoint::finish(const WriteState& write) {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"

@@ -11,6 +11,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
+#include "help.hpp"
 #include "interruption.hpp"
 
 namespace breccia::cli {

@@ -28,7 +28,7 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 struct RunArguments {
   DeckArguments deck;
   std::filesystem::path directory;  ///< empty: results/<deck name>
-  int threads = 0;                  ///< 0: all
+  int threads = 0;  ///< number of threads; 0: all cores
   bool quiet = false;
   bool resume = false;
   bool overwrite = false;
@@ -64,8 +64,5 @@ void add_report(CLI::App& application);
 void add_respond(CLI::App& application);
 void add_run(CLI::App& application);
 void add_stages(CLI::App& application);
-
-/// The end of the help: how to get a first deck and the description of the keys of a deck.
-std::string where_to_begin();
 
 }  // namespace breccia::cli

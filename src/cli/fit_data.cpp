@@ -9,7 +9,7 @@
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 
 namespace breccia::cli {
 namespace {

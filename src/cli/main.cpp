@@ -12,7 +12,9 @@
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
 
+#include "advice.hpp"
 #include "command.hpp"
+#include "help.hpp"
 #include "misuse.hpp"
 
 namespace {
@@ -66,6 +68,10 @@ int run(int argc, char** argv) {
   try {
     application.parse(argc, argv);
     if (application.get_subcommands().empty()) throw CLI::RequiredError("a command");
+  } catch (const breccia::Error& error) {
+    const auto commands = application.get_subcommands();
+    if (commands.empty()) throw;
+    throw breccia::Error(error.exit_code(), breccia::cli::with_advice(error, *commands.front()));
   } catch (const CLI::ParseError& error) {
     const bool is_mistake = error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success);
     if (is_mistake) throw breccia::InputError(breccia::cli::describe_misuse(application, error));

@@ -7,6 +7,7 @@
 #include "breccia/io/text_file.hpp"
 
 #include "command.hpp"
+#include "help.hpp"
 #include "starter_deck.hpp"
 
 namespace breccia::cli {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/campaign/resume.hpp"
+#include "breccia/campaign/sweep_directory.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "command.hpp"

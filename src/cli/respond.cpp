@@ -21,6 +21,7 @@
 #include "breccia/results/response_file.hpp"
 #include "breccia/results/stored_materials.hpp"
 
+#include "advice.hpp"
 #include "command.hpp"
 #include "tables.hpp"
 
@@ -119,13 +120,14 @@ AskedTemperature read_temperature(const std::string& text) {
           fmt::format("respond-{}{:.6g}degC", celsius < 0.0 ? "minus" : "", std::abs(celsius))};
 }
 
-/// Runs an action and collects the message of an InputError.
+/// Does what may throw InputError, and keeps the message, with the options of the command that help.
 template <class Action>
-void collect(std::vector<std::string>& mistakes, const std::string& prefix, const Action& action) {
+void collect(std::vector<std::string>& mistakes, const std::string& prefix, const CLI::App& command,
+             const Action& action) {
   try {
     action();
   } catch (const InputError& error) {
-    mistakes.push_back(prefix + error.what());
+    mistakes.push_back(prefix + with_advice(error, command));
   }
 }
 
@@ -133,11 +135,11 @@ void refuse(const std::vector<std::string>& mistakes) {
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
-std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& texts) {
+std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& texts, const CLI::App& command) {
   std::vector<AskedTemperature> temperatures;
   std::vector<std::string> mistakes;
   for (const auto& text : texts) {
-    collect(mistakes, "--temperature: ", [&] {
+    collect(mistakes, "--temperature: ", command, [&] {
       auto temperature = read_temperature(text);
       if (std::ranges::find(temperatures, temperature.directory, &AskedTemperature::directory) != temperatures.end()) {
         throw InputError(fmt::format("{} is given twice", temperature.name));
@@ -186,9 +188,9 @@ std::vector<StoredResponses> with_earlier_stages(std::vector<StoredResponses> st
   return chain;
 }
 
-std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
-                                            const std::optional<TimeWindow>& window) {
-  const auto temperatures = read_temperatures(arguments.temperatures);
+std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, const std::optional<TimeWindow>& window,
+                                            const CLI::App& command) {
+  const auto temperatures = read_temperatures(arguments.temperatures, command);
   auto of_all_stages = arguments;
   of_all_stages.stage.clear();
   static_cast<void>(chosen_stages(arguments));
@@ -206,7 +208,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments,
   std::vector<Answer> answers;
   std::vector<std::string> mistakes;
   for (const auto& temperature : temperatures) {
-    collect(mistakes, fmt::format("at {}: ", temperature.name), [&] {
+    collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
                          study.deck_hash, respond(stored, matrices, window)});
@@ -240,7 +242,7 @@ TimeWindow times_of(const std::vector<StageResult>& stages) {
   return {curve.front().time, curve.back().time};
 }
 
-void run_respond(const RespondArguments& arguments) {
+void run_respond(const RespondArguments& arguments, const CLI::App& command) {
   const bool has_material = !arguments.material.empty();
   if (has_material == !arguments.temperatures.empty()) {
     throw InputError(
@@ -248,8 +250,8 @@ void run_respond(const RespondArguments& arguments) {
         "several temperatures)");
   }
   const auto window = window_of(arguments.times);
-  const auto answers =
-      has_material ? std::vector{answer_for_material(arguments, window)} : answers_at_temperatures(arguments, window);
+  const auto answers = has_material ? std::vector{answer_for_material(arguments, window)}
+                                    : answers_at_temperatures(arguments, window, command);
   std::vector<fs::path> inputs;
   if (has_material) inputs.push_back(arguments.material);
   for (const auto& [matrix, out, study, stages] : answers) {
@@ -290,7 +292,7 @@ void add_respond(CLI::App& application) {
   command->add_flag("--overwrite", arguments->overwrite,
                     "replace the curves of another matrix or of other times in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
-  command->callback([arguments] { run_respond(*arguments); });
+  command->callback([arguments, command] { run_respond(*arguments, *command); });
 }
 
 }  // namespace breccia::cli

@@ -90,8 +90,12 @@ std::string table_of(const std::string& measurement, const StageResult& stage) {
 std::string words_on_quality(const Study& study, const StudyResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    const auto summary = summary_of(quality_of(study.stages[i], result.stages[i]));
-    if (!summary.empty()) text += fmt::format("\n{}, this box: {}", result.stages[i].name, summary);
+    const auto quality = quality_of(study.stages[i], result.stages[i]);
+    const auto summary = summary_of(quality);
+    if (summary.empty()) continue;
+    // The summary ends with the packing.
+    text +=
+        fmt::format("\n{}, this box: {}{}", result.stages[i].name, summary, quality.is_random ? " (--seeds 3)" : "");
   }
   return text.empty() ? text : text + "\n";
 }

@@ -1,11 +1,9 @@
 #include "filler.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/stage_rules.hpp"
 
 #include "gap.hpp"
 #include "materials.hpp"
@@ -67,27 +65,8 @@ void read_cuts(const Section& section, Filler& filler) {
 
 /// Reports particles that cannot fit into the box.
 void check_fit(const Section& section, const Filler& filler, double side) {
-  if (filler.gap >= side && std::isfinite(filler.gap)) {
-    section.report("gap", fmt::format("a gap of {} does not fit into a box of {}",
-                                      readable(filler.gap, Dimension::length), readable(side, Dimension::length)));
-  }
-  if (!filler.sizes) return;
-  double diameter = 0.0;
-  if (const auto* single = std::get_if<SingleSize>(&*filler.sizes)) diameter = single->diameter;
-  if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
-    for (const double size : listed->diameters) diameter = std::max(diameter, size);
-  }
-  if (diameter >= side) {
-    section.report("sizes", fmt::format("a particle of {} does not fit into a box of {}",
-                                        readable(diameter, Dimension::length), readable(side, Dimension::length)));
-  }
-  if (const auto* regular = std::get_if<RegularPacking>(&filler.packing)) {
-    const double spacing = side / std::max(regular->columns, regular->rows);
-    if (diameter >= spacing) {
-      section.report("sizes", fmt::format("particles of {} touch at a regular spacing of {}",
-                                          readable(diameter, Dimension::length), readable(spacing, Dimension::length)));
-    }
-  }
+  for (const auto& mistake : mistakes_of_gap(filler, side)) section.report("gap", mistake);
+  for (const auto& mistake : mistakes_of_diameters(filler, side)) section.report("sizes", mistake);
 }
 
 /// Reads fraction and sizes as far as the packing allows them.

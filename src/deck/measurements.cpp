@@ -6,8 +6,9 @@
 #include <fmt/format.h>
 
 #include "breccia/deck/prony_file.hpp"
+#include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/io/nearest_name.hpp"
 
 #include "time_window.hpp"
@@ -17,7 +18,11 @@ namespace {
 
 PronySeries read_measured_series(const std::filesystem::path& path) {
   auto [equilibrium, terms] = read_prony_file(path, ModulusKind::shear);
-  return {equilibrium.value_or(0.0), std::move(terms)};
+  PronySeries series(equilibrium.value_or(0.0), std::move(terms));
+  if (!accepts(Range::positive(), series.unrelaxed())) {
+    throw InputError(fmt::format("{}: expected a modulus above zero, and finite", path.string()));
+  }
+  return series;
 }
 
 Curve read_measured_curve(const std::filesystem::path& path) {

@@ -9,8 +9,9 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/microstructure/validity.hpp"
+#include "breccia/study/limits.hpp"
 
 namespace breccia {
 
@@ -19,8 +20,6 @@ namespace {
 constexpr std::string_view random_method = "lubachevsky-stillinger";
 
 enum class MethodName { lubachevsky_stillinger, regular, listed };
-
-constexpr double most_rows = 1e4;
 
 std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
   const auto table = read_measured_table(path);
@@ -64,8 +63,8 @@ LubachevskyStillingerPacking read_random(const Section& packing) {
 }
 
 RegularPacking read_regular(const Section& packing) {
-  const Range range{.lower = 1.0, .upper = most_rows};
-  return {static_cast<int>(packing.integer("columns", range)), static_cast<int>(packing.integer("rows", range))};
+  return {static_cast<int>(packing.integer("columns", allowed::rows)),
+          static_cast<int>(packing.integer("rows", allowed::rows))};
 }
 
 bool is_picture(const std::filesystem::path& file) {
@@ -97,13 +96,13 @@ bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
   constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",
                                                        "polygons", "ellipses", "tessellation"};
-  return std::ranges::find(methods, packing.text("method")) != methods.end();
+  return std::ranges::find(methods, packing.optional_text("method").value_or("")) != methods.end();
 }
 
 }  // namespace
 
 bool takes_seed(const Section& packing) {
-  return packing.kind("method") == Kind::text && packing.text("method") == random_method;
+  return packing.kind("method") == Kind::text && packing.optional_text("method") == random_method;
 }
 
 std::optional<PackingMethod> read_packing(const Section& stage, double side) {

@@ -8,7 +8,7 @@
 
 #include "breccia/io/csv.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 
 namespace breccia {
 

@@ -5,10 +5,11 @@
 #include <utility>
 
 #include "breccia/io/deck.hpp"
+#include "breccia/io/printable.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/test_rules.hpp"
 
-#include "contradictions.hpp"
 #include "materials.hpp"
 #include "measurements.hpp"
 #include "stages.hpp"
@@ -19,7 +20,7 @@ namespace breccia {
 Study resolve(const Deck& document) {
   const auto root = document.root();
   Study study;
-  study.title = root.optional_text("title").value_or(document.path().stem().string());
+  study.title = root.optional_text("title").value_or(printable(document.path().stem().string()));
   study.provenance.deck = document.path();
   study.provenance.deck_text = document.text();
   auto [materials, temperature_shifts] = read_materials(root);
@@ -28,7 +29,7 @@ Study resolve(const Deck& document) {
   study.stages = read_stages(root, study.materials);
   study.tests = read_tests(root, study.stages);
   study.measurements = read_measurements(root, study.stages, study.tests);
-  refuse_contradictions(root, study);
+  for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   study.provenance.inputs = document.files();
   study.provenance.inputs.push_back(document.path());
   // A study is one task of a sweep: read_sweep makes the others.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 
 namespace breccia {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "breccia/deck/size_table.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 
 namespace breccia {
 

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "breccia/io/nearest_name.hpp"
-#include "breccia/io/safe_name.hpp"
-#include "breccia/study/result_names.hpp"
+#include "breccia/study/limits.hpp"
+#include "breccia/study/stage_rules.hpp"
 
 #include "filler.hpp"
 #include "packing.hpp"
@@ -16,33 +16,10 @@ namespace breccia {
 
 namespace {
 
-constexpr int fewest_cells = 2;
-constexpr int most_cells = 1 << 20;
-/// Allowed range of the side of a box [m], wide enough for all composites.
-const Range sides = {.lower = 1e-12, .upper = 1e6};
-
-std::string lower_case(std::string text) {
-  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
-
 std::string read_name(const Section& section, const std::vector<Stage>& earlier,
                       const std::vector<Material>& materials) {
   auto name = section.text("name");
-  if (!name.empty() && !is_safe_name(name)) {
-    section.report("name",
-                   fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", name));
-  }
-  const auto reserved = reserved_names();
-  if (std::ranges::find(reserved, lower_case(name)) != reserved.end()) {
-    section.report("name", fmt::format("\"{}\" is the name of a file of results", name));
-  }
-  if (!name.empty() && std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
-    section.report("name", fmt::format("another stage is called \"{}\"", name));
-  }
-  if (!name.empty() && std::ranges::find(materials, name, &Material::name) != materials.end()) {
-    section.report("name", fmt::format("a material is called \"{}\"", name));
-  }
+  for (const auto& mistake : mistakes_of_name(name, earlier, materials)) section.report("name", mistake);
   return name;
 }
 
@@ -67,13 +44,12 @@ StageMatrix read_matrix(const Section& section, const std::vector<Stage>& earlie
 /// Reads the cells per side of several grids for extrapolation.
 std::vector<int> read_grids(const Section& section) {
   std::vector<int> grids;
-  for (const auto cells : section.integers("cells", {.lower = fewest_cells, .upper = most_cells})) {
+  for (const auto cells : section.integers("cells", allowed::cells)) {
     grids.push_back(static_cast<int>(cells));
   }
-  constexpr std::size_t fewest = 2, most = 3;
-  if (grids.size() < fewest || grids.size() > most || !std::ranges::is_sorted(grids, std::ranges::less_equal())) {
+  if (!can_be_extrapolated(grids)) {
     section.report("cells", "expected an integer, or two or three rising ones to extrapolate from, such as [100, 200]");
-    return {fewest_cells};
+    return {static_cast<int>(allowed::cells.lower)};
   }
   return grids;
 }
@@ -82,15 +58,15 @@ std::vector<int> read_grids(const Section& section) {
 int read_cells(const Section& section, double side) {
   const auto key = section.exactly_one({"cells", "resolution"});
   if (key == "cells") {
-    return static_cast<int>(section.integer(key, {.lower = fewest_cells, .upper = most_cells}));
+    return static_cast<int>(section.integer(key, allowed::cells));
   }
   if (key.empty()) return 0;
   const double points_per_length = section.quantity(key, Dimension::inverse_length, Range::positive());
   const double cells = std::round(side * points_per_length / 2.0);
   if (std::isnan(cells)) return 0;
-  if (cells < fewest_cells || cells > most_cells) {
+  if (!accepts(allowed::cells, cells)) {
     section.report(key, fmt::format("expected a resolution that gives between {} and {} cells per side, got {:.6g}",
-                                    fewest_cells, most_cells, cells));
+                                    allowed::cells.lower, allowed::cells.upper, cells));
     return 0;
   }
   return static_cast<int>(cells);
@@ -116,7 +92,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     Stage stage;
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
-    stage.side = section.quantity("box", Dimension::length, sides);
+    stage.side = section.quantity("box", Dimension::length, allowed::side);
     if (section.kind("cells") == Kind::array) {
       section.refuse({"resolution"}, "the cells are given already");
       stage.coarser_cells = read_grids(section);

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
+#include "breccia/study/limits.hpp"
+#include "breccia/study/test_rules.hpp"
 
 #include "time_window.hpp"
 
@@ -12,12 +13,10 @@ namespace breccia {
 
 namespace {
 
-/// Reports elements that an array has more than once.
+/// Reports an array that has an element twice.
 template <class T>
 void refuse_repeats(const Section& section, const std::string& key, const std::vector<T>& values) {
-  for (auto value = values.begin(); value != values.end(); ++value) {
-    if (std::find(values.begin(), value, *value) != value) section.report(key, "the same twice");
-  }
+  if (has_repeats(values)) section.report(key, "the same twice");
 }
 
 std::vector<double> read_density_factors(const Section& section) {
@@ -27,8 +26,7 @@ std::vector<double> read_density_factors(const Section& section) {
     return {};
   }
   auto factors = section.numbers("density_factors", Range::positive());
-  if (!std::ranges::is_sorted(factors, std::ranges::less_equal()))
-    section.report("density_factors", "expected rising numbers");
+  if (!is_rising(factors)) section.report("density_factors", "expected rising numbers");
   return factors;
 }
 
@@ -43,9 +41,7 @@ std::vector<double> read_field_times(const Section& section, const std::optional
   auto fields = section.quantities("fields", Dimension::time, Range::positive());
   // An invalid time has been reported already and is NaN here.
   if (std::ranges::any_of(fields, [](double time) { return std::isnan(time); })) return {};
-  if (!std::ranges::is_sorted(fields, std::ranges::less_equal())) section.report("fields", "expected rising times");
-  const auto is_outside = [&](double time) { return time < times.begin || time > times.end; };
-  if (std::ranges::any_of(fields, is_outside)) section.report("fields", "expected times within those of the tests");
+  for (const auto& mistake : mistakes_of_field_times(fields, times)) section.report("fields", mistake);
   return fields;
 }
 
@@ -61,18 +57,18 @@ std::vector<Method> read_methods(const Section& section) {
 
 QuasistaticOptions read_quasistatic(const Section& section) {
   QuasistaticOptions options;
-  const Range accuracy = Range::between(0.0, 0.1);
-  options.sampling.tolerance = section.optional_number("tolerance", accuracy).value_or(options.sampling.tolerance);
+  options.sampling.tolerance =
+      section.optional_number("tolerance", allowed::accuracy).value_or(options.sampling.tolerance);
   if (section.has("range")) {
     options.range = section.choice<SampledRange>("range").value_or(options.range);
   }
-  const Range steps{.lower = 2.0, .upper = 1000.0};
-  options.steps_per_decade =
-      static_cast<int>(section.optional_integer("steps_per_decade", steps).value_or(options.steps_per_decade));
+  options.steps_per_decade = static_cast<int>(
+      section.optional_integer("steps_per_decade", allowed::steps_per_decade).value_or(options.steps_per_decade));
   if (section.has("linear")) {
     options.linear.method = section.choice<LinearMethod>("linear").value_or(options.linear.method);
   }
-  options.linear.tolerance = section.optional_number("linear_tolerance", accuracy).value_or(options.linear.tolerance);
+  options.linear.tolerance =
+      section.optional_number("linear_tolerance", allowed::accuracy).value_or(options.linear.tolerance);
   return options;
 }
 
@@ -84,17 +80,16 @@ DynamicOptions read_dynamic(const Section& section) {
   if (section.has("start")) {
     options.start = section.choice<Start>("start").value_or(options.start);
   }
-  options.courant = section.optional_number("courant", Range::above_and_up_to(0.0, 1.0)).value_or(options.courant);
+  options.courant = section.optional_number("courant", allowed::courant).value_or(options.courant);
   if (section.has("ramp")) section.refuse({"ramp_transits"}, "the ramp is given as a time already");
-  options.ramp_time = section.optional_quantity("ramp", Dimension::time, Range::not_negative());
-  options.ramp_transits =
-      section.optional_number("ramp_transits", Range::not_negative()).value_or(options.ramp_transits);
+  options.ramp_time = section.optional_quantity("ramp", Dimension::time, allowed::ramp);
+  options.ramp_transits = section.optional_number("ramp_transits", allowed::ramp).value_or(options.ramp_transits);
   options.creep_ramp_transits =
-      section.optional_number("creep_ramp_transits", Range::not_negative()).value_or(options.creep_ramp_transits);
+      section.optional_number("creep_ramp_transits", allowed::ramp).value_or(options.creep_ramp_transits);
   options.density_factors = read_density_factors(section);
-  options.overlap = section.optional_number("overlap", Range::above_and_up_to(1.0, 1e6)).value_or(options.overlap);
-  options.reduction_tolerance =
-      section.optional_number("reduction_tolerance", Range::between(0.0, 1.0)).value_or(options.reduction_tolerance);
+  options.overlap = section.optional_number("overlap", allowed::overlap).value_or(options.overlap);
+  options.reduction_tolerance = section.optional_number("reduction_tolerance", allowed::reduction_tolerance)
+                                    .value_or(options.reduction_tolerance);
   return options;
 }
 
@@ -134,10 +129,9 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
     tests.last_time = times->end;
   }
   tests.field_times = read_field_times(section, times);
-  const Range points{.lower = 1.0, .upper = 1000.0};
-  tests.points_per_decade = static_cast<int>(section.optional_integer("points_per_decade", points).value_or(20));
-  tests.fit_tolerance =
-      section.optional_number("fit_tolerance", Range::above_and_up_to(0.0, 1.0)).value_or(tests.fit_tolerance);
+  tests.points_per_decade =
+      static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
+  tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
     tests.quasistatic = read_quasistatic(*quasistatic);
   }

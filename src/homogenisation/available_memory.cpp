@@ -1,4 +1,4 @@
-#include "available_memory.hpp"
+#include "breccia/homogenisation/available_memory.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -8,8 +8,6 @@
 #include <string>
 
 #include <sys/resource.h>
-
-#include "breccia/homogenisation/memory.hpp"
 
 namespace breccia {
 namespace {

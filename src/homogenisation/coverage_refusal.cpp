@@ -85,10 +85,9 @@ void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, 
   throw NotCovered(fmt::format("{}\n{}", fmt::join(lines, "\n"), remedy_for(stored)), covered);
 }
 
-std::string with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times) {
-  if (!times) return refusal.what();
-  const auto begin = seconds(times->begin), end = seconds(times->end);
-  return fmt::format("{}\ncovered from {} to {}: --times \"{}\" \"{}\"", refusal.what(), begin, end, begin, end);
+NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times) {
+  if (!times) return {refusal.what(), times};
+  return {fmt::format("{}\ncovered from {} to {}", refusal.what(), seconds(times->begin), seconds(times->end)), times};
 }
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/respond.hpp"
 
 namespace breccia {
@@ -12,25 +13,14 @@ namespace breccia {
 /// The matrix of a stage for each boundary.
 using MatrixUnder = std::function<const Material&(Boundary)>;
 
-/// Error: the matrix leaves the range of moduli over which the reduced responses of a stage were sampled.
-class NotCovered : public InputError {
- public:
-  NotCovered(const std::string& message, std::optional<TimeWindow> times) : InputError(message), times_(times) {}
-  /// The part of the requested times that all responses cover, rounded inwards to two digits [s].
-  [[nodiscard]] const std::optional<TimeWindow>& times() const noexcept { return times_; }
-
- private:
-  std::optional<TimeWindow> times_;
-};
-
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window);
 
-/// The message of the error, with the times that can be requested instead, if there are any.
-std::string with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
+/// The refusal with the times that can be asked for in its place, if there are any.
+NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
 
-/// Returns the result of a function of a window of times. If the function throws NotCovered, searches for a narrower
-/// window in which it succeeds, and throws InputError with that window.
+/// What an attempt gives over a window. Where that is not covered, a narrower one is looked for in which the whole
+/// attempt succeeds, and NotCovered tells of it.
 template <class Attempt>
 auto or_tell_covered_times(const TimeWindow& window, const Attempt& attempt) -> decltype(attempt(window)) {
   try {
@@ -48,7 +38,7 @@ auto or_tell_covered_times(const TimeWindow& window, const Attempt& attempt) -> 
         left.reset();
       }
     }
-    throw InputError(with_covered_times(refusal, left));
+    throw with_covered_times(refusal, left);
   }
 }
 

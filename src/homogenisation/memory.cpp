@@ -70,11 +70,10 @@ std::vector<std::string> lacking_memory(const Study& study, double available) {
       if (bytes <= available) continue;
       const double left = std::max(0.0, available);
       const int fitting = static_cast<int>(cells * std::sqrt(left / bytes));
-      lines.push_back(
-          fmt::format("{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{} "
-                      "(--no-memory-check runs them nevertheless)",
-                      stage.name, cells, cells, bytes / 1e9, method == Method::quasistatic ? "quasi-static" : "dynamic",
-                      left / 1e9, fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : ""));
+      lines.push_back(fmt::format("{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{}",
+                                  stage.name, cells, cells, bytes / 1e9,
+                                  method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,
+                                  fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : ""));
     }
   }
   return lines;
@@ -82,7 +81,7 @@ std::vector<std::string> lacking_memory(const Study& study, double available) {
 
 void require_memory(const Study& study, double available) {
   const auto lines = lacking_memory(study, available);
-  if (!lines.empty()) throw InputError(fmt::format("{}", fmt::join(lines, "\n")));
+  if (!lines.empty()) throw LackingMemory(fmt::format("{}", fmt::join(lines, "\n")));
 }
 
 }  // namespace breccia

@@ -129,10 +129,10 @@ std::string summary_of(const StageQuality& quality) {
   if (std::isfinite(quality.gap_cells)) {
     parts.push_back(fmt::format("narrowest gap: {:.2g} cells", quality.gap_cells));
   }
-  if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown (--seeds 3)");
   if (!quality.matrix_stage.empty()) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
+  if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown");
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
@@ -145,7 +145,7 @@ std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicr
   if (is_random && particles < enough_particles) {
     warnings.push_back(fmt::format(
         "only {} particle{} in the box; with fewer than {} another packing may change the modulus by 10 % and more "
-        "(--seeds 3 shows by how much; a larger box holds more)",
+        "(packings of other seeds show by how much; a larger box holds more)",
         particles, particles == 1 ? "" : "s", enough_particles));
   }
   constexpr double most_deviation = 0.01;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/parallel/session.hpp"

@@ -8,8 +8,8 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/regular_array.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/filler_sizes.hpp"
@@ -63,7 +63,7 @@ class StagePacking {
     try {
       return {request, read_packing_state(*earlier_)};
     } catch (const InputError& error) {
-      throw FileError(fmt::format("{}: {}; run without --resume, which starts anew", earlier_->path(), error.what()));
+      throw FileError(fmt::format("{}: {}; start anew instead of resuming", earlier_->path(), error.what()));
     }
   }
 

@@ -1,3 +1,5 @@
+#include "column_units.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -5,8 +7,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
-
-#include "column_meaning.hpp"
 
 namespace breccia::detail {
 

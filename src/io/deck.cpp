@@ -10,6 +10,7 @@
 #include "breccia/io/nearest_name.hpp"
 #include "breccia/io/text_file.hpp"
 
+#include "deck_override.hpp"
 #include "deck_tree.hpp"
 #include "text_encoding.hpp"
 

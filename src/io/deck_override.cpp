@@ -1,3 +1,5 @@
+#include "deck_override.hpp"
+
 #include <optional>
 #include <span>
 
@@ -5,8 +7,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
-
-#include "deck_tree.hpp"
 
 namespace breccia::detail {
 

@@ -12,16 +12,13 @@
 #include "breccia/io/percentage.hpp"
 #include "breccia/io/printable.hpp"
 
-#include "deck_range.hpp"
 #include "deck_tree.hpp"
 
 namespace breccia {
 
-using detail::accepts;
 using detail::DeckArray;
 using detail::DeckTable;
 using detail::DeckValue;
-using detail::described;
 
 namespace {
 
@@ -262,7 +259,9 @@ std::optional<bool> Section::optional_boolean(const std::string& key) const {
 
 std::string Section::text(const std::string& key) const {
   if (require(key, "text in quotes") == nullptr) return {};
-  return optional_text(key).value_or("");
+  const auto text = optional_text(key);
+  if (text && text->empty()) report(key, "expected a text that is not empty");
+  return text.value_or("");
 }
 
 std::optional<std::string> Section::optional_text(const std::string& key) const {

@@ -58,16 +58,6 @@ struct DeckState {
 /// Parses a TOML text. Throws InputError, with the place, when it is not TOML.
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
 
-/// Applies an override `key.path=value` to the tree, or adds a mistake.
-void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
-
-/// Applies a setting to the tree and returns the paths of the values that it has set, or adds mistakes.
-std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);
-
-/// Adds `key=value`, the key taken whole, to a table of the root, or adds a mistake.
-void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
-               std::vector<Mistake>& mistakes);
-
 /// The value of a key, or nullptr.
 DeckValue* find(DeckTable& table, std::string_view key);
 const DeckValue* find(const DeckTable& table, std::string_view key);

@@ -20,9 +20,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void refuse(const fs::path& directory, int reason) {
   if (reason == EWOULDBLOCK) {
     throw DirectoryInUse(
-        fmt::format("{}: another process of Breccia writes its results here; wait for its end, or take another "
-                    "directory (--out)",
-                    directory.string()));
+        fmt::format("{}: another process of Breccia writes its results here; wait for its end", directory.string()));
   }
   throw FileError(
       fmt::format("{}: cannot lock this directory: {}", directory.string(), std::generic_category().message(reason)));

@@ -1,3 +1,5 @@
+#include "breccia/io/measured_table_reader.hpp"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,9 +10,9 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table.hpp"
 
 #include "column_meaning.hpp"
+#include "column_units.hpp"
 #include "csv_records.hpp"
 #include "table_layout.hpp"
 #include "text_encoding.hpp"

@@ -17,6 +17,7 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
+using Remedy = ForeignResults::Remedy;
 using Json = nlohmann::ordered_json;
 
 bool is_of_breccia(const Json& record) {
@@ -24,6 +25,12 @@ bool is_of_breccia(const Json& record) {
 }
 
 }  // namespace
+
+ForeignResults::ForeignResults(const std::string& problem, Remedy remedy)
+    : InputError(problem + (remedy == Remedy::overwriting ? "; replace it or take another directory"
+                                                          : "; take another directory")),
+      problem_(problem),
+      remedy_(remedy) {}
 
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
     : lock_(directory),
@@ -53,8 +60,9 @@ WholeResults::~WholeResults() {
 void WholeResults::refuse_others() const {
   for (const auto* record : {"study.json", "sweep.json"}) {
     if (!fs::exists(directory_ / record)) continue;
-    throw InputError(fmt::format("{}: here are the results of a {}; take another directory (--out)",
-                                 directory_.string(), fs::path(record).stem().string()));
+    throw ForeignResults(
+        fmt::format("{}: here are the results of a {}", directory_.string(), fs::path(record).stem().string()),
+        Remedy::another_directory);
   }
   const auto record = directory_ / record_name();
   if (fs::is_regular_file(record)) {
@@ -63,11 +71,11 @@ void WholeResults::refuse_others() const {
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
       const auto before = json.value("source", Json());
-      throw InputError(fmt::format(
-          "{}: here is what `breccia {}` made of {}{}; replace it (--overwrite) or take another directory (--out)",
-          directory_.string(), origin_.command, before.dump(),
-          before == origin_.source ? ", whose content was another then"
-                                   : fmt::format(", not of {}", Json(origin_.source).dump())));
+      throw ForeignResults(
+          fmt::format("{}: here is what `breccia {}` made of {}{}", directory_.string(), origin_.command, before.dump(),
+                      before == origin_.source ? ", whose content was another then"
+                                               : fmt::format(", not of {}", Json(origin_.source).dump())),
+          Remedy::overwriting);
     }
   }
   std::vector<std::string> foreign;
@@ -76,10 +84,9 @@ void WholeResults::refuse_others() const {
   }
   if (fs::exists(record)) foreign.push_back(record_name());
   if (foreign.empty()) return;
-  throw InputError(
-      fmt::format("{}: the results would replace {}, which `breccia {}` did not write; take another "
-                  "directory (--out)",
-                  directory_.string(), fmt::join(foreign, ", "), origin_.command));
+  throw ForeignResults(fmt::format("{}: the results would replace {}, which `breccia {}` did not write",
+                                   directory_.string(), fmt::join(foreign, ", "), origin_.command),
+                       Remedy::another_directory);
 }
 
 void WholeResults::refuse_directories() const {
@@ -87,8 +94,9 @@ void WholeResults::refuse_directories() const {
   names.push_back(record_name());
   std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
   if (names.empty()) return;
-  throw InputError(fmt::format("{}: directories are where the results are to be, {}; take another directory (--out)",
-                               directory_.string(), fmt::join(names, ", ")));
+  throw ForeignResults(
+      fmt::format("{}: directories are where the results are to be, {}", directory_.string(), fmt::join(names, ", ")),
+      Remedy::another_directory);
 }
 
 void WholeResults::refuse_foreign_unfinished() const {

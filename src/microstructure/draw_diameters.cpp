@@ -1,3 +1,5 @@
+#include "breccia/microstructure/draw_diameters.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -6,7 +8,6 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/ball.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
 
 namespace breccia {
 

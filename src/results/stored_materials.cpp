@@ -57,7 +57,7 @@ Material at_temperature(const StoredMaterial& stored, double temperature) {
   if (material.bulk.is_elastic() && material.shear.is_elastic()) return material;
   if (!shift) {
     throw InputError(fmt::format(
-        "{} has no temperature_shift in the deck of the study; give the material at that temperature by --material",
+        "{} has no temperature_shift in the deck of the study; give the material itself at that temperature",
         material.name));
   }
   const double factor = shift->law.shift_factor(temperature) / shift->law.shift_factor(shift->temperature);

@@ -1,3 +1,5 @@
+#include "breccia/results/sweep_plot.hpp"
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -6,7 +8,6 @@
 
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/modulus_plot.hpp"
-#include "breccia/results/sweep_files.hpp"
 #include "breccia/results/sweep_spread.hpp"
 
 namespace breccia {

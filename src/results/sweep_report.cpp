@@ -1,3 +1,5 @@
+#include "breccia/results/sweep_report.hpp"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,8 +11,6 @@
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/page.hpp"
-#include "breccia/results/report.hpp"
-#include "breccia/results/sweep_files.hpp"
 
 #include "report_data.hpp"
 #include "report_tables.hpp"

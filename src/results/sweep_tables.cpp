@@ -1,3 +1,5 @@
+#include "breccia/results/sweep_tables.hpp"
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -7,7 +9,6 @@
 #include "breccia/deck/swept_quantities.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/results/sweep_files.hpp"
 #include "breccia/results/sweep_spread.hpp"
 
 namespace breccia {

@@ -1,7 +1,7 @@
+#include "breccia/study/measurement.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "breccia/study/study.hpp"
 
 namespace breccia {
 

@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/point_fields_state.hpp"
-#include "breccia/virtual_test/dynamic_test_state.hpp"
-
 namespace breccia {
 
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain) {
@@ -54,11 +51,6 @@ std::vector<TimeDomain> read_domains(const StateReader& state) {
   const auto count = state.integer("/domains_done");
   for (std::int64_t i = 0; i < count; ++i) domains.push_back(read_domain(state, fmt::format("/domains/{}", i)));
   return domains;
-}
-
-void save_result(StateWriter& state, const DynamicTestResult& result) {
-  save_domains(state, result.domains);
-  save(state, "/fields", std::vector<TimedFields<2>>());
 }
 
 }  // namespace breccia

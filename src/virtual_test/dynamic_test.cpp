@@ -11,6 +11,7 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/discretisation/point_fields_state.hpp"
 #include "breccia/error.hpp"
+#include "breccia/virtual_test/stitching.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 

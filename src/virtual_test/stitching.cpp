@@ -1,3 +1,5 @@
+#include "breccia/virtual_test/stitching.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -6,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
 
 namespace breccia {
 namespace {

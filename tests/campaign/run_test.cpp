@@ -28,7 +28,9 @@ TEST(RunStudy, RefusesAStudyWithoutAHash) {
 TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
   study.provenance.hash = "0123456789abcdef";
-  study.stages[0].filler->sizes = SingleSize{10.0};
+  study.stages[0].filler->sizes = SingleSize{1e-3};
+  study.stages[0].filler->fraction = 0.95;  // denser than equal discs can be
+  study.stages[0].filler->packing = LubachevskyStillingerPacking{};
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   EXPECT_THROW(static_cast<void>(run_study(study, results)), Error);

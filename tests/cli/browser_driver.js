@@ -81,7 +81,13 @@ async function lookAtSweep() {
     trace.y.every((value) => value > 0)));
 }
 
-async function look() {
+function showQuantity(name) {
+  at("quantity").value = name;
+  at("quantity").dispatchEvent(new Event("change"));
+}
+
+/// The curves of a stage can be left out.
+async function lookAtStages() {
   see("title", document.querySelector("h1").textContent);
   const chip = document.querySelector('input[data-choice="A"]');
   see("curves of stage A", shownTraces("A, "));
@@ -90,7 +96,10 @@ async function look() {
   see("curves of stage A when it is off", shownTraces("A, "));
   chip.click();
   await wait(100);
+}
 
+/// What was measured stands in the figure, in the tables and in what is saved.
+function lookAtMeasurement() {
   see("measured curve", at("curve-plot").data.some((trace) => trace.name === 'measured, Bennett et al., "1998" <2>'
     .replace("<", "&lt;") && trace.y.every((value) => value > 0)));
   see("figure for those who hear", at("curve-plot").getAttribute("role") + ", " +
@@ -104,13 +113,17 @@ async function look() {
   see("curve as CSV", file.split("\n").find((line) => line.includes("Bennett")).replace(/,[^,]*,[^,]*$/, ""));
   see("table as CSV", savedBy("all of comparison.csv").split("\n")[1].replace(/,[\d.e+-]+(,[\d.e+-]+)*$/, ""));
   see("how good", document.querySelector("#quality-summary li").textContent.split(",")[0]);
+}
 
+async function zoomInTime() {
   await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.02), Math.log10(0.05)]});
   await wait(100);
   see("times when zoomed", tickTexts("curve-plot", "xaxis"));
   await Plotly.relayout(at("curve-plot"), {"xaxis.range": [Math.log10(0.9e-3), Math.log10(0.055)]});
   await wait(100);
+}
 
+async function hoverOverCurve() {
   const pane = at("curve-plot").querySelector(".nsewdrag");
   pane.scrollIntoView({block: "center"});
   const {left, top, width, height} = pane.getBoundingClientRect();
@@ -121,21 +134,26 @@ async function look() {
   const hover = at("curve-plot").querySelector(".hoverlayer").textContent;
   const texts = at("curve-plot").data.find((trace) => trace.name.startsWith("A, upper")).text;
   see("hover tells the curve", hover.includes("A, upper") && texts.some((text) => hover.includes(text)));
+}
 
-  const quantity = at("quantity");
-  quantity.value = "dynamic";
-  quantity.dispatchEvent(new Event("change"));
+async function lookAtStorageModulus() {
+  showQuantity("dynamic");
   await wait(100);
   see("storage modulus", at("curve-plot").data.some((trace) => trace.name.includes("G′")));
   const picture = decodeURIComponent(await Plotly.toImage(at("curve-plot"), {format: "svg"}));
   see("figure as SVG", picture.includes("<svg"));
+}
 
-  quantity.value = "shear";
-  quantity.dispatchEvent(new Event("change"));
+async function lookAtDeviation() {
+  showQuantity("shear");
   choose("reference", "deviation from A, upper bound, quasi-static");
   await wait(100);
   const deviation = at("curve-plot").data.find((trace) => trace.name === "A, upper bound, dynamic");
   see("dynamic within a per cent", deviation.y.length > 0 && deviation.y.every((value) => Math.abs(value) < 1));
+}
+
+/// The runs of the dynamic method, with the load on them.
+async function lookAtRuns() {
   const runs = () => at("runs-plot").data;
   see("runs of the dynamic method", runs().some((trace) => trace.name.startsWith("ρ × ") && trace.x[0] > 0));
   choose("runs-axis", "linear time, with the load");
@@ -143,7 +161,10 @@ async function look() {
   for (const share of [-0.25, 0, 0.25, 0.35]) see(`load at ${share} of the ramp`, loadAt(share));
   see("linear time", `${tickTexts("runs-plot", "xaxis")}; ${at("runs-plot").layout.xaxis.title.text}`);
   see("load beside the runs", runs().some((trace) => trace.name === "load" && Math.max(...trace.y) === 1));
+}
 
+/// The curves that the page computes itself at other temperatures of the binder.
+async function changeTemperature() {
   see("agreement", at("live-note").dataset.agreement);
   for (const stage of ["A", "B"]) see(`${stage} at 19 C`, liveModulus(stage));
   move(at("temperature"), 25);
@@ -155,7 +176,10 @@ async function look() {
   for (const stage of ["A", "B"]) see(`${stage} at 79 C`, liveModulus(stage));
   see("refusals at 79 C", at("live-refusals").childElementCount);
   move(at("temperature"), 19);
+}
 
+/// The same with other binders, good ones and bad ones.
+async function pasteSpectra() {
   see("bad spectrum", await paste("relaxation_time_s,modulus_Pa\n0.01,stiff"));
   see("empty spectrum", await paste(""));
   await paste("relaxation_time_s,modulus_Pa\n0.01,0.5e6\n1,0.1e6\n");
@@ -163,7 +187,9 @@ async function look() {
   see("refusals of the same spectrum", at("live-refusals").childElementCount);
   await paste("relaxation_time_s,modulus_Pa\n0.01,5e9\n");
   see("refusal of a stiff spectrum", at("live-refusals").textContent.includes("run a study with that material"));
+}
 
+async function lookAtFields() {
   const maps = [...document.querySelectorAll("#field-pictures img")];
   await Promise.all(maps.map((map) => map.decode()));
   see("maps of fields", maps.length);
@@ -171,9 +197,26 @@ async function look() {
   choice.selectedIndex = 2;
   choice.dispatchEvent(new Event("change"));
   see("maps of another test", document.querySelector("#field-pictures figcaption").textContent);
+}
 
+function enlargePicture() {
   document.querySelector('button[aria-label="larger"]').click();
   see("zoomed picture", document.querySelector(".picture img").style.transform.includes("scale(1.5)"));
+}
+
+/// The page of a study. Each step leaves the page as the next one expects it.
+async function look() {
+  await lookAtStages();
+  lookAtMeasurement();
+  await zoomInTime();
+  await hoverOverCurve();
+  await lookAtStorageModulus();
+  await lookAtDeviation();
+  await lookAtRuns();
+  await changeTemperature();
+  await pasteSpectra();
+  await lookAtFields();
+  enlargePicture();
 }
 
 addEventListener("load", async () => {

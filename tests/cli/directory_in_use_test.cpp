@@ -45,6 +45,9 @@ class DirectoryOfAnotherProcess : public testing::Test {
     EXPECT_EQ(outcome.exit_code, 2) << testing::PrintToString(command) << outcome.output;
     EXPECT_THAT(outcome.errors, HasSubstr("another process of Breccia writes its results here"))
         << testing::PrintToString(command);
+    if (command.front() != "report") {
+      EXPECT_THAT(outcome.errors, HasSubstr("wait for its end, or take another directory (--out)"));
+    }
     EXPECT_EQ(contents(), before) << testing::PrintToString(command);
   }
 
@@ -74,6 +77,16 @@ TEST_F(DirectoryOfAnotherProcess, IsLeftAloneByFitsAndResponses) {
   ASSERT_EQ(test::run_breccia(study_.path(), respond).exit_code, 0);
   write_unfinished("respond-aged");
   expect_refusal_in("respond-aged", respond);
+}
+
+TEST_F(DirectoryOfAnotherProcess, IsLeftAloneByReports) {
+  ASSERT_EQ(study_.breccia("run").exit_code, 0);
+  fs::remove(study_.result("report.html"));
+  const Words report = {"report", "out"};
+  expect_refusal_in("", report);
+  const DirectoryLock lock(study_.result(""));
+  EXPECT_THAT(test::run_breccia(study_.path(), report).errors, testing::EndsWith("wait for its end\n"))
+      << "a report has no other directory";
 }
 
 TEST_F(DirectoryOfAnotherProcess, EndsASweepAndIsNoFailureOfATask) {

@@ -149,6 +149,9 @@ TEST_F(EarlierResults, OfASingleStudyAreNotMixedWithThoseOfASweep) {
   EXPECT_EQ(sweep.errors, "out: here are the results of a single study; take another directory (--out out-sweep)\n");
   const auto with_slash = test::run_breccia(study_.path(), {"run", "deck.toml", "--out", "out/", "--seeds", "2"});
   EXPECT_THAT(with_slash.errors, HasSubstr("take another directory (--out out-sweep)\n"));
+  const auto from_within = test::run_breccia(study_.result(""), {"run", "../deck.toml", "--out", ".", "--seeds", "2"});
+  EXPECT_EQ(from_within.errors,
+            ".: here are the results of a single study; take another directory (--out ../out-sweep)\n");
   expect_nothing_lost();
 }
 

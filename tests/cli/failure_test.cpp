@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -40,7 +41,20 @@ TEST(RunFailure, OutputDirectoryUnderAFile) {
   }
 }
 
-TEST(RunFailure, ADirectoryHasTheNameOfAResultFile) {
+TEST(RunFailure, TooLittleMemory) {
+  const StudyDirectory study(good_deck);
+  for (const auto& sweep : {std::vector<std::string>{}, {"--seeds", "2"}}) {
+    auto options = sweep;
+    options.insert(options.end(), {"--set", "stages.A.cells=1000000"});
+    const auto run = study.breccia("run", options);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.errors, AllOf(HasSubstr("A: 1000000 x 1000000 cells take about"), HasSubstr("would fit"),
+                                  testing::EndsWith(" (--no-memory-check runs them nevertheless)\n")));
+    EXPECT_FALSE(fs::exists(study.path() / "out"));
+  }
+}
+
+TEST(RunFailure, ADirectoryStandsWhereAFileBelongs) {
   const StudyDirectory study(model_deck);
   fs::create_directories(study.result("curves.csv/in-the-way"));
   const auto run = study.breccia("run", {"--set", "stages.A.cells=8"});

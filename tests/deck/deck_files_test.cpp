@@ -69,6 +69,18 @@ TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {
               HasSubstr("shear.prony: prony.csv: expected a column of the shear modulus, got \"tensile_modulus_Pa\""));
 }
 
+TEST_F(DeckFiles, MeasuredSeriesAreAboveZero) {
+  directory.write("prony.csv", "relaxation_time_s,shear_modulus_Pa\n1,0\n");
+  EXPECT_THAT(directory.mistakes(measured("DMA", "{ prony = \"prony.csv\" }")),
+              HasSubstr("shear.prony: prony.csv: expected a modulus above zero, and finite"));
+}
+
+TEST_F(DeckFiles, NamesAreNotEmpty) {
+  directory.write("curve.csv", "time_s,modulus_Pa\n1,3\n2,2\n");
+  EXPECT_THAT(directory.mistakes(measured("", "{ curve = \"curve.csv\" }")),
+              HasSubstr(".name: expected a text that is not empty"));
+}
+
 TEST_F(DeckFiles, NamesHaveNoControlCharacters) {
   directory.write("curve.csv", "time_s,modulus_Pa\n1,3\n2,2\n");
   EXPECT_THAT(

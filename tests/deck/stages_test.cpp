@@ -232,6 +232,17 @@ TEST_F(DeckStages, StagesNeedDifferentNames) {
               HasSubstr("stages.HB-1.name: another stage is called \"HB-1\""));
 }
 
+TEST_F(DeckStages, NamesAreNotEmpty) {
+  const auto mistakes_with_empty = [this](const std::string& word) {
+    const auto stage = test::replaced(std::string(test::stage), "\"" + word + "\"", "\"\"");
+    return directory.mistakes(test::join(test::materials, stage, test::tests));
+  };
+  for (const auto* word : {"HB-1", "binder", "hmx"}) {
+    EXPECT_THAT(mistakes_with_empty(word), HasSubstr("expected a text that is not empty")) << word;
+  }
+  EXPECT_THAT(mistakes_with_empty("lubachevsky-stillinger"), HasSubstr("packing.method: expected one of"));
+}
+
 TEST_F(DeckStages, ListedSizesMayBeCounted) {
   const auto counted = filler(R"(filler = { material = "hmx", sizes = { list = ["1 mm", "2 mm"], counts = [1, 3] } }
 packing = { method = "lubachevsky-stillinger" })");

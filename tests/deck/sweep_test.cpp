@@ -1,11 +1,7 @@
 #include "breccia/deck/sweep.hpp"
 
-#include <cmath>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "breccia/results/sweep_spread.hpp"
 
 #include "decks.hpp"
 
@@ -59,7 +55,7 @@ TEST_F(SweepDeck, HasAllCombinations) {
   EXPECT_EQ(sweep.tasks[2].study.tests.quasistatic.volumetric, Volumetric::standard);
   EXPECT_FALSE(sweep.keys[0].is_seed);
   EXPECT_TRUE(sweep.keys[1].is_seed);
-  EXPECT_EQ(name_without_seeds(sweep, sweep.tasks[2]), "volumetric-standard");
+  EXPECT_THAT(sweep.tasks[2].labels, ElementsAre("volumetric-standard", "seed-3"));
 }
 
 TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
@@ -246,29 +242,6 @@ TEST_F(SweepDeck, MistakesOnTheCommandLine) {
             "--sweep stages.*.cells=[20]: sweep has \"stages.*.cells\" already");
   EXPECT_EQ(mistakes("", {"stages.*.cells=[1]"}),
             "--sweep stages.*.cells=[1]: stages.HB-1.cells: expected an integer from 2 to 1048576, got 1");
-}
-
-TEST_F(SweepDeck, SpreadsAreOverTheSeedsAlone) {
-  const auto sweep = read("[sweep]\n\"stages.*.cells\" = [10, 20]\n\"stages.*.packing.seed\" = [1, 2, 3]\n");
-  SweepResult result(6);
-  const auto done = [&](std::size_t task, double modulus) {
-    result[task] = {TaskState::done, {{"HB-1", {.grid = TestGrid(10)}, {{1.0, modulus}}}}};
-  };
-  done(0, 1e6);
-  done(1, 2e6);
-  done(2, 6e6);
-  done(4, 5e6);  // alone
-  const auto curves = spread_over_seeds(sweep, result);
-  ASSERT_EQ(curves.size(), 1U);
-  EXPECT_EQ(curves[0].first_task, 0U);
-  ASSERT_EQ(curves[0].spreads.size(), 1U);
-  const auto& spread = curves[0].spreads[0];
-  EXPECT_EQ(spread.time, 1.0);
-  EXPECT_EQ(spread.tasks, 3U);
-  EXPECT_DOUBLE_EQ(spread.mean, 3e6);
-  EXPECT_DOUBLE_EQ(spread.standard_deviation, std::sqrt(7.0) * 1e6);
-  EXPECT_EQ(spread.smallest, 1e6);
-  EXPECT_EQ(spread.largest, 6e6);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/available_memory.hpp"
 
-#include "homogenisation/available_memory.hpp"
 #include "messages.hpp"
 #include "temporary_directory.hpp"
 

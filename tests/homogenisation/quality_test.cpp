@@ -53,7 +53,7 @@ TEST(Quality, ReportsTheDistanceOfTheBounds) {
   EXPECT_NEAR(quality.gap_cells, 3.0, 1e-12) << "that to the wall is the narrowest";
   EXPECT_EQ(summary_of(quality),
             "bounds 18 % apart at 10 ms, 18 % at 1 s; grid: one grid, error unknown (give cells = [100, 200]); "
-            "narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)");
+            "narrowest gap: 3 cells; packing: one seed, scatter unknown");
 }
 
 TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {

@@ -1,5 +1,3 @@
-#include "breccia/io/measured_table.hpp"
-
 #include <limits>
 #include <numbers>
 
@@ -8,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/measured_table_reader.hpp"
 
 #include "messages.hpp"
 #include "temporary_directory.hpp"

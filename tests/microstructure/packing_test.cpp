@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/size_distribution.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
 

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
 
 #include "expect_error.hpp"
 

@@ -4,10 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/results/study_report.hpp"
+#include "breccia/results/sweep_report.hpp"
 #include "breccia/results/sweep_result.hpp"
 
 #include "messages.hpp"
-#include "results/report_data.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {

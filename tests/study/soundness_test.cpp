@@ -1,6 +1,10 @@
 #include "breccia/study/soundness.hpp"
 
+#include <functional>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,13 +19,56 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string mistakes_of(const Study& study) {
   return test::message_of<InputError>([&] { require_sound(study); });
 }
 
+/// One mistake in a sound study, and what is said of it.
+struct Case {
+  std::function<void(Study&)> make;
+  std::string message;
+};
+
+/// Each mistake is told, and alone.
+void expect_each(const std::vector<Case>& cases, const Study& sound) {
+  for (const auto& [make, message] : cases) {
+    auto study = sound;
+    make(study);
+    EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr(message), Not(HasSubstr("\n")))) << message;
+  }
+}
+
+Filler& filler_of(Study& study) {
+  return *study.stages[0].filler;
+}
+
+/// Two stages, of which the first has a random packing.
+Study with_random_packing(Sizes sizes) {
+  auto study = test::two_stages();
+  auto& filler = filler_of(study);
+  filler.packing = LubachevskyStillingerPacking{};
+  filler.sizes = std::move(sizes);
+  filler.fraction = 0.3;
+  return study;
+}
+
+Study with_measurement() {
+  auto study = test::two_stages();
+  study.measurements = {
+      {.label = "a", .stage = "fine", .shear = Curve{{1e-3, 2e6}, {1.0, 1e6}}, .times = TimeWindow{1e-3, 0.1}},
+      {.label = "b", .stage = "coarse", .shear = PronySeries(1e6)}};
+  return study;
+}
+
 TEST(RequireSound, LetsAStudyPass) {
   EXPECT_NO_THROW(require_sound(test::two_stages()));
+  EXPECT_NO_THROW(require_sound(with_measurement()));
+  EXPECT_NO_THROW(require_sound(with_random_packing(SingleSize{1e-3})));
 }
 
 TEST(RequireSound, NamesEveryMistakeAtOnce) {
@@ -30,45 +77,233 @@ TEST(RequireSound, NamesEveryMistakeAtOnce) {
   study.stages[1].name = "";
   study.stages[1].side = -1.0;
   study.stages[1].coarser_cells = {24};
-  study.stages[1].filler->material.density = std::numeric_limits<double>::quiet_NaN();
+  study.stages[1].filler->material.density = not_a_number;
   study.tests.boundaries.clear();
   study.tests.last_time = study.tests.first_time;
   EXPECT_THAT(mistakes_of(study),
-              AllOf(HasSubstr("fine: no earlier stage \"coarse\" for its matrix"), HasSubstr("a stage without a name"),
-                    HasSubstr("expected a side of the box above zero"), HasSubstr("rising from grid to grid"),
-                    HasSubstr("filler: expected a density above zero"), HasSubstr("expected a boundary condition"),
-                    HasSubstr("expected first_time < last_time")));
-}
-
-TEST(RequireSound, RefusesTwoStagesOfOneName) {
-  auto study = test::two_stages();
-  study.stages[1].name = "fine";
-  EXPECT_THAT(mistakes_of(study), HasSubstr("fine: two stages have this name"));
-}
-
-TEST(RequireSound, RefusesAFillerThatItsPackingCannotTake) {
-  auto study = test::two_stages();
-  auto& filler = *study.stages[0].filler;
-  filler.packing = LubachevskyStillingerPacking{};
-  filler.gap = -1e-6;
-  EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr("fine, filler: expected a fraction between 0 and 1"),
-                                        HasSubstr("fine, filler: expected a gap of zero or more")));
-  filler.sizes.reset();
-  EXPECT_THAT(mistakes_of(study), HasSubstr("fine, filler: expected sizes"));
-  filler.packing = RegularPacking{2, 2};
-  filler.sizes = ListedSizes{{1e-3, 2e-3}};
-  EXPECT_THAT(mistakes_of(study), HasSubstr("fine, filler: expected a single size for a regular packing"));
-}
-
-TEST(RequireSound, RandomPackingsOfListedSizesNeedNoFraction) {
-  auto study = test::two_stages();
-  study.stages[0].filler->packing = LubachevskyStillingerPacking{};
-  study.stages[0].filler->sizes = ListedSizes{{1e-3, 2e-3}};
-  EXPECT_NO_THROW(require_sound(study));
+              AllOf(HasSubstr("fine: no earlier stage \"coarse\" for its matrix"),
+                    HasSubstr("stage 2: expected a name"), HasSubstr("side of the box: expected a length from"),
+                    HasSubstr("rising from grid to grid"), HasSubstr("filler: density: expected a positive density"),
+                    HasSubstr("expected a boundary condition"), HasSubstr("expected first_time < last_time")));
 }
 
 TEST(RequireSound, RefusesAStudyWithoutStages) {
-  EXPECT_THAT(mistakes_of({}), HasSubstr("a study without a stage"));
+  EXPECT_THAT(mistakes_of({}), HasSubstr("study: expected at least one stage"));
+}
+
+TEST(RequireSound, NamesEachMistakeOfMaterials) {
+  expect_each(
+      {{[](Study& study) { study.title = "two\nlines"; }, "title: expected a text without control characters"},
+       {[](Study& study) { study.materials.push_back(test::glass); }, "material glass: another material has this name"},
+       {[](Study& study) { study.materials[0].density = 0.0; },
+        "material binder: density: expected a positive density, got 0 kg/m^3"},
+       {[](Study& study) { study.materials[0].bulk = PronySeries(0.0); },
+        "material binder: unrelaxed bulk modulus: expected a positive pressure"},
+       {[](Study& study) { study.materials[0].name = "a\tb"; }, "expected a name without line breaks"},
+       {[](Study& study) {
+          study.stages[0].matrix = Material{"binder", 1e3, PronySeries(1e9), {}};
+        },
+        "fine, matrix: unrelaxed shear modulus: expected a positive pressure"},
+       {[](Study& study) {
+          study.temperature_shifts["glue"] = {{17.4, 51.6, 290.0}, 300.0};
+        },
+        "temperature shift of glue: there is no material of this name"},
+       {[](Study& study) {
+          study.temperature_shifts["binder"] = {{-17.4, 51.6, 290.0}, 300.0};
+        },
+        "temperature shift of binder: c1: expected a positive number, got -17.4"},
+       {[](Study& study) {
+          study.temperature_shifts["binder"] = {{17.4, 51.6, 290.0}, 200.0};
+        },
+        "temperature shift of binder: the WLF law has no meaning"}},
+      test::two_stages());
+}
+
+TEST(RequireSound, NamesEachMistakeOfStages) {
+  expect_each({{[](Study& study) { study.stages[1].name = "a/b"; }, "a/b: expected letters, digits"},
+               {[](Study& study) { study.stages[1].name = "fine"; }, "fine: another stage is called \"fine\""},
+               {[](Study& study) { study.stages[1].name = "glass"; }, "glass: a material is called \"glass\""},
+               {[](Study& study) { study.stages[1].name = "Study.json"; }, "is the name of a file of results"},
+               {[](Study& study) { study.stages[1].side = infinity; }, "coarse: side of the box: expected a length"},
+               {[](Study& study) { study.stages[1].cells = 1; },
+                "coarse: cells per side: expected an integer from 2 to 1048576, got 1"},
+               {[](Study& study) {
+                  study.stages[1].coarser_cells = {8, 6};
+                },
+                "rising from grid to grid"},
+               {[](Study& study) {
+                  study.stages[1].coarser_cells = {4, 6, 8};
+                },
+                "coarse: expected at most 3 grids"}},
+              test::two_stages());
+}
+
+TEST(RequireSound, NamesEachMistakeOfFillersInRegularPackings) {
+  expect_each(
+      {{[](Study& study) { filler_of(study).sizes.reset(); }, "fine, filler: expected sizes"},
+       {[](Study& study) {
+          filler_of(study).sizes = ListedSizes{{1e-3, 2e-3}};
+        },
+        "fine, filler: expected a single size for a regular packing"},
+       {[](Study& study) { filler_of(study).sizes = SingleSize{3e-3}; },
+        "fine, filler: particles of 3 mm touch at a regular spacing of 3 mm"},
+       {[](Study& study) { filler_of(study).fraction = 0.3; }, "fine, filler: expected no fraction"},
+       {[](Study& study) { filler_of(study).smallest = 1e-3; }, "fine, filler: expected no smallest and largest size"},
+       {[](Study& study) { filler_of(study).gap = 1e-4; }, "fine, filler: expected no gap"},
+       {[](Study& study) {
+          filler_of(study).packing = RegularPacking{0, 2};
+        },
+        "fine, filler: columns: expected an integer from 1 to 10000, got 0"}},
+      test::two_stages());
+}
+
+TEST(RequireSound, NamesEachMistakeOfFillersInRandomPackings) {
+  expect_each(
+      {{[](Study& study) { filler_of(study).fraction.reset(); }, "fine, filler: expected a fraction"},
+       {[](Study& study) { filler_of(study).fraction = 1.0; },
+        "fine, filler: fraction: expected a number between 0 and 1, got 1"},
+       {[](Study& study) { filler_of(study).gap = -1e-6; },
+        "fine, filler: gap: expected a non-negative length, got -1 um"},
+       {[](Study& study) { filler_of(study).gap = 6e-3; }, "a gap of 6 mm does not fit into a box of 6 mm"},
+       {[](Study& study) { filler_of(study).sizes = SingleSize{7e-3}; },
+        "fine, filler: a particle of 7 mm does not fit into a box of 6 mm"},
+       {[](Study& study) { filler_of(study).sizes = SingleSize{0.0}; }, "the diameter must be positive"},
+       {[](Study& study) { filler_of(study).sizes = ListedSizes{{1e-3}}; }, "fine, filler: expected no fraction"},
+       {[](Study& study) {
+          filler_of(study).sizes = TabulatedSizes{"", {1e-4, 1e-3}, {0.0, 0.9}};
+        },
+        "cumulative shares must begin at 0 and end at 1"},
+       {[](Study& study) {
+          filler_of(study).sizes = LognormalSizes{{{1.0, 1e-3, 0.5}}};
+        },
+        "fine, filler: expected a smallest and a largest size"}},
+      with_random_packing(SingleSize{1e-3}));
+  auto listed = with_random_packing(ListedSizes{{1e-3, 2e-3}});
+  filler_of(listed).fraction.reset();
+  EXPECT_NO_THROW(require_sound(listed));
+  expect_each({{[](Study& study) { filler_of(study).sizes = ListedSizes{}; }, "expected at least one diameter"},
+               {[](Study& study) {
+                  filler_of(study).sizes = ListedSizes{{1e-3, -1e-3}};
+                },
+                "expected positive diameters in the list"}},
+              listed);
+  auto lognormal = with_random_packing(LognormalSizes{{{1.0, 1e-3, 0.5}}});
+  filler_of(lognormal).smallest = 0.5e-3;
+  filler_of(lognormal).largest = 2e-3;
+  EXPECT_NO_THROW(require_sound(lognormal));
+  expect_each({{[](Study& study) { filler_of(study).smallest = 2e-3; }, "expected a smallest size below the largest"},
+               {[](Study& study) { filler_of(study).sizes = LognormalSizes{}; },
+                "a lognormal mixture needs at least one component"}},
+              lognormal);
+}
+
+TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {
+  auto sound = test::two_stages();
+  filler_of(sound).sizes.reset();
+  filler_of(sound).packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}};
+  EXPECT_NO_THROW(require_sound(sound));
+  const auto with_discs = [](std::vector<Disc> discs) {
+    return [discs](Study& study) { std::get<ExplicitPacking>(filler_of(study).packing).discs = discs; };
+  };
+  expect_each({{with_discs({}), "fine, filler: expected at least one disc"},
+               {[](Study& study) { filler_of(study).sizes = SingleSize{1e-3}; },
+                "fine, filler: expected neither sizes nor a fraction"}},
+              sound);
+  for (const auto& [discs, message] : std::vector<std::pair<std::vector<Disc>, std::string>>{
+           {{{{2e-3, 7e-3}, 1e-3}}, "the centre is outside the box"},
+           {{{{2e-3, 2e-3}, 0.0}}, "the diameter must be positive"},
+           {{{{2e-3, 2e-3}, 1e-3}, {{2.5e-3, 2e-3}, 1e-3}}, "overlap by"}}) {
+    auto study = sound;
+    with_discs(discs)(study);
+    EXPECT_THAT(mistakes_of(study), AllOf(HasSubstr("fine, filler: microstructure"), HasSubstr(message)));
+  }
+}
+
+TEST(RequireSound, NamesEachMistakeOfTests) {
+  expect_each(
+      {{[](Study& study) { study.tests.last_time = infinity; }, "tests: expected first_time < last_time"},
+       {[](Study& study) { study.tests.loads.clear(); }, "tests: expected a load"},
+       {[](Study& study) {
+          study.tests.loads = {Load::shear, Load::bulk, Load::shear};
+        },
+        "tests: the same load twice"},
+       {[](Study& study) {
+          study.tests.boundaries = {Boundary::traction, Boundary::traction};
+        },
+        "tests: the same boundary condition twice"},
+       {[](Study& study) { study.tests.methods.clear(); }, "tests: expected a method"},
+       {[](Study& study) {
+          study.tests.methods = {Method::quasistatic, Method::quasistatic};
+        },
+        "tests: the same method twice"},
+       {[](Study& study) { study.tests.points_per_decade = 0; },
+        "tests: points per decade: expected an integer from 1 to 1000, got 0"},
+       {[](Study& study) { study.tests.fit_tolerance = 0.0; }, "tests: tolerance of the fit: expected a number"},
+       {[](Study& study) {
+          study.tests.field_times = {20e-3, 10e-3};
+        },
+        "tests, times of fields: expected rising times"},
+       {[](Study& study) { study.tests.field_times = {1.0}; },
+        "tests, times of fields: expected times within those of the tests"}},
+      test::two_stages());
+}
+
+TEST(RequireSound, NamesEachMistakeOfTheOptionsOfMethods) {
+  expect_each(
+      {{[](Study& study) { study.tests.quasistatic.sampling.tolerance = 0.0; }, "method: tolerance of the sampling:"},
+       {[](Study& study) { study.tests.quasistatic.steps_per_decade = 1; }, "method: steps per decade:"},
+       {[](Study& study) { study.tests.quasistatic.linear.tolerance = 0.1; },
+        "method: tolerance of the linear systems:"},
+       {[](Study& study) { study.tests.dynamic.courant = 1.1; },
+        "tests, dynamic method: Courant number: expected a number above 0 and up to 1, got 1.1"},
+       {[](Study& study) { study.tests.dynamic.ramp_transits = -1.0; }, "method: transits of the strain ramp:"},
+       {[](Study& study) { study.tests.dynamic.creep_ramp_transits = -1.0; }, "method: transits of the traction ramp:"},
+       {[](Study& study) { study.tests.dynamic.ramp_time = -1.0; }, "method: time of the ramp:"},
+       {[](Study& study) {
+          study.tests.dynamic.density_factors = {0.0, 1.0};
+        },
+        "method: density factor:"},
+       {[](Study& study) {
+          study.tests.dynamic.density_factors = {4.0, 1.0};
+        },
+        "density factors: expected rising"},
+       {[](Study& study) { study.tests.dynamic.overlap = 1.0; }, "method: overlap:"},
+       {[](Study& study) { study.tests.dynamic.reduction_tolerance = not_a_number; },
+        "method: tolerance of the reduction:"}},
+      test::two_stages());
+}
+
+TEST(RequireSound, NamesMethodsThatCannotBeUsedOnTheStages) {
+  auto study = test::two_stages();
+  filler_of(study).material = test::binder;
+  EXPECT_THAT(mistakes_of(study), HasSubstr("the filler of stage fine, binder, relaxes: expected the solver"));
+  study.tests.quasistatic.solver = Solver::stepping;
+  EXPECT_NO_THROW(require_sound(study));
+  study.tests.points_per_decade = 1;
+  study.tests.last_time = 5e-3;
+  EXPECT_THAT(mistakes_of(study), HasSubstr("give 2 times, of which no series can be fitted"));
+}
+
+TEST(RequireSound, NamesEachMistakeOfMeasurements) {
+  const auto with_curve = [](Curve curve) { return [curve](Study& study) { study.measurements[0].shear = curve; }; };
+  expect_each({{[](Study& study) { study.measurements[1].label = "a"; }, "measurement a: another measurement"},
+               {[](Study& study) { study.measurements[1].label = ""; }, "expected a name"},
+               {[](Study& study) { study.measurements[1].label = "b\nc"; }, "expected a name without line breaks"},
+               {[](Study& study) { study.measurements[1].stage = "C"; }, "measurement b: there is no stage \"C\""},
+               {[](Study& study) { study.measurements[1].shear = PronySeries(); },
+                "measurement b: unrelaxed shear modulus: expected a positive pressure"},
+               {[](Study& study) {
+                  study.measurements[0].times = TimeWindow{0.1, 0.1};
+                },
+                "measurement a: expected two rising positive times"},
+               {with_curve({{1.0, 1e6}}), "measurement a: expected at least 2 points of the curve"},
+               {with_curve({{1.0, 1e6}, {1.0, 1e6}}), "measurement a: expected rising positive times of the curve"},
+               {with_curve({{0.0, 1e6}, {1.0, 1e6}}), "measurement a: expected rising positive times of the curve"},
+               {with_curve({{1.0, 1e6}, {2.0, 0.0}}), "measurement a: expected positive moduli of the curve"}},
+              with_measurement());
+  auto study = with_measurement();
+  study.tests.loads = {Load::bulk};
+  EXPECT_THAT(mistakes_of(study), HasSubstr("measurement b: there is no test in shear that could be compared"));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "breccia/virtual_test/stitching.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -5,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/virtual_test/dynamic_test.hpp"
 
 namespace breccia {
 namespace {

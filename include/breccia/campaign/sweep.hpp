@@ -3,12 +3,10 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/deck/sweep.hpp"
-#include "breccia/io/directory_lock.hpp"
 #include "breccia/results/sweep_result.hpp"
 
 namespace breccia {
@@ -29,15 +27,5 @@ struct SweepObserver {
 /// refuse_objections().
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
-
-/// Locks the directory of a sweep during the lifetime of the returned object, and completes interrupted replacements
-/// (finish_replacement) in the directories of its tasks. Returns nullptr on all processes but the first, and for a
-/// single task without a name, which locks the directory itself. Throws DirectoryInUse if another process writes to one
-/// of the directories, and FileError.
-std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
-
-/// Throws InputError, for all tasks at once, if the sweep would replace or resume results of another study, sweep or
-/// version without `overwrite`, or replace files that Breccia did not write.
-void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "breccia/study/study.hpp"
+#include "breccia/study/filler.hpp"
 
 namespace breccia {
 

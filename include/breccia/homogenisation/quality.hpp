@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/study/study.hpp"
+#include "breccia/study/stage.hpp"
 
 namespace breccia {
 

@@ -25,7 +25,7 @@ struct StoredResponses {
   StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
-  double side = 0.0;                          ///< of the box [m]
+  double side = 0.0;  ///< side of the box [m]
   std::string deck_hash;                      ///< of the study; empty for a study without a deck
   double fit_tolerance = 0.0;                 ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]
@@ -41,9 +41,8 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
 /// The reduced responses of all stages of a study that have such tests, in the order of the stages.
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
-/// Computes, in milliseconds, the moduli of a stage with another matrix, at the given times [s] or else those of the
-/// study. Throws InputError if the matrix leaves the sampled range; the message has both and the times that are
-/// covered.
+/// The stage with another matrix, at the times given or else those of the study: milliseconds.
+/// Throws NotCovered where the matrix leaves the sampled range, telling both and the times that are covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
 
 /// The same for several stages of a study that build on each other. The new matrix replaces that of the stages that do

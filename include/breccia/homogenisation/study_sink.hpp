@@ -6,7 +6,8 @@
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/study/study.hpp"
+#include "breccia/study/stage.hpp"
+#include "breccia/study/test_id.hpp"
 
 namespace breccia {
 

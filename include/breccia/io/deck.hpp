@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,24 +12,11 @@
 #include <vector>
 
 #include "breccia/io/deck_setting.hpp"
+#include "breccia/io/range.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {
-
-/// The numbers that a key accepts.
-struct Range {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
-  bool excludes_lower = false;
-  bool excludes_upper = false;
-
-  static Range positive() { return {.lower = 0.0, .excludes_lower = true}; }
-  static Range not_negative() { return {.lower = 0.0}; }
-  static Range at_least(double lower) { return {.lower = lower}; }
-  static Range between(double lower, double upper) { return {lower, upper, true, true}; }
-  static Range above_and_up_to(double lower, double upper) { return {lower, upper, true, false}; }
-};
 
 /// The type of the value of a key.
 enum class Kind { absent, boolean, integer, number, text, date, array, table };
@@ -75,6 +60,7 @@ class Section {
   [[nodiscard]] std::optional<std::int64_t> optional_integer(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const std::string& key, const Range& range = {}) const;
   [[nodiscard]] std::optional<bool> optional_boolean(const std::string& key) const;
+  /// A text that is not empty.
   [[nodiscard]] std::string text(const std::string& key) const;
   [[nodiscard]] std::optional<std::string> optional_text(const std::string& key) const;
   /// The path of a file, which the deck names relative to itself. Reports a file that does not exist.

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <initializer_list>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "breccia/io/modulus_kind.hpp"
@@ -79,13 +78,5 @@ class MeasuredTable {
   std::vector<UnknownUnit> unknown_units_;
   bool has_several_series_ = false;
 };
-
-/// Reads a table that an instrument or a spreadsheet has written: separated by commas, semicolons or tabs, with decimal
-/// points or, if the separator is not a comma, decimal commas; in UTF-8 or Latin-1. Lines above the first line that
-/// names two known columns are skipped. The unit of a column is the end of its name (`time_ms`, `storage_modulus_MPa`,
-/// `compliance_1_per_Pa`), in brackets behind its name (`Storage modulus [MPa]`), or in a row of units below the names
-/// (docs/decks.md, "Files"). Numbers are finite or `inf`.
-/// Throws InputError with all mistakes in the file (FileMistakes), and FileError when it cannot be read.
-MeasuredTable read_measured_table(const std::filesystem::path& path);
 
 }  // namespace breccia

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "breccia/microstructure/size_distribution.hpp"
-#include "breccia/study/study.hpp"
+#include "breccia/study/filler.hpp"
 
 namespace breccia {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "breccia/study/study.hpp"
+#include "breccia/study/stage.hpp"
 
 namespace breccia {
 

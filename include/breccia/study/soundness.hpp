@@ -4,10 +4,10 @@
 
 namespace breccia {
 
-/// Checks a study that was put together in memory for what the deck reader would have refused: stages without a name, a
-/// size or cells, a matrix that is no earlier stage, a filler without the sizes or the fraction that its packing takes,
-/// times that do not rise, tests without loads, boundaries or methods. Throws InputError with one line for every
-/// mistake.
+/// Checks a study that was put together in memory by the same rules as a deck: names; materials and their temperature
+/// shifts; boxes, grids and matrices of the stages; fillers, with what their packing takes; times, lists and options of
+/// the tests, and whether the methods can be used on these stages; measurements. Throws InputError with one line for
+/// every mistake.
 void require_sound(const Study& study);
 
 }  // namespace breccia

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/load.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
@@ -95,13 +97,6 @@ DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserve
 
 /// Speed of this test on this machine in material points x steps per second [1/s], from a short trial.
 double trial_speed(const DynamicTest& test);
-
-/// Joins the valid windows of the domains, in their order, at logarithmic times; blends two domains in log time where
-/// both are valid. Throws NumericalError if the domains leave a gap.
-Curve stitch(const std::vector<TimeDomain>& domains, const TimeWindow& times, int points_per_decade);
-
-/// The overlaps of neighbouring domains; the mismatch is evaluated at logarithmic times.
-std::vector<Overlap> compare_overlaps(const std::vector<TimeDomain>& domains, int points_per_decade);
 
 /// Mean density of a discretisation [kg/m^3].
 double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials);

@@ -81,7 +81,7 @@ struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
   std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, zero on the others
   LinearEffort effort;
-  double seconds = 0.0;  ///< wall time
+  double seconds = 0.0;  ///< wall time [s]
 };
 
 /// Is called with a description of the present work and the finished share of the test, 0 to 1. An exception that it

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/virtual_test/curve.hpp"
+#include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia {
 

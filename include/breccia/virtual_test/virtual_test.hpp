@@ -3,8 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/volumetric.hpp"
 #include "breccia/dynamics/dynamic_problem.hpp"
 

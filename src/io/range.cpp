@@ -1,10 +1,10 @@
-#include "deck_range.hpp"
+#include "breccia/io/range.hpp"
 
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace breccia::detail {
+namespace breccia {
 namespace {
 
 /// A noun with its article: "a length", "an integer".
@@ -46,4 +46,4 @@ std::string described(const Range& range, Dimension dimension) {
   return described(range, name(dimension), [dimension](double limit) { return readable(limit, dimension); });
 }
 
-}  // namespace breccia::detail
+}  // namespace breccia

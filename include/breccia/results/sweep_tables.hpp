@@ -17,11 +17,4 @@ void write_sweep_tables(const std::filesystem::path& directory, const Sweep& swe
 void write_sweep_record(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result,
                         const std::vector<std::vector<std::string>>& replaceable);
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all finished tasks. Writes nothing if no task is finished
-/// or gnuplot cannot draw.
-void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
-
-/// Writes `report.html` to the directory that has `sweep.json` (write_sweep_record). Throws FileError.
-void write_sweep_report(const std::filesystem::path& directory, const SweepResult& result);
-
 }  // namespace breccia

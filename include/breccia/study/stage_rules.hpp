@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+// Rules for a stage that the deck reader and require_sound share. Each function returns what is wrong, one line for
+// each mistake, without saying where.
+
+/// A name must be fit for a directory and not be the name of a file of results, an earlier stage or a material. An
+/// empty name makes no mistake here.
+std::vector<std::string> mistakes_of_name(const std::string& name, std::span<const Stage> earlier,
+                                          std::span<const Material> materials);
+
+/// The gap between particles must be narrower than the box, of the given side [m].
+std::vector<std::string> mistakes_of_gap(const Filler& filler, double side);
+
+/// Particles must be smaller than the box, of the given side [m]; those of a regular packing must not touch.
+std::vector<std::string> mistakes_of_diameters(const Filler& filler, double side);
+
+/// Two or three grids, with rising numbers of cells per side, are needed for an extrapolation.
+bool can_be_extrapolated(const std::vector<int>& grids);
+
+}  // namespace breccia

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+// Rules for the tests of a study that the deck reader and require_sound share. Those that return texts return what is
+// wrong, one line for each mistake, without saying where.
+
+/// Does an element stand in a list twice?
+template <class T>
+bool has_repeats(const std::vector<T>& values) {
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    if (std::find(values.begin(), value, *value) != value) return true;
+  }
+  return false;
+}
+
+/// Each number of a list must be larger than the one before.
+bool is_rising(const std::vector<double>& values);
+
+/// The times of fields must rise, and lie within the times of the tests.
+std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times);
+
+/// What each part of a study allows and the whole does not: a filler that relaxes where the reduced solver is to be
+/// used, and too few times for the fits that the study needs.
+std::vector<std::string> contradictions(const Study& study);
+
+}  // namespace breccia

@@ -1,0 +1,153 @@
+#include "breccia/results/study_report.hpp"
+
+#include <system_error>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/error.hpp"
+#include "breccia/io/safe_name.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/report/page.hpp"
+#include "breccia/results/field_files.hpp"
+#include "breccia/results/history_file.hpp"
+#include "breccia/results/response_file.hpp"
+#include "breccia/study/result_names.hpp"
+
+#include "report_data.hpp"
+#include "report_tables.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json& row = rows.emplace_back(Json::array());
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+  }
+  return rows;
+}
+
+Json json_of(const StoredResponses::Entry& entry) {
+  const auto& response = entry.response;
+  Json snapshots = Json::array();
+  for (const auto& [matrix, error] : response.snapshots) {
+    snapshots.push_back({{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}});
+  }
+  return {{"load", name_of(response.load)},
+          {"boundary", name_of(response.boundary)},
+          {"cells", entry.cells},
+          {"filler_Pa", json_of(response.constant)},
+          {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
+          {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
+          {"load_forces", std::vector<double>(response.load_forces.begin(), response.load_forces.end())},
+          {"snapshots", std::move(snapshots)}};
+}
+
+void refuse_foreign(const fs::path& file, const std::string& its_hash, const std::string& hash) {
+  if (its_hash == hash) return;
+  throw FileError(
+      fmt::format("{}: of another study (hash {}) than study.json (hash {})", file.string(), its_hash, hash));
+}
+
+Json responses_of(const fs::path& file, const std::string& hash) {
+  const auto stored = read_responses(file);
+  refuse_foreign(file, stored.deck_hash, hash);
+  Json responses = Json::array();
+  for (const auto& entry : stored.entries) responses.push_back(json_of(entry));
+  return responses;
+}
+
+/// Whether the file exists; false also for a name that no file can have.
+bool is_there(const fs::path& file) {
+  std::error_code is_no_name_of_a_file;
+  return fs::is_regular_file(file, is_no_name_of_a_file);
+}
+
+/// Throws FileError if study.json contains a name of a file or directory that no run gives: it could refer to any file
+/// that the user of the results can read.
+void require_written(const std::string& name, bool is_as_written) {
+  if (!is_as_written) throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
+}
+
+/// The history of each time domain of a stage, as an outline.
+Json histories_of(const fs::path& directory, const Json& stage, const std::string& hash) {
+  Json histories = Json::array();
+  for (const auto& test : stage.at("tests")) {
+    const auto domains = test.contains("time_domains") ? test.at("time_domains").size() : 0;
+    for (std::size_t number = 1; number <= domains; ++number) {
+      const auto name =
+          history_file(test.at("load").get<std::string>(), test.at("boundary").get<std::string>(),
+                       static_cast<int>(test.at("cells").get_ref<const Json::number_unsigned_t&>()), number);
+      require_written(name, stays_in_directory(name));
+      const auto file = directory / name;
+      if (!is_there(file)) continue;
+      const auto history = outline_of(read_history(file));
+      refuse_foreign(file, history.deck_hash, hash);
+      histories.push_back({{"load", test.at("load")},
+                           {"boundary", test.at("boundary")},
+                           {"cells", test.at("cells")},
+                           {"domain", number - 1},
+                           {"time_s", rounded(history.times)},
+                           {"value", rounded(history.values)}});
+    }
+  }
+  return histories;
+}
+
+/// The pictures of the fields of a stage, by their names.
+Json field_pictures_of(const fs::path& directory, const Json& stage) {
+  Json pictures = Json::object();
+  for (const auto& test : stage.at("tests")) {
+    if (!test.contains("fields")) continue;
+    for (const auto& field : test.at("fields")) {
+      for (const auto* picture : {"stress_picture", "strain_picture"}) {
+        const auto name = field.at(picture).get<std::string>();
+        require_written(name, is_of_fields(name));
+        if (is_there(directory / name)) pictures[name] = read_text(directory / name);
+      }
+    }
+  }
+  return pictures;
+}
+
+/// All data that the page shows, from the files.
+Json data_of(const fs::path& directory, Json study) {
+  Json tables = Json::object(), pictures = Json::object(), fields = Json::object(), responses = Json::object(),
+       histories = Json::object();
+  auto names = curve_files();
+  names.emplace_back("comparison.csv");
+  for (const auto& name : names) {
+    auto table = table_for_page(directory / name, text_columns_of_tests());
+    if (!table.empty()) tables[name] = std::move(table);
+  }
+  const auto hash = study.at("hash").get<std::string>();
+  for (const auto& stage : study.at("stages")) {
+    const auto name = stage.at("name").get<std::string>();
+    require_written(name, is_safe_name(name));
+    const auto picture = directory / name / "microstructure.svg", response = directory / name / "response.h5";
+    if (is_there(picture)) pictures[name] = read_text(picture);
+    fields[name] = field_pictures_of(directory / name, stage);
+    if (is_there(response)) responses[name] = responses_of(response, hash);
+    histories[name] = histories_of(directory / name, stage, hash);
+  }
+  return {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
+          {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
+}
+
+}  // namespace
+
+PageData study_page_data(const fs::path& directory) {
+  return read_page_data(directory / "study.json", [&](Json study) { return data_of(directory, std::move(study)); });
+}
+
+void write_study_report(const fs::path& directory) {
+  const auto [title, data] = study_page_data(directory);
+  write_text(directory / "report.html", study_page(title, data));
+}
+
+}  // namespace breccia

@@ -1,0 +1,116 @@
+#include "filler_soundness.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "breccia/microstructure/draw_diameters.hpp"
+#include "breccia/microstructure/validity.hpp"
+#include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/limits.hpp"
+#include "breccia/study/stage_rules.hpp"
+
+#include "material_soundness.hpp"
+
+namespace breccia {
+namespace {
+
+void check_list(const ListedSizes& sizes, const std::string& part, StudyMistakes& mistakes) {
+  const auto is_diameter = [](double diameter) { return accepts(Range::positive(), diameter); };
+  if (sizes.diameters.empty()) mistakes.add(part, "expected at least one diameter, got an empty list of sizes");
+  if (!std::ranges::all_of(sizes.diameters, is_diameter)) mistakes.add(part, "expected positive diameters in the list");
+  if (sizes.diameters.size() > most_particles) {
+    mistakes.add(part, fmt::format("expected at most {} particles, got {}", most_particles, sizes.diameters.size()));
+  }
+}
+
+bool has_ordered_cuts(const Filler& filler) {
+  return !filler.smallest || !filler.largest || *filler.smallest < *filler.largest;
+}
+
+/// The bounds at which a distribution of sizes is cut; nothing else has any.
+void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+  const bool is_lognormal = std::holds_alternative<LognormalSizes>(*filler.sizes);
+  const bool is_distribution = is_lognormal || std::holds_alternative<TabulatedSizes>(*filler.sizes);
+  if (!is_distribution && (filler.smallest || filler.largest)) {
+    mistakes.add(part, "expected no smallest and largest size: only a distribution of sizes is cut");
+  }
+  if (is_lognormal && !(filler.smallest && filler.largest)) {
+    mistakes.add(part, "expected a smallest and a largest size: a lognormal distribution has no ends of its own");
+  }
+  const auto check_cut = [&](const char* what, std::optional<double> cut) {
+    if (cut) mistakes.check_quantity(part, what, *cut, Range::positive(), Dimension::length);
+  };
+  check_cut("smallest size", filler.smallest);
+  check_cut("largest size", filler.largest);
+  if (!has_ordered_cuts(filler)) mistakes.add(part, "expected a smallest size below the largest size");
+}
+
+/// Which of sizes and fraction go with a packing that draws or arranges particles.
+void check_amount(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+  if (std::holds_alternative<RegularPacking>(filler.packing)) {
+    if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
+      mistakes.add(part, "expected a single size for a regular packing");
+    }
+    if (filler.fraction) mistakes.add(part, "expected no fraction: that of a regular packing follows from its size");
+  } else if (std::holds_alternative<ListedSizes>(*filler.sizes)) {
+    if (filler.fraction) mistakes.add(part, "expected no fraction: that of a list of sizes follows from the list");
+  } else if (!filler.fraction) {
+    mistakes.add(part, "expected a fraction for a random packing");
+  } else {
+    mistakes.check_number(part, "fraction", *filler.fraction, allowed::fraction);
+  }
+}
+
+void check_sizes(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+  if (!filler.sizes) {
+    mistakes.add(part, "expected sizes; only an explicit packing has none");
+    return;
+  }
+  check_amount(filler, part, mistakes);
+  check_cuts(filler, part, mistakes);
+  if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
+    check_list(*listed, part, mistakes);
+  } else if (has_ordered_cuts(filler)) {
+    mistakes.add_error_of(part, [&filler] { static_cast<void>(distribution_of(filler)); });
+  }
+}
+
+void check_listed_particles(const Filler& filler, double side, const std::string& part, StudyMistakes& mistakes) {
+  if (filler.sizes || filler.fraction || filler.smallest || filler.largest) {
+    mistakes.add(part, "expected neither sizes nor a fraction: the particles of an explicit packing are all listed");
+  }
+  const auto& listed = std::get<ExplicitPacking>(filler.packing);
+  if (listed.discs.empty()) mistakes.add(part, "expected at least one disc");
+  if (accepts(allowed::side, side))
+    mistakes.add_error_of(part, [&] { require_valid<2>({side, listed.walls, listed.discs}); });
+}
+
+void check_gap(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+  mistakes.check_quantity(part, "gap", filler.gap, Range::not_negative(), Dimension::length);
+  if (!std::holds_alternative<LubachevskyStillingerPacking>(filler.packing) && filler.gap > 0.0) {
+    mistakes.add(part, "expected no gap: only a random packing keeps one");
+  }
+}
+
+}  // namespace
+
+void check_filler(const Filler& filler, double side, const std::string& part, StudyMistakes& mistakes) {
+  check_material(filler.material, part, mistakes);
+  check_gap(filler, part, mistakes);
+  if (std::holds_alternative<ExplicitPacking>(filler.packing)) {
+    check_listed_particles(filler, side, part, mistakes);
+    return;
+  }
+  if (const auto* regular = std::get_if<RegularPacking>(&filler.packing)) {
+    mistakes.check_integer(part, "columns", regular->columns, allowed::rows);
+    mistakes.check_integer(part, "rows", regular->rows, allowed::rows);
+  }
+  check_sizes(filler, part, mistakes);
+  if (!accepts(allowed::side, side)) return;  // a mistake of the stage
+  mistakes.add_all(part, mistakes_of_gap(filler, side));
+  mistakes.add_all(part, mistakes_of_diameters(filler, side));
+}
+
+}  // namespace breccia

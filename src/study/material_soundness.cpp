@@ -1,0 +1,51 @@
+#include "material_soundness.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "breccia/io/printable.hpp"
+
+namespace breccia {
+namespace {
+
+void check_shift(const TemperatureShift& shift, const std::string& part, StudyMistakes& mistakes) {
+  const auto& [law, temperature] = shift;
+  mistakes.check_number(part, "c1", law.c1, Range::positive());
+  mistakes.check_quantity(part, "c2", law.c2, Range::positive(), Dimension::temperature_difference);
+  mistakes.check_quantity(part, "reference temperature", law.reference_temperature, Range::not_negative(),
+                          Dimension::temperature);
+  mistakes.check_quantity(part, "temperature", temperature, Range::not_negative(), Dimension::temperature);
+  mistakes.add_error_of(part, [&shift] { static_cast<void>(shift.law.shift_factor(shift.temperature)); });
+}
+
+}  // namespace
+
+void check_material(const Material& material, const std::string& part, StudyMistakes& mistakes) {
+  if (!is_printable(material.name)) mistakes.check_name(part, material.name);
+  mistakes.check_quantity(part, "density", material.density, Range::positive(), Dimension::density);
+  mistakes.check_quantity(part, "unrelaxed bulk modulus", material.bulk.unrelaxed(), Range::positive(),
+                          Dimension::pressure);
+  mistakes.check_quantity(part, "unrelaxed shear modulus", material.shear.unrelaxed(), Range::positive(),
+                          Dimension::pressure);
+}
+
+void check_materials(const Study& study, StudyMistakes& mistakes) {
+  const auto& materials = study.materials;
+  for (auto material = materials.begin(); material != materials.end(); ++material) {
+    const auto part = "material " + material->name;
+    check_material(*material, part, mistakes);
+    const bool is_repeated =
+        std::ranges::find(materials.begin(), material, material->name, &Material::name) != material;
+    if (is_repeated) mistakes.add(part, "another material has this name");
+  }
+  for (const auto& [name, shift] : study.temperature_shifts) {
+    const auto part = "temperature shift of " + name;
+    if (std::ranges::find(materials, name, &Material::name) == materials.end()) {
+      mistakes.add(part, "there is no material of this name");
+    }
+    check_shift(shift, part, mistakes);
+  }
+}
+
+}  // namespace breccia

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/study/study.hpp"
+
+#include "study_mistakes.hpp"
+
+namespace breccia {
+
+/// Checks a material, which is the given part of a study.
+void check_material(const Material& material, const std::string& part, StudyMistakes& mistakes);
+
+/// Checks the materials that a study has by name, and the shifts to the temperature of each.
+void check_materials(const Study& study, StudyMistakes& mistakes);
+
+}  // namespace breccia

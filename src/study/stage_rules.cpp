@@ -1,0 +1,85 @@
+#include "breccia/study/stage_rules.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "breccia/io/printable.hpp"
+#include "breccia/io/safe_name.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/study/limits.hpp"
+#include "breccia/study/result_names.hpp"
+
+namespace breccia {
+namespace {
+
+std::string lower_case(std::string text) {
+  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+/// The largest particle of a filler whose particles are known one by one; 0 where they are drawn from a distribution.
+double largest_known_diameter(const Filler& filler) {
+  if (!filler.sizes) return 0.0;
+  if (const auto* single = std::get_if<SingleSize>(&*filler.sizes)) return single->diameter;
+  double largest = 0.0;
+  if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
+    for (const double diameter : listed->diameters) largest = std::max(largest, diameter);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<std::string> mistakes_of_name(const std::string& name, std::span<const Stage> earlier,
+                                          std::span<const Material> materials) {
+  if (name.empty()) return {};
+  std::vector<std::string> mistakes;
+  if (!is_safe_name(name)) {
+    mistakes.push_back(
+        fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", printable(name)));
+  }
+  const auto reserved = reserved_names();
+  if (std::ranges::find(reserved, lower_case(name)) != reserved.end()) {
+    mistakes.push_back(fmt::format("\"{}\" is the name of a file of results", name));
+  }
+  if (std::ranges::find(earlier, name, &Stage::name) != earlier.end()) {
+    mistakes.push_back(fmt::format("another stage is called \"{}\"", name));
+  }
+  if (std::ranges::find(materials, name, &Material::name) != materials.end()) {
+    mistakes.push_back(fmt::format("a material is called \"{}\"", name));
+  }
+  return mistakes;
+}
+
+std::vector<std::string> mistakes_of_gap(const Filler& filler, double side) {
+  if (!std::isfinite(filler.gap) || !(filler.gap >= side)) return {};
+  return {fmt::format("a gap of {} does not fit into a box of {}", readable(filler.gap, Dimension::length),
+                      readable(side, Dimension::length))};
+}
+
+std::vector<std::string> mistakes_of_diameters(const Filler& filler, double side) {
+  std::vector<std::string> mistakes;
+  const double diameter = largest_known_diameter(filler);
+  if (diameter >= side) {
+    mistakes.push_back(fmt::format("a particle of {} does not fit into a box of {}",
+                                   readable(diameter, Dimension::length), readable(side, Dimension::length)));
+  }
+  const auto* const regular = std::get_if<RegularPacking>(&filler.packing);
+  const double spacing = regular == nullptr ? side : side / std::max({1, regular->columns, regular->rows});
+  if (regular != nullptr && diameter > 0.0 && diameter >= spacing) {
+    mistakes.push_back(fmt::format("particles of {} touch at a regular spacing of {}",
+                                   readable(diameter, Dimension::length), readable(spacing, Dimension::length)));
+  }
+  return mistakes;
+}
+
+bool can_be_extrapolated(const std::vector<int>& grids) {
+  return grids.size() >= 2 && grids.size() <= allowed::most_grids &&
+         std::ranges::is_sorted(grids, std::ranges::less_equal());
+}
+
+}  // namespace breccia

@@ -1,0 +1,79 @@
+#include "breccia/study/test_rules.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "breccia/study/limits.hpp"
+#include "breccia/virtual_test/curve.hpp"
+
+namespace breccia {
+namespace {
+
+bool is_elastic(const Material& material) {
+  return material.bulk.is_elastic() && material.shear.is_elastic();
+}
+
+bool uses(const Tests& tests, Method method) {
+  return std::ranges::find(tests.methods, method) != tests.methods.end();
+}
+
+/// Reports a filler that relaxes with the reduced solver, which needs elastic fillers.
+std::vector<std::string> relaxing_fillers(const Study& study) {
+  if (!uses(study.tests, Method::quasistatic) || study.tests.quasistatic.solver != Solver::reduced) return {};
+  std::vector<std::string> mistakes;
+  for (const auto& stage : study.stages) {
+    if (!stage.filler || is_elastic(stage.filler->material)) continue;
+    mistakes.push_back(
+        fmt::format("the filler of stage {}, {}, relaxes: expected the solver \"{}\" or the method \"{}\"", stage.name,
+                    stage.filler->material.name, name_of(Solver::stepping), name_of(Method::dynamic)));
+  }
+  return mistakes;
+}
+
+/// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
+bool has_fits(const Study& study) {
+  return uses(study.tests, Method::dynamic) || study.tests.quasistatic.solver == Solver::stepping ||
+         std::ranges::any_of(study.stages, [](const Stage& stage) {
+           return !stage.coarser_cells.empty() || std::holds_alternative<EarlierStage>(stage.matrix);
+         });
+}
+
+/// Nothing where there are enough, or where their number is not known because of another mistake.
+std::optional<std::string> too_few_times(const Study& study) {
+  constexpr std::size_t fewest = 3;
+  const auto& tests = study.tests;
+  const bool are_known = tests.first_time > 0.0 && tests.last_time > tests.first_time &&
+                         std::isfinite(tests.last_time) && accepts(allowed::points_per_decade, tests.points_per_decade);
+  if (!are_known || !has_fits(study)) return std::nullopt;
+  const auto times = logarithmic_times({tests.first_time, tests.last_time}, tests.points_per_decade).size();
+  if (times >= fewest) return std::nullopt;
+  return fmt::format(
+      "times and points_per_decade give {} times, of which no series can be fitted; expected at least {}", times,
+      fewest);
+}
+
+}  // namespace
+
+bool is_rising(const std::vector<double>& values) {
+  return std::ranges::is_sorted(values, std::ranges::less_equal());
+}
+
+std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times) {
+  std::vector<std::string> mistakes;
+  if (!is_rising(field_times)) mistakes.emplace_back("expected rising times");
+  const auto is_within = [&times](double time) { return time >= times.begin && time <= times.end; };
+  if (!std::ranges::all_of(field_times, is_within)) mistakes.emplace_back("expected times within those of the tests");
+  return mistakes;
+}
+
+std::vector<std::string> contradictions(const Study& study) {
+  auto mistakes = relaxing_fillers(study);
+  if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
+  return mistakes;
+}
+
+}  // namespace breccia

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "breccia/study/study.hpp"
+
+#include "study_mistakes.hpp"
+
+namespace breccia {
+
+/// Checks the tests of a study, with the options of their methods.
+void check_tests(const Tests& tests, StudyMistakes& mistakes);
+
+/// Checks the measurements of a study, which are compared with stages of it.
+void check_measurements(const Study& study, StudyMistakes& mistakes);
+
+}  // namespace breccia

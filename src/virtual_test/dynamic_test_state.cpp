@@ -1,0 +1,16 @@
+#include "breccia/virtual_test/dynamic_test_state.hpp"
+
+#include <vector>
+
+#include "breccia/discretisation/point_fields_state.hpp"
+
+#include "dynamic_state.hpp"
+
+namespace breccia {
+
+void save_result(StateWriter& state, const DynamicTestResult& result) {
+  save_domains(state, result.domains);
+  save(state, "/fields", std::vector<TimedFields<2>>());
+}
+
+}  // namespace breccia
