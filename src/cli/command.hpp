@@ -28,7 +28,7 @@ void add_deck_arguments(CLI::App& command, DeckArguments& arguments);
 struct RunArguments {
   DeckArguments deck;
   std::filesystem::path directory;  ///< empty: results/<deck name>
-  int threads = 0;  ///< number of threads; 0: all cores
+  int threads = 0;                  ///< number of threads; 0: all cores
   bool quiet = false;
   bool resume = false;
   bool overwrite = false;

@@ -22,7 +22,7 @@ struct RunObserver : StudyObserver {
 
 /// How a study is run.
 struct RunOptions {
-  int threads = 0;  ///< number of threads; 0: all cores
+  int threads = 0;                      ///< number of threads; 0: all cores
   bool resume = false;                  ///< go on from the checkpoints of an earlier run
   bool overwrite = false;               ///< replace results of other studies, once the new ones are whole
   CheckpointSchedule checkpoints = {};  ///< when a calculation leaves its state, and when it ends early

@@ -25,7 +25,7 @@ struct StoredResponses {
   StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
-  double side = 0.0;  ///< side of the box [m]
+  double side = 0.0;                          ///< side of the box [m]
   std::string deck_hash;                      ///< of the study; empty for a study without a deck
   double fit_tolerance = 0.0;                 ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]

@@ -9,7 +9,7 @@ namespace breccia {
 
 /// How a study is solved.
 struct SolveOptions {
-  int threads = 0;  ///< number of threads; 0: all cores
+  int threads = 0;             ///< number of threads; 0: all cores
   bool ignore_memory = false;  ///< begin even what will hardly fit into the memory
 };
 
