@@ -62,21 +62,12 @@ fs::path chosen_by_first(const Choose& choose) {
   return answer.substr(1);
 }
 
-/// Checks that the study has a hash, by which its results are distinguished from those of others.
-void require_hash(const Study& study) {
-  if (!study.provenance.hash.empty()) return;
-  throw InputError(
-      "this study has no provenance, so its results could not be distinguished from those of others: read it by "
-      "read_study, give it a provenance with a hash, or use solve, which writes no files");
-}
-
 }  // namespace
 
 ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::function<fs::path()>& choose)
     : study_(study),
       directory_(std::move(directory)),
       place_(chosen_by_first([&] {
-        require_hash(study);
         lock_.emplace(directory_);
         return choose();
       })),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/error.hpp"
+#include "breccia/results/stage_record.hpp"
 
 namespace breccia {
 
@@ -20,6 +20,7 @@ class SharedStages {
  public:
   struct Entry {
     StageResult result = {};
+    StageRecord record = {};
     std::filesystem::path directory = {};  ///< directory of its files
     std::exception_ptr failure = nullptr;  ///< error of a stage without result
   };
@@ -28,26 +29,13 @@ class SharedStages {
   SharedStages() = default;
   /// For the stages that at least two tasks have.
   explicit SharedStages(const Sweep& sweep);
-  /// For the stages of one study whose results are known, without files.
-  SharedStages(const Study& study, const std::vector<StageResult>& results);
+  /// Of the stages of one study whose results the reduced responses of another task gave, without files.
+  SharedStages(const Study& study, const std::vector<StageResult>& results, const std::string& task);
 
   /// The entry of a stage; nullptr if no task has computed it yet.
   [[nodiscard]] const Entry* find(const std::string& hash) const;
-  /// Stores a result for other tasks that have the stage.
+  /// Keeps a result, or the reason why there is none, for other tasks that have the stage.
   void keep(const std::string& hash, Entry entry);
-  /// Computes a stage. If that throws, stores the error for other tasks that have the stage, and rethrows it.
-  template <class Compute>
-  void keep_failure_of(const std::string& hash, const Compute& compute) {
-    try {
-      compute();
-    } catch (const NumericalError&) {
-      keep(hash, {.failure = std::current_exception()});
-      throw;
-    } catch (const InputError&) {
-      keep(hash, {.failure = std::current_exception()});
-      throw;
-    }
-  }
   /// Updates the directories of the files of a task, which have been moved.
   void move_files(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -55,9 +55,8 @@ RunObserver narrate(Progress& progress) {
   observer.packed = [&progress](const Stage& stage, const StageResult& result) {
     progress.print(describe(stage, result));
   };
-  observer.progress = [&progress](const Stage& stage, const std::string& test, double share,
-                                  const std::string& details) {
-    progress.update(fmt::format("{} {}", stage.name, test), share, details);
+  observer.progress = [&progress](const Stage& stage, const TestId& test, double share, const std::string& details) {
+    progress.update(fmt::format("{} {}", stage.name, calculation_of(test)), share, details);
   };
   observer.finished = [&progress](const Stage& stage, const TestResult& test) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
@@ -75,12 +74,11 @@ RunObserver narrate(Progress& progress) {
     progress.print(fmt::format("The earlier results are kept until the new ones, in {}, are complete", place.string()));
   };
   observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
+    progress.print(fmt::format("{}: the same as in {}", stage.name, directory.string()));
+  };
+  observer.answered = [&progress](const StageResult& stage, const std::string& task) {
     progress.print(
-        stage.answered_from.empty()
-            ? fmt::format("{}: the same as in {}", stage.name, directory.string())
-            : fmt::format(
-                  "{}: computed from the reduced responses of task {}, at another temperature, without field maps",
-                  stage.name, stage.answered_from));
+        fmt::format("{}: at another temperature from the responses of task {}, without maps", stage.name, task));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

@@ -8,11 +8,13 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/solve.hpp"
 
+#include "messages.hpp"
 #include "study/two_stages.hpp"
 
 namespace breccia {
 namespace {
 
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
@@ -56,11 +58,45 @@ TEST(ResponsesOf, TestsWithoutAReducedBasisLeaveNone) {
   EXPECT_THAT(responses_of(study, solve(study)), IsEmpty());
 }
 
+/// A single stage under one load and boundary, in a box of some size [m].
+Study small_study(double side) {
+  auto study = test::two_stages();
+  study.stages = {test::four_discs("fine", test::binder, side, 8)};
+  study.tests.boundaries = {Boundary::displacement};
+  return study;
+}
+
+// The stages of both have one name and one grid.
 TEST(ResponsesOf, AResultOfAnotherStudyIsRefused) {
-  const auto study = test::two_stages();
-  StudyResult result;
-  result.stages.emplace_back().name = "elsewhere";
+  auto study = small_study(6e-3);
+  const auto result = solve(study);
+  EXPECT_THAT(responses_of(study, result), SizeIs(1));
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(responses_of(small_study(5e-3), result)); }),
+              HasSubstr("the result is of another study"));
+  study.stages[0].filler->material.density = 1.0;
   EXPECT_THROW(static_cast<void>(responses_of(study, result)), InputError);
+}
+
+TEST(ResponsesOf, AResultOfAnotherStageOrGridIsRefused) {
+  const auto study = small_study(6e-3);
+  auto stage = study.stages[0];
+  StageResult result;
+  result.name = "elsewhere";
+  result.cells = stage.cells;
+  EXPECT_THROW(static_cast<void>(responses_of(study, stage, result)), InputError);
+  result.name = stage.name;
+  result.cells = 2 * stage.cells;
+  EXPECT_THROW(static_cast<void>(responses_of(study, stage, result)), InputError);
+}
+
+TEST(Respond, ResponsesOfTwoStudiesInTheMemoryAreNotMixed) {
+  const auto one = small_study(6e-3);
+  auto other = small_study(5e-3);
+  other.stages[0].name = "coarse";
+  auto responses = responses_of(one, solve(one));
+  responses.push_back(responses_of(other, solve(other)).front());
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(respond(responses, test::binder)); }),
+              HasSubstr("of different studies"));
 }
 
 }  // namespace

@@ -25,20 +25,21 @@ struct StoredResponses {
   StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
-  double side = 0.0;                          ///< side of the box [m]
-  std::string deck_hash;                      ///< of the study; empty for a study without a deck
-  double fit_tolerance = 0.0;                 ///< of the study [-]
+  double side = 0.0;  ///< side of the box [m]
+  std::string deck_hash;                      ///< of the study that left it (provenance_of)
+  double fit_tolerance = 0.0;  ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]
   int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
   std::vector<Entry> entries;
 };
 
-/// The reduced responses of a stage from its result; without entries if none of its tests was computed by the
-/// quasi-static method with the reduced solver.
+/// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
+/// quasi-static method with the reduced solver. Throws InputError where the result has another name or grid.
 StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The reduced responses of all stages of a study that have such tests, in the order of the stages.
+/// The same of all stages of a study that have such tests, in their order. Throws InputError where the result is that
+/// of another study, or of this one before it was changed.
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.

@@ -4,11 +4,12 @@
 #include <functional>
 #include <optional>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
+
+class Checkpoint;
 
 /// The particles of a stage with their statistics.
 struct StageMicrostructure {

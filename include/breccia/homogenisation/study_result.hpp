@@ -27,21 +27,13 @@ struct ExtrapolationRecord {
   std::vector<double> half_bands;  ///< half width of the error band of the modulus at each time [Pa]
 };
 
-/// The files with the fields of a test at one time, by their names in the directory of the stage.
-struct FieldRecord {
-  double time = 0.0;  ///< [s]
-  std::string file;   ///< VTKHDF
-  std::string stress_picture, strain_picture;
-};
-
 /// The result of one virtual test of one stage under one load.
 struct TestResult {
-  TestId id = {};
-  Curve modulus = {};                       ///< relaxation modulus; for a creep test by interconversion
-  Creep compliance = {};                    ///< creep compliance, for a creep test only
-  PronySeries series = {};                  ///< relaxation modulus
-  std::vector<TimedFields<2>> fields = {};  ///< at the material points; empty if they were written to field_files
-  std::vector<FieldRecord> field_files = {};
+  TestId id;
+  Curve modulus = {};  ///< relaxation modulus; for a creep test by interconversion
+  Creep compliance = {};  ///< creep compliance, for a creep test only
+  PronySeries series = {};  ///< relaxation modulus
+  std::vector<TimedFields<2>> fields = {};  ///< of the material points; empty where a sink has taken them
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
@@ -89,16 +81,15 @@ struct StageResult {
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
-  std::vector<Comparison> comparisons;   ///< with all measurements of the stage
-  std::vector<std::string> warnings;     ///< reasons to doubt the results
-  /// The task of a sweep from whose reduced responses these tests were obtained; empty if they were computed.
-  std::string answered_from = {};
+  std::vector<Comparison> comparisons;  ///< with all measurements of the stage
+  std::vector<std::string> warnings;  ///< reasons to doubt the results
 };
 
 /// The results of a study.
 struct StudyResult {
   std::vector<StageResult> stages;
-  std::optional<double> seconds = {};  ///< wall time [s], once everything is computed and written
+  std::optional<double> seconds = {};  ///< wall time, once all stages are done
+  std::string study_hash = {};         ///< of the study that was solved (provenance_of)
 };
 
 }  // namespace breccia

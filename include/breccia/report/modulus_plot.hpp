@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,10 @@ struct ModulusPlot {
 /// are left out. Throws InputError if a curve has not as many moduli as times or if no point is left, and FileError if
 /// gnuplot is missing or fails.
 std::string modulus_plot(const ModulusPlot& plot);
+
+/// Writes such a plot to a file. Where gnuplot cannot draw it, returns why, and no file of that name is left: results
+/// are whole without their plots. Throws InputError as above, and FileError where the file cannot be written.
+std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot);
 
 /// The reason why gnuplot cannot draw, with the package to install; nothing if it can. For callers that leave out their
 /// plots in that case.

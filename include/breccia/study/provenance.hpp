@@ -6,8 +6,9 @@
 
 namespace breccia {
 
-/// The origin of a study: its deck. Result files contain it, so that they can be distinguished from the results of
-/// other studies. For a study that was composed in memory it is empty.
+/// Where a study comes from: the deck that says it. A study that is put together in memory has none. Results on the
+/// disk carry the provenance that the study has when it is run (provenance_of in study/identity.hpp), so that they can
+/// be told from those of other studies.
 struct Provenance {
   std::filesystem::path deck;
   std::string deck_text;
@@ -17,6 +18,7 @@ struct Provenance {
   /// One hash for each stage, of everything that its results depend on: the deck up to this stage without title and
   /// measurements, the data files, and the loads of the stage.
   std::vector<std::string> stage_hashes;
+  std::string content;  ///< content_of the study as the deck gave it: the hashes hold for no other content
 };
 
 }  // namespace breccia

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "breccia/study/test_id.hpp"
+
+namespace breccia {
+
+/// The files with the fields of a test at one time, by their names in the directory of the stage.
+struct FieldRecord {
+  double time = 0.0;  ///< [s]
+  std::string file;   ///< VTKHDF
+  std::string stress_picture, strain_picture;
+};
+
+/// The files of all fields of a test.
+struct TestFields {
+  TestId test;
+  std::vector<FieldRecord> files;
+};
+
+/// What a directory tells of a stage beside its result.
+struct StageRecord {
+  std::vector<TestFields> fields = {};
+  /// The task of a sweep from whose reduced responses these tests were obtained; empty if they were computed.
+  std::string answered_from = {};
+
+  /// The files of the fields of a test; none where it has left none.
+  [[nodiscard]] std::vector<FieldRecord> fields_of(const TestId& test) const;
+};
+
+/// By the names of the stages.
+using StageRecords = std::map<std::string, StageRecord>;
+
+}  // namespace breccia
