@@ -3,6 +3,7 @@
 
 #include "breccia/campaign/resume.hpp"
 #include "breccia/results/sweep_result.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"
@@ -17,6 +18,7 @@ void read_json(const fuzz::InputFolder& folder, std::string_view text) {
   folder.write("sweep.json", text);
   Study study;
   study.provenance.hash = "0123456789abcdef";
+  study.provenance.content = content_of(study);
   fuzz::allow_refusal([&] { static_cast<void>(take_over_complete_run(study, folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(study_page_data(folder.path())); });
   fuzz::allow_refusal([&] { static_cast<void>(sweep_page_data(folder.path())); });

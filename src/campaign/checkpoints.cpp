@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/identity.hpp"
 
 namespace breccia {
 
@@ -12,24 +13,21 @@ Checkpoints::Checkpoints(const Study& study, const std::filesystem::path& direct
                          const RunObserver& observer)
     : study_(&study), directory_(&directory), options_(&options), observer_(&observer) {}
 
-Checkpoint Checkpoints::of_packing(const Stage& stage) const {
+std::unique_ptr<Checkpoint> Checkpoints::of_packing(const Stage& stage) const {
   return open(stage, "packing");
 }
 
-Checkpoint Checkpoints::of_quasistatic(const Stage& stage, Boundary boundary, TestGrid grid) const {
-  return open(stage, fmt::format("{}-{}-{}", name_of(boundary), name_of(Method::quasistatic), name_of(grid)));
+std::unique_ptr<Checkpoint> Checkpoints::of_test(const Stage& stage, const TestId& test) const {
+  const auto name = fmt::format("{}-{}-{}", name_of(test.boundary), name_of(test.method), name_of(test.grid));
+  return open(stage, test.method == Method::quasistatic ? name : fmt::format("{}-{}", name_of(test.load), name));
 }
 
-Checkpoint Checkpoints::of_dynamic(const Stage& stage, const TestId& test) const {
-  return open(stage, fmt::format("{}-{}-{}-{}", name_of(test.load), name_of(test.boundary), name_of(test.method),
-                                 name_of(test.grid)));
-}
-
-Checkpoint Checkpoints::open(const Stage& stage, const std::string& name) const {
-  Checkpoint checkpoint(*directory_ / stage.name / (name + ".checkpoint.h5"),
-                        {study_->provenance.hash, BRECCIA_VERSION}, options_->checkpoints);
+std::unique_ptr<Checkpoint> Checkpoints::open(const Stage& stage, const std::string& name) const {
+  const StateOwner owner = {provenance_of(*study_).hash, BRECCIA_VERSION};
+  auto checkpoint =
+      std::make_unique<Checkpoint>(*directory_ / stage.name / (name + ".checkpoint.h5"), owner, options_->checkpoints);
   if (!options_->resume) return checkpoint;
-  for (const auto& problem : checkpoint.look_for_earlier()) {
+  for (const auto& problem : checkpoint->look_for_earlier()) {
     if (observer_->noted) observer_->noted(problem);
   }
   return checkpoint;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,12 @@ class Checkpoints {
   Checkpoints(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
               const RunObserver& observer);
 
-  [[nodiscard]] Checkpoint of_packing(const Stage& stage) const;
-  [[nodiscard]] Checkpoint of_quasistatic(const Stage& stage, Boundary boundary, TestGrid grid) const;
-  [[nodiscard]] Checkpoint of_dynamic(const Stage& stage, const TestId& test) const;
+  [[nodiscard]] std::unique_ptr<Checkpoint> of_packing(const Stage& stage) const;
+  /// Of a quasi-static test one for all loads.
+  [[nodiscard]] std::unique_ptr<Checkpoint> of_test(const Stage& stage, const TestId& test) const;
 
  private:
-  [[nodiscard]] Checkpoint open(const Stage& stage, const std::string& name) const;
+  [[nodiscard]] std::unique_ptr<Checkpoint> open(const Stage& stage, const std::string& name) const;
 
   const Study* study_;
   const std::filesystem::path* directory_;

@@ -1,42 +1,62 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
+#include <list>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "breccia/campaign/run.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
+#include "breccia/results/stage_record.hpp"
 
 #include "checkpoints.hpp"
+#include "remove_if_empty.hpp"
+#include "shared_stages.hpp"
 
 namespace breccia {
 
-/// Writes the results of a study to a directory as they are found, by the first of several processes.
+/// Writes the results of a study to a directory as they are found, by the first of several processes. Stages that are
+/// shared with other studies are taken over from them, or left for them.
 class DirectorySink final : public StudySink {
  public:
   /// All must live as long as this.
-  DirectorySink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints)
-      : study_(study), directory_(directory), checkpoints_(checkpoints) {}
+  DirectorySink(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
+                const RunObserver& observer, SharedStages& shared);
 
-  std::optional<Checkpoint> packing_checkpoint(const Stage& stage) override;
-  std::optional<Checkpoint> quasistatic_checkpoint(const Stage& stage, Boundary boundary, TestGrid grid) override;
-  std::optional<Checkpoint> dynamic_checkpoint(const Stage& stage, const TestId& test) override;
+  std::optional<StageResult> known_stage(const Stage& stage) override;
+  void stage_adopted(const Stage& stage, const StudyResult& result) override;
+  std::unique_ptr<Checkpoint> packing_checkpoint(const Stage& stage) override;
+  std::unique_ptr<Checkpoint> test_checkpoint(const Stage& stage, const TestId& test) override;
   void packed(const Stage& stage, const StudyResult& result) override;
   void domain_finished(const Stage& stage, const TestId& test, std::size_t number, const TimeDomain& domain) override;
-  std::optional<std::vector<FieldRecord>> fields(const Stage& stage, const TestId& test,
-                                                 const Discretisation<2>& discretisation,
-                                                 const std::vector<TimedFields<2>>& fields) override;
+  bool take_fields(const Stage& stage, const TestId& test, const Discretisation<2>& discretisation,
+                   const std::vector<TimedFields<2>>& fields) override;
+  void fields_taken_before(const Stage& stage, const TestId& test, const std::vector<double>& times) override;
   void tested(const Stage& stage, const StudyResult& result) override;
   void all_loads_tested(const Stage& stage, const StudyResult& result) override;
   void stage_finished(const Stage& stage, const StudyResult& result) override;
+  void finished(const StudyResult& result) override;
 
-  /// Writes the last stage of a result, which another task of a sweep has computed and whose files are in another
-  /// directory.
-  void take_over(const Stage& stage, const std::filesystem::path& files, const StudyResult& result);
+  /// Leaves the reason why the present stage could not be computed for others that have it.
+  void keep_failure(const std::exception_ptr& failure);
 
  private:
+  [[nodiscard]] std::string hash_of(const Stage& stage) const;
+  void write_record(const StudyResult& result) const;
+  void write_finished_stage(const Stage& stage, const StudyResult& result) const;
+
   const Study& study_;
   const std::filesystem::path& directory_;
-  const Checkpoints& checkpoints_;
+  const RunObserver& observer_;
+  SharedStages& shared_;
+  Checkpoints checkpoints_;
+  std::vector<std::string> stage_hashes_;  ///< empty for a study that is not as a deck gives it
+  std::string present_hash_;               ///< of the stage that is being computed
+  StageRecords records_;
+  std::list<RemoveIfEmpty> kept_if_not_empty_;  ///< the directories of the stages
 };
 
 }  // namespace breccia

@@ -2,16 +2,47 @@
 
 #include "breccia/campaign/resume.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
+#include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
 #include "checkpoints.hpp"
-#include "directory_sink.hpp"
 #include "first_process.hpp"
 #include "result_directory.hpp"
 #include "result_place.hpp"
 
 namespace breccia {
+namespace {
+
+/// Writes packings to a directory, and the record of a study that has no tests there yet.
+class PackingSink final : public StudySink {
+ public:
+  /// All must live as long as this.
+  PackingSink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints)
+      : study_(study), directory_(directory), checkpoints_(checkpoints), has_tests_(holds_tests(directory)) {}
+
+  std::unique_ptr<Checkpoint> packing_checkpoint(const Stage& stage) override {
+    write_once([&] { make_directory(directory_ / stage.name); });
+    return checkpoints_.of_packing(stage);
+  }
+
+  void packed(const Stage& stage, const StudyResult& result) override {
+    write_once([&] {
+      write_microstructure(directory_ / stage.name, stage, result.stages.back().microstructure);
+      if (!has_tests_) write_provenance(directory_, study_, result);
+    });
+  }
+
+ private:
+  const Study& study_;
+  const std::filesystem::path& directory_;
+  const Checkpoints& checkpoints_;
+  bool has_tests_;
+};
+
+}  // namespace
 
 StudyResult pack_study(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                        const RunObserver& observer) {
@@ -19,16 +50,15 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
   const ResultPlace results(study, directory, [&] { return directory_to_pack_in(study, directory, options); });
   const auto& place = results.place();
   // A run has written more than packings already, and is to go on.
-  const bool has_tests = holds_tests(place);
   auto how = options;
-  how.resume = options.resume || has_tests;
+  how.resume = options.resume || holds_tests(place);
   const Checkpoints checkpoints(study, place, how, observer);
-  DirectorySink sink(study, place, checkpoints);
+  PackingSink sink(study, place, checkpoints);
   StudyResult result;
+  result.study_hash = provenance_of(study).hash;
   for (const auto& stage : study.stages) {
     const RemoveIfEmpty kept_stage(place / stage.name);
     pack_stage(study, stage, observer, sink, result);
-    if (!has_tests) write_once([&] { write_provenance(place, study, result); });
   }
   results.commit();
   return result;

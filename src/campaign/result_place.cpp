@@ -48,21 +48,12 @@ void require_names_of_directories(const Study& study) {
   }
 }
 
-/// A study without a hash could not be told from others.
-void require_hash(const Study& study) {
-  if (!study.provenance.hash.empty()) return;
-  throw InputError(
-      "this study does not come from a deck, so that its results could not be told from those of others: read it by "
-      "read_study, give it a provenance with a hash, or solve it in the memory");
-}
-
 }  // namespace
 
 ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::function<fs::path()>& choose)
     : study_(study),
       directory_(std::move(directory)),
       place_(chosen_by_first([&] {
-        require_hash(study);
         require_names_of_directories(study);
         lock_.emplace(directory_);
         return choose();

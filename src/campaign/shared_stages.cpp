@@ -12,9 +12,10 @@ SharedStages::SharedStages(const Sweep& sweep) {
   }
 }
 
-SharedStages::SharedStages(const Study& study, const std::vector<StageResult>& results) {
-  for (std::size_t i = 0; i < results.size(); ++i)
-    entries_[study.provenance.stage_hashes.at(i)] = {.result = results[i]};
+SharedStages::SharedStages(const Study& study, const std::vector<StageResult>& results, const std::string& task) {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    entries_[study.provenance.stage_hashes.at(i)] = {.result = results[i], .record = {.answered_from = task}};
+  }
 }
 
 const SharedStages::Entry* SharedStages::find(const std::string& hash) const {

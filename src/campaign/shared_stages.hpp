@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/error.hpp"
+#include "breccia/results/stage_record.hpp"
 
 namespace breccia {
 
@@ -20,6 +20,7 @@ class SharedStages {
  public:
   struct Entry {
     StageResult result = {};
+    StageRecord record = {};
     std::filesystem::path directory = {};  ///< where its files are
     std::exception_ptr failure = nullptr;  ///< why there is no result
   };
@@ -28,26 +29,13 @@ class SharedStages {
   SharedStages() = default;
   /// Of the stages that at least two tasks have.
   explicit SharedStages(const Sweep& sweep);
-  /// Of the stages of one study whose results are known, without files.
-  SharedStages(const Study& study, const std::vector<StageResult>& results);
+  /// Of the stages of one study whose results the reduced responses of another task gave, without files.
+  SharedStages(const Study& study, const std::vector<StageResult>& results, const std::string& task);
 
   /// What became of a stage; nullptr while no task has come to it.
   [[nodiscard]] const Entry* find(const std::string& hash) const;
-  /// Keeps a result for other tasks that have the stage.
+  /// Keeps a result, or the reason why there is none, for other tasks that have the stage.
   void keep(const std::string& hash, Entry entry);
-  /// Computes a stage. Where it cannot be computed, keeps the reason for other tasks that have it, and throws it.
-  template <class Compute>
-  void keep_failure_of(const std::string& hash, const Compute& compute) {
-    try {
-      compute();
-    } catch (const NumericalError&) {
-      keep(hash, {.failure = std::current_exception()});
-      throw;
-    } catch (const InputError&) {
-      keep(hash, {.failure = std::current_exception()});
-      throw;
-    }
-  }
   /// The files of a task have been moved from one directory to another.
   void move_files(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -43,7 +43,7 @@ class SweepRun {
     refuse_objections(sweep_, directory_, options_);
     options_of_ = options_of_tasks(sweep_, directory_, options_);
     find_complete_tasks();
-    if (!options_.ignore_memory && parallel::is_alone()) refuse_too_large();
+    if (!options_.solve.ignore_memory && parallel::is_alone()) refuse_too_large();
     make_way();
     if (options_.resume) write();
     // What may be replaced must be known to whoever resumes a sweep that was cut off in its first task.
@@ -139,28 +139,28 @@ class SweepRun {
     }
   }
 
-  /// The stages of a task that differs from an earlier one in temperatures alone, as its reduced responses give them.
-  /// Nothing where there is no such task, where the responses cannot be read or do not cover the materials: then the
-  /// task runs by itself. Several processes run all tasks, since files that one has moved others may not see yet.
-  [[nodiscard]] std::vector<StageResult> answered(std::size_t task) const {
+  /// The stages of a task that differs from an earlier one in temperatures alone, as the reduced responses of that one
+  /// give them. Nothing where there is no such task, where the responses cannot be read or do not cover the materials:
+  /// then the task runs by itself. Several processes run all tasks, since files that one has moved others may not see
+  /// yet.
+  [[nodiscard]] std::optional<SharedStages> answered(std::size_t task) const {
     const auto earlier = task_that_answers(sweep_, task);
-    if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return {};
+    if (!earlier || !parallel::is_alone() || result_[*earlier].state != TaskState::done) return std::nullopt;
     try {
-      return answered_stages(sweep_.tasks[task].study, directory_of(*earlier));
+      const auto& study = sweep_.tasks[task].study;
+      return SharedStages(study, answered_stages(study, directory_of(*earlier)), sweep_.tasks[*earlier].name);
     } catch (const InputError&) {
-      return {};
+      return std::nullopt;
     } catch (const FileError&) {
-      return {};
+      return std::nullopt;
     }
   }
 
   void run(std::size_t task) {
     try {
-      const auto& study = sweep_.tasks[task].study;
-      const auto answers = answered(task);
-      SharedStages own(study, answers);
-      const auto done =
-          run_study(study, directory_of(task), options_of_[task], observer_.study, answers.empty() ? shared_ : own);
+      auto answers = answered(task);
+      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_of_[task], observer_.study,
+                                  answers ? *answers : shared_);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
       fail(task, error);
@@ -181,8 +181,14 @@ class SweepRun {
     if (parallel::groups() > 1) look_at_others();
     write_sweep_tables(directory_, sweep_, result_);
     write_record();
-    write_sweep_plot(directory_, sweep_, result_);
+    note_of_plot(write_sweep_plot(directory_, sweep_, result_));
     write_sweep_report(directory_, result_);
+  }
+
+  /// The plot is written after each task; what is wrong with it is told once.
+  void note_of_plot(const std::optional<std::string>& note) {
+    if (note && note != last_note_ && observer_.study.noted) observer_.study.noted(*note);
+    last_note_ = note;
   }
 
   void write_record() const {
@@ -198,6 +204,7 @@ class SweepRun {
   SharedStages shared_;
   std::vector<RunOptions> options_of_;  ///< by task
   SweepResult result_;
+  std::optional<std::string> last_note_;  ///< why the plot is left out
 };
 
 }  // namespace

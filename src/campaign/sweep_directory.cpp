@@ -15,6 +15,7 @@
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
 #include "breccia/results/study_record.hpp"
+#include "breccia/study/identity.hpp"
 #include "breccia/study/result_names.hpp"
 
 #include "result_directory.hpp"
@@ -87,6 +88,20 @@ std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, c
       directory.string());
 }
 
+/// A line for each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
+std::vector<std::string> objections_to_changed_tasks(const Sweep& sweep) {
+  std::vector<std::string> objections;
+  for (const auto& task : sweep.tasks) {
+    const auto& provenance = task.study.provenance;
+    if (provenance.content == content_of(task.study)) continue;
+    objections.push_back(
+        fmt::format("{}: this study of a sweep was changed after its deck was read; sweep a key of the deck, or run "
+                    "the study alone",
+                    task.name.empty() ? task.study.title : task.name));
+  }
+  return objections;
+}
+
 }  // namespace
 
 std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
@@ -111,7 +126,7 @@ std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs
 }
 
 void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
-  std::vector<std::string> objections;
+  auto objections = objections_to_changed_tasks(sweep);
   if (!sweep.keys.empty()) objections.push_back(objection_to_tables(sweep, directory, options));
   const auto options_of = options_of_tasks(sweep, directory, options);
   for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {

@@ -52,7 +52,6 @@ std::vector<StageResult> answered_stages(const Study& study, const std::filesyst
     auto& result = results.emplace_back(packed_stage(study, stage, make_microstructure(stage)));
     result.tests = std::move(answer.tests);
     result.materials = std::move(answer.materials);
-    result.answered_from = directory.filename().string();
   }
   return results;
 }

@@ -84,7 +84,7 @@ std::filesystem::path RunArguments::results() const {
 
 RunOptions RunArguments::options() const {
   RunOptions options = {
-      .threads = threads, .resume = resume, .overwrite = overwrite, .checkpoints = {}, .ignore_memory = ignore_memory};
+      .solve = {.threads = threads, .ignore_memory = ignore_memory}, .resume = resume, .overwrite = overwrite};
   options.checkpoints.interval = seconds_of("--checkpoint-interval", checkpoint_interval);
   options.checkpoints.stop = interruption_requested;
   if (!time_limit.empty()) {

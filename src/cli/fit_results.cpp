@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 
 #include <fmt/format.h>
@@ -215,8 +216,11 @@ class Writer {
   }
   void picture(const std::string& name, const ModulusPlot& plot) {
     if (why_no_plots()) return;
-    write_text(results_.place() / name, modulus_plot(plot));
-    names_.push_back(name);
+    if (const auto reason = write_modulus_plot(results_.place() / name, plot)) {
+      fmt::print(stderr, "warning: {} is left out: {}\n", name, *reason);
+    } else {
+      names_.push_back(name);
+    }
   }
   /// Puts the files into the directory and returns their names.
   std::vector<std::string> commit() {

@@ -54,19 +54,19 @@ RunObserver narrate(Progress& progress) {
   observer.packed = [&progress](const Stage& stage, const StageResult& result) {
     progress.print(describe(stage, result));
   };
-  observer.progress = [&progress](const Stage& stage, const std::string& test, double share,
-                                  const std::string& details) {
-    progress.update(fmt::format("{} {}", stage.name, test), share, details);
+  observer.progress = [&progress](const Stage& stage, const TestId& test, double share, const std::string& details) {
+    progress.update(fmt::format("{} {}", stage.name, calculation_of(test)), share, details);
   };
   observer.finished = [&progress](const Stage& stage, const TestResult& test) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
   };
-  observer.domain_finished = [&progress](const Stage& stage, Boundary boundary, Load load, const TimeDomain& domain) {
-    const auto points = 4 * static_cast<std::size_t>(stage.cells) * static_cast<std::size_t>(stage.cells);
+  observer.domain_finished = [&progress](const Stage& stage, const TestId& test, const TimeDomain& domain) {
+    const auto cells = static_cast<std::size_t>(test.grid.cells().value());
+    const auto points = 4 * cells * cells;
     progress.print(
         fmt::format("{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
                     "points x steps/s",
-                    stage.name, name_of(load), bound_of(boundary), domain.density_factor, domain.window.begin,
+                    stage.name, name_of(test.load), bound_of(test.boundary), domain.density_factor, domain.window.begin,
                     domain.window.end, domain.steps, display_count(static_cast<std::size_t>(domain.terms), "term"),
                     domain.seconds, domain.point_steps_per_second(points) / 1e6));
   };
@@ -74,10 +74,11 @@ RunObserver narrate(Progress& progress) {
     progress.print(fmt::format("The earlier results stay until the new ones, in {}, are whole", place.string()));
   };
   observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
-    progress.print(stage.answered_from.empty()
-                       ? fmt::format("{}: the same as in {}", stage.name, directory.string())
-                       : fmt::format("{}: at another temperature from the responses of task {}, without maps",
-                                     stage.name, stage.answered_from));
+    progress.print(fmt::format("{}: the same as in {}", stage.name, directory.string()));
+  };
+  observer.answered = [&progress](const StageResult& stage, const std::string& task) {
+    progress.print(
+        fmt::format("{}: at another temperature from the responses of task {}, without maps", stage.name, task));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

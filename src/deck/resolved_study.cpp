@@ -7,6 +7,7 @@
 #include "breccia/io/deck.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "contradictions.hpp"
 #include "materials.hpp"
@@ -65,6 +66,7 @@ void add_hashes(const Deck& document, const std::vector<std::string>& overrides,
   study.provenance.overrides = overrides;
   study.provenance.hash = content_hash(document.content_without("sweep") + file_hashes_of(document));
   study.provenance.stage_hashes = stage_hashes_of(document, study);
+  study.provenance.content = content_of(study);
 }
 
 }  // namespace breccia

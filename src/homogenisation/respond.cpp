@@ -11,6 +11,7 @@
 #include "breccia/homogenisation/stage_warnings.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/identity.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "coverage_refusal.hpp"
@@ -165,13 +166,17 @@ std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stor
 }  // namespace
 
 StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result) {
+  if (result.name != stage.name || result.cells != stage.cells) {
+    throw InputError(fmt::format("a result of stage {} with {} cells is none of stage {} with {} cells", result.name,
+                                 result.cells, stage.name, stage.cells));
+  }
   const auto& tests = study.tests;
   StoredResponses responses = {.stage = stage.name,
                                .matrix = stage.matrix,
                                .filler_density = stage.filler ? stage.filler->material.density : 0.0,
                                .filler_fraction = result.microstructure.fraction,
                                .side = stage.side,
-                               .deck_hash = study.provenance.hash,
+                               .deck_hash = provenance_of(study).hash,
                                .fit_tolerance = tests.fit_tolerance,
                                .times = {tests.first_time, tests.last_time},
                                .points_per_decade = tests.points_per_decade,
@@ -187,6 +192,13 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
 }
 
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result) {
+  const auto hash = provenance_of(study).hash;
+  if (result.study_hash != hash) {
+    throw InputError(
+        fmt::format("the result is of another study (hash {}) than this one (hash {}), or of this one before "
+                    "it was changed",
+                    result.study_hash, hash));
+  }
   std::vector<StoredResponses> responses;
   for (const auto& done : result.stages) {
     const auto stage = std::ranges::find(study.stages, done.name, &Stage::name);

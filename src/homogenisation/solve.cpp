@@ -1,13 +1,38 @@
 #include "breccia/homogenisation/solve.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/parallel/session.hpp"
+#include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
+#include "comparison.hpp"
+
 namespace breccia {
+namespace {
+
+/// Adds a stage to the result: the one that the sink knows, or else computed.
+void solve_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
+                 StudyResult& result) {
+  if (auto known = sink.known_stage(stage)) {
+    known->comparisons = compare(study, stage, known->tests);
+    result.stages.push_back(std::move(*known));
+    sink.stage_adopted(stage, result);
+    return;
+  }
+  pack_stage(study, stage, observer, sink, result);
+  test_stage(study, stage, threads, observer, sink, result);
+}
+
+}  // namespace
+
+void require_solvable(const Study& study, const SolveOptions& options) {
+  require_sound(study);
+  if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
+}
 
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer) {
   StudySink nothing_is_kept;
@@ -16,14 +41,12 @@ StudyResult solve(const Study& study, const SolveOptions& options, const StudyOb
 
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink) {
   const auto begin = std::chrono::steady_clock::now();
-  require_sound(study);
-  if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
+  require_solvable(study, options);
   StudyResult result;
-  for (const auto& stage : study.stages) {
-    pack_stage(study, stage, observer, sink, result);
-    test_stage(study, stage, options.threads, observer, sink, result);
-  }
+  result.study_hash = provenance_of(study).hash;
+  for (const auto& stage : study.stages) solve_stage(study, stage, options.threads, observer, sink, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  sink.finished(result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/packed_stage.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
@@ -77,11 +78,11 @@ class StageSolution {
 
 void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
                 StudyResult& result) {
-  auto checkpoint = sink.packing_checkpoint(stage);
+  const auto checkpoint = sink.packing_checkpoint(stage);
   const auto follow = [&](const PackingProgress& progress) {
     if (observer.packing) observer.packing(stage, progress);
   };
-  auto microstructure = make_microstructure(stage, follow, checkpoint ? &*checkpoint : nullptr);
+  auto microstructure = make_microstructure(stage, follow, checkpoint.get());
   result.stages.push_back(packed_stage(study, stage, std::move(microstructure)));
   sink.packed(stage, result);
   if (observer.packed) observer.packed(stage, result.stages.back());
@@ -94,11 +95,6 @@ void test_stage(const Study& study, const Stage& stage, int threads, const Study
         fmt::format("stage {} is not the last one of the result, so that it cannot be tested", stage.name));
   }
   StageSolution(study, stage, observer, sink, result).run(threads);
-}
-
-void adopt_stage(const Study& study, const Stage& stage, StageResult computed, StudyResult& result) {
-  computed.comparisons = compare(study, stage, computed.tests);
-  result.stages.push_back(std::move(computed));
 }
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"

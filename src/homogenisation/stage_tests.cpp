@@ -1,16 +1,17 @@
 #include "stage_tests.hpp"
 
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/study/chain.hpp"
 #include "breccia/virtual_test/dynamic_test_state.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 
-#include "field_records_state.hpp"
+#include "field_times_state.hpp"
 #include "named_errors.hpp"
 
 namespace breccia {
@@ -20,28 +21,25 @@ TestGrid grid_of(const StageGrid& grid) {
   return TestGrid(grid.discretisation.grid().columns());
 }
 
-Checkpoint* pointer_to(std::optional<Checkpoint>& checkpoint) {
-  return checkpoint ? &*checkpoint : nullptr;
-}
-
-/// Gives the fields of a test, which are large, to the sink, and leaves the state of the finished test. A test that an
-/// earlier run had finished has written its fields already.
+/// Gives the fields of a test, which are large, to the sink, and leaves the state of the finished test. The sink of an
+/// earlier run that had finished the test has taken its fields already.
 template <class Result>
-void hand_over_fields(const StageGrid& grid, Result& found, std::optional<Checkpoint>& checkpoint, StudySink& sink,
+void hand_over_fields(const StageGrid& grid, Result& found, Checkpoint* checkpoint, StudySink& sink,
                       TestResult& result) {
-  if (checkpoint && checkpoint->is_finished()) {
-    result.field_files = read_field_records(*checkpoint->earlier());
+  if (checkpoint != nullptr && checkpoint->is_finished()) {
+    sink.fields_taken_before(*grid.stage, result.id, read_field_times(*checkpoint->earlier()));
     return;
   }
   result.fields = std::exchange(found.fields, {});
-  if (auto files = sink.fields(*grid.stage, result.id, grid.discretisation, result.fields)) {
-    result.field_files = std::move(*files);
+  std::vector<double> times_taken;
+  if (sink.take_fields(*grid.stage, result.id, grid.discretisation, result.fields)) {
+    for (const auto& [time, fields] : result.fields) times_taken.push_back(time);
     result.fields.clear();
   }
-  if (!checkpoint) return;
+  if (checkpoint == nullptr) return;
   checkpoint->finish([&](StateWriter& state) {
     save_result(state, found);
-    save(state, result.field_files);
+    save_field_times(state, times_taken);
   });
 }
 
@@ -60,25 +58,25 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
                                         std::vector<Moduli> matrix_moduli, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink) {
   const auto& stage = *grid.stage;
-  const auto name = fmt::format("{}, {} cells, quasi-static", bound_of(boundary), name_of(grid_of(grid)));
-  auto checkpoint = sink.quasistatic_checkpoint(stage, boundary, grid_of(grid));
+  const TestId first{loads_of(*grid.study, stage).front(), boundary, Method::quasistatic, grid_of(grid)};
+  const auto checkpoint = sink.test_checkpoint(stage, first);
   auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
   test.matrix_moduli = std::move(matrix_moduli);
-  auto found = name_errors(fmt::format("{} {}", stage.name, name), [&] {
+  auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(first)), [&] {
     // The first elastic solution may take long.
-    if (observer.progress) observer.progress(stage, name, 0.0, "begun");
+    if (observer.progress) observer.progress(stage, first, 0.0, "begun");
     return run_quasistatic_test(
         test,
         [&](const std::string& details, double share) {
-          if (observer.progress) observer.progress(stage, name, share, details);
+          if (observer.progress) observer.progress(stage, first, share, details);
         },
-        pointer_to(checkpoint));
+        checkpoint.get());
   });
   std::vector<TestResult> results;
   for (const auto& response : found.responses) {
     results.push_back({.id = {response.load, boundary, Method::quasistatic, grid_of(grid)}});
   }
-  hand_over_fields(grid, found, checkpoint, sink, results.front());
+  hand_over_fields(grid, found, checkpoint.get(), sink, results.front());
   for (std::size_t i = 0; i < results.size(); ++i) {
     auto& response = found.responses[i];
     results[i].modulus = std::exchange(response.modulus, {});
@@ -93,25 +91,23 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
                        const StudyObserver& observer, StudySink& sink) {
   const auto& stage = *grid.stage;
   TestResult result{.id = {load, boundary, Method::dynamic, grid_of(grid)}};
-  const auto name =
-      fmt::format("{}, {}, {} cells, dynamic", name_of(load), bound_of(boundary), name_of(result.id.grid));
   std::size_t number = 0;
   DynamicObserver follow;
   follow.progress = [&](const DynamicProgress& progress) {
     if (!observer.progress) return;
-    observer.progress(stage, name, progress.share,
+    observer.progress(stage, result.id, progress.share,
                       fmt::format("time domain {} at {:.3g} s, {:.0f} million points x steps/s", progress.domain + 1,
                                   progress.time, progress.point_steps_per_second / 1e6));
   };
   follow.finished = [&](const TimeDomain& domain) {
     sink.domain_finished(stage, result.id, ++number, domain);
-    if (observer.domain_finished) observer.domain_finished(stage, boundary, load, domain);
+    if (observer.domain_finished) observer.domain_finished(stage, result.id, domain);
   };
   const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
-  auto checkpoint = sink.dynamic_checkpoint(stage, result.id);
-  auto found = name_errors(fmt::format("{} {}", stage.name, name),
-                           [&] { return run_dynamic_test(test, follow, pointer_to(checkpoint)); });
-  hand_over_fields(grid, found, checkpoint, sink, result);
+  const auto checkpoint = sink.test_checkpoint(stage, result.id);
+  auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
+                           [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+  hand_over_fields(grid, found, checkpoint.get(), sink, result);
   result.modulus = std::exchange(found.curve, {});
   result.compliance = std::exchange(found.compliance, {});
   result.series = fitted(result.modulus);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 
 #include "child_process.hpp"
 #include "log_axis.hpp"
@@ -47,7 +48,7 @@ std::vector<Point> visible_points(const PlotCurve& curve, double unit) {
 /// A text as a string of gnuplot's language. Every sign with which a label could leave its quotes or start a command
 /// is given by its octal code, and so is every digit, which gnuplot would take as part of a code before it.
 /// What is no text, such as the end of a line, becomes a space.
-std::string quoted(std::string_view text) {
+std::string gnuplot_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
@@ -72,8 +73,9 @@ std::string axes(const ModulusPlot& plot, const LogAxis& time, const LogAxis& mo
       "set xrange [{:.17g}:{:.17g}]\nset yrange [{:.17g}:{:.17g}]\n"
       "set xtics ({})\nset ytics ({})\n"
       "set xlabel {} noenhanced offset 0,0.5\nset ylabel {} noenhanced\nset title {} noenhanced\n",
-      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus), quoted(plot.abscissa),
-      quoted(fmt::format("{} / {}", plot.quantity, plot.unit)), quoted(plot.title));
+      time.begin, time.end, modulus.begin, modulus.end, tick_list(time), tick_list(modulus),
+      gnuplot_text(plot.abscissa), gnuplot_text(fmt::format("{} / {}", plot.quantity, plot.unit)),
+      gnuplot_text(plot.title));
 }
 
 /// Where a label centred between two times goes, as a share of the width of the graph: it must not leave the graph.
@@ -96,7 +98,7 @@ std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
         "set object rectangle from first {0:.17g}, graph 0 to first {1:.17g}, graph 1 behind "
         "fillcolor rgb '{2}' fillstyle transparent solid 0.12 noborder\n"
         "set label {3} at graph {4:.17g}, graph {5} center noenhanced textcolor rgb '#606060' font ',11'\n",
-        begin, end, is_even ? "#4477aa" : "#998866", quoted(windows[i].label),
+        begin, end, is_even ? "#4477aa" : "#998866", gnuplot_text(windows[i].label),
         label_position(windows[i], begin, end, time), is_even ? 0.96 : 0.92);
   }
   return script;
@@ -137,7 +139,7 @@ std::string curves(const std::vector<PlotCurve>& curves, const std::vector<std::
     }
     data += "END\n";
     command += fmt::format("{} $curve{} using 1:2 {} title {}", command.empty() ? "plot" : ",", i,
-                           drawing(curves[i], i), quoted(curves[i].label));
+                           drawing(curves[i], i), gnuplot_text(curves[i].label));
   }
   return data + command + "\n";
 }
@@ -168,12 +170,19 @@ std::string gnuplot_script(const ModulusPlot& plot) {
          axes(plot, time, modulus) + bands(plot.windows, time) + curves(plot.curves, points);
 }
 
+/// What a program has said, as one line.
+std::string in_one_line(std::string text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())) != 0) text.pop_back();
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
 ProcessResult run_gnuplot(const std::string& script) {
   const std::string remedy = "plots need gnuplot (Debian: apt-get install gnuplot-nox)";
   try {
     auto result = run_program({"gnuplot", "--default-settings"}, script);
     if (result.exit_status == 0) return result;
-    throw FileError(fmt::format("gnuplot failed with status {}: {}", result.exit_status, result.errors));
+    throw FileError(fmt::format("gnuplot failed with status {}: {}", result.exit_status, in_one_line(result.errors)));
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}; {}", error.what(), remedy));
   }
@@ -183,6 +192,18 @@ ProcessResult run_gnuplot(const std::string& script) {
 
 std::string modulus_plot(const ModulusPlot& plot) {
   return run_gnuplot(gnuplot_script(plot)).output;
+}
+
+std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot) {
+  std::string picture;
+  try {
+    picture = modulus_plot(plot);
+  } catch (const FileError& error) {
+    remove_files(file.parent_path(), std::vector{file.filename().string()});
+    return error.what();
+  }
+  write_text(file, picture);
+  return std::nullopt;
 }
 
 std::optional<std::string> why_no_plots() {

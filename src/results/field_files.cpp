@@ -82,20 +82,30 @@ FieldPicture strain_map(const PointFields<2>& fields, Load load) {
 
 }  // namespace
 
+std::vector<FieldRecord> field_records(const Study& study, const TestId& test, const std::vector<double>& times) {
+  const auto& tests = study.tests;
+  const bool is_first = test.boundary == tests.boundaries.front() && test.method == tests.methods.front();
+  const auto name = is_first ? "fields" : fmt::format("fields-{}-{}", name_of(test.boundary), name_of(test.method));
+  std::vector<FieldRecord> records;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const auto numbered = i + 1 == times.size() ? name : fmt::format("{}-{}", name, i + 1);
+    records.push_back({times[i], numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"});
+  }
+  return records;
+}
+
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const Discretisation<2>& discretisation,
                                       const std::vector<TimedFields<2>>& fields) {
-  const auto& tests = study.tests;
   const auto& [load, boundary, method, grid] = test;
-  const bool is_first = boundary == tests.boundaries.front() && method == tests.methods.front();
-  const auto name = is_first ? "fields" : fmt::format("fields-{}-{}", name_of(boundary), name_of(method));
   const auto title =
       fmt::format("{}, {}, {}", stage.name, bound_of(boundary), method == Method::dynamic ? "dynamic" : "quasi-static");
-  std::vector<FieldRecord> records;
+  std::vector<double> times;
+  for (const auto& [time, points] : fields) times.push_back(time);
+  auto records = field_records(study, test, times);
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto& [time, points] = fields[i];
-    const auto numbered = i + 1 == fields.size() ? name : fmt::format("{}-{}", name, i + 1);
-    const FieldRecord record = {time, numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"};
+    const auto& record = records[i];
     write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
     const auto draw = [&, at = in_seconds(time)](const std::string& file, FieldPicture picture) {
       picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns());
@@ -104,14 +114,13 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
     };
     draw(record.stress_picture, stress_map(points, boundary, load));
     draw(record.strain_picture, strain_map(points, load));
-    records.push_back(record);
   }
   return records;
 }
 
-void copy_fields(const fs::path& from, const fs::path& to, const std::vector<TestResult>& tests) {
-  for (const auto& test : tests) {
-    for (const auto& [time, file, stress, strain] : test.field_files) {
+void copy_fields(const fs::path& from, const fs::path& to, const StageRecord& stage) {
+  for (const auto& [test, files] : stage.fields) {
+    for (const auto& [time, file, stress, strain] : files) {
       for (const auto& name : {file, stress, strain}) copy_result(from / name, to / name);
     }
   }

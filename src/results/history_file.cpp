@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/study/identity.hpp"
 
 namespace breccia {
 namespace {
@@ -50,7 +51,7 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
     file.write(modulus_dataset, moduli);
   }
   const std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {
-      {"deck_hash", study.provenance.hash},
+      {"deck_hash", provenance_of(study).hash},
       {"stage", stage.name},
       {"load", name_of(test.load)},
       {"boundary", name_of(test.boundary)},

@@ -11,6 +11,7 @@
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/identity.hpp"
 
 namespace breccia {
 namespace {
@@ -128,7 +129,7 @@ struct DescribeRecord {
   Json operator()(const ExtrapolationRecord& record) const { return {{"from_cells", record.cells}}; }
 };
 
-Json json_of(const TestResult& test, const Study& study) {
+Json json_of(const TestResult& test, const Study& study, const StageRecord& record) {
   const auto cells = test.id.grid.cells();
   const auto points = 4 * static_cast<std::size_t>(cells.value_or(0)) * static_cast<std::size_t>(cells.value_or(0));
   Json json = {{"load", name_of(test.id.load)},
@@ -136,7 +137,7 @@ Json json_of(const TestResult& test, const Study& study) {
                {"method", name_of(test.id.method)},
                {"cells", cells ? Json(*cells) : Json(name_of(test.id.grid))}};
   json.update(std::visit(DescribeRecord{study.tests, points}, test.record));
-  for (const auto& [time, file, stress, strain] : test.field_files) {
+  for (const auto& [time, file, stress, strain] : record.fields_of(test.id)) {
     json["fields"].push_back(
         {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}});
   }
@@ -172,7 +173,7 @@ Json json_of(const StageQuality& quality) {
           {"bounds", std::move(bounds)}};
 }
 
-Json json_of(const Stage& stage, const StageResult& result, const Study& study) {
+Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
   const auto& packing = result.microstructure;
   Json microstructure = {{"particles", packing.microstructure.particles.size()},
                          {"fraction", packing.fraction},
@@ -209,7 +210,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                            {"worst", json_of(comparison.worst())}});
   }
   Json tests = Json::array();
-  for (const auto& test : result.tests) tests.push_back(json_of(test, study));
+  for (const auto& test : result.tests) tests.push_back(json_of(test, study, record));
   Json json = {{"name", stage.name},
                {"matrix", name_of(stage.matrix)},
                {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
@@ -223,7 +224,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study) 
                {"comparisons", std::move(comparisons)},
                {"quality", json_of(quality_of(stage, result))},
                {"warnings", result.warnings}};
-  if (!result.answered_from.empty()) json["answered_from"] = result.answered_from;
+  if (!record.answered_from.empty()) json["answered_from"] = record.answered_from;
   return json;
 }
 
@@ -235,7 +236,8 @@ std::string date_of_now() {
 
 }  // namespace
 
-void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result) {
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
+                      const StageRecords& records) {
   Json materials = Json::array(), stages = Json::array(), stage_names = Json::array();
   for (const auto& stage : study.stages) stage_names.push_back(stage.name);
   for (const auto& material : study.materials) {
@@ -245,21 +247,24 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
   }
   std::vector<double> fractions;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
-    stages.push_back(json_of(study.stages[i], result.stages[i], study));
+    const auto record = records.find(study.stages[i].name);
+    stages.push_back(
+        json_of(study.stages[i], result.stages[i], study, record == records.end() ? StageRecord() : record->second));
     fractions.push_back(result.stages[i].microstructure.fraction);
     const auto whole = filler_of_the_whole(study, study.stages[i], fractions);
     if (whole.fraction > 0.0) stages.back()["filler_of_the_whole"] = json_of(whole);
   }
+  const auto provenance = provenance_of(study);
   const Json json = {{"program", "breccia"},
                      {"version", BRECCIA_VERSION},
                      {"title", study.title},
-                     {"deck", study.provenance.deck.string()},
-                     {"overrides", study.provenance.overrides},
-                     {"hash", study.provenance.hash},
+                     {"deck", provenance.deck.string()},
+                     {"overrides", provenance.overrides},
+                     {"hash", provenance.hash},
                      {"complete", result.seconds.has_value()},
                      {"date", result.seconds ? Json(date_of_now()) : Json()},
                      {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},
-                     {"deck_text", study.provenance.deck_text},
+                     {"deck_text", provenance.deck_text},
                      {"times_s", {study.tests.first_time, study.tests.last_time}},
                      {"materials", std::move(materials)},
                      {"stage_names", std::move(stage_names)},

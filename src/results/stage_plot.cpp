@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/stage_materials.hpp"
-#include "breccia/io/text_file.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
 namespace breccia {
@@ -49,7 +48,7 @@ std::string label_of(const Study& study, const TestResult& test) {
   return label;
 }
 
-/// The curves of a stage that `shown` accepts; where there are several grids, only the extrapolated ones.
+/// The curves of a stage that `shown` accepts, of each load, boundary and method that of the preferred test.
 template <class Shown>
 ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& result, const Shown& shown) {
   ModulusPlot plot;
@@ -65,10 +64,10 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
             {fmt::format("density x {}", three_digits(domain.density_factor)), domain.window.begin, domain.window.end});
       }
     }
-    if (!stage.coarser_cells.empty() && !test.id.grid.is_extrapolated()) continue;
+    if (find_preferred_test(result.tests, test.id.load, test.id.boundary, test.id.method) != &test) continue;
     auto curve = plot_curve(label_of(study, test), test.modulus);
     curve.colour = colour_of(test.id.boundary, test.id.load);
-    if (dynamic != nullptr && study.tests.methods.size() > 1) curve.style = PlotStyle::dashed;
+    if (test.id.method == Method::dynamic && study.tests.methods.size() > 1) curve.style = PlotStyle::dashed;
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -101,11 +100,30 @@ std::vector<ReferenceCurve> references(const Study& study, const Stage& stage, c
   return curves;
 }
 
+/// Writes plots to the directory of a stage.
+class PlotWriter {
+ public:
+  PlotWriter(const std::filesystem::path& directory, const Stage& stage) : directory_(directory), stage_(stage) {}
+
+  void write(const std::string& name, const ModulusPlot& plot) {
+    const auto reason = write_modulus_plot(directory_ / name, plot);
+    if (reason) notes_.push_back(fmt::format("{}/{} is left out: {}", stage_.name, name, *reason));
+  }
+  /// Why plots were left out.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  const std::filesystem::path& directory_;
+  const Stage& stage_;
+  std::vector<std::string> notes_;
+};
+
 }  // namespace
 
-void write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                 const StudyResult& study_result) {
-  if (why_no_plots()) return;
+std::vector<std::string> write_plots(const std::filesystem::path& directory, const Study& study, const Stage& stage,
+                                     const StudyResult& study_result) {
+  if (why_no_plots()) return {};
+  PlotWriter writer(directory, stage);
   const auto& result = study_result.stages.back();
   auto shear = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load != Load::bulk; });
   if (!shear.curves.empty()) {
@@ -115,12 +133,14 @@ void write_plots(const std::filesystem::path& directory, const Study& study, con
       if (boundary) curve.style = PlotStyle::dotted;
     }
     shear.quantity = "Relaxation modulus G(t)";
-    write_text(directory / "modulus.svg", modulus_plot(shear));
+    writer.write("modulus.svg", shear);
   }
   auto bulk = plot_of(study, stage, result, [](const TestResult& test) { return test.id.load == Load::bulk; });
-  if (bulk.curves.empty()) return;
-  bulk.quantity = "Plane-strain bulk modulus K(t) + G(t)/3";
-  write_text(directory / "bulk_modulus.svg", modulus_plot(bulk));
+  if (!bulk.curves.empty()) {
+    bulk.quantity = "Plane-strain bulk modulus K(t) + G(t)/3";
+    writer.write("bulk_modulus.svg", bulk);
+  }
+  return writer.notes();
 }
 
 }  // namespace breccia

@@ -9,6 +9,7 @@
 
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/identity.hpp"
 
 namespace breccia {
 namespace {
@@ -65,7 +66,7 @@ std::string difference(const std::string& before, const std::string& now) {
 }  // namespace
 
 bool StudyRecord::is_of(const Study& study) const {
-  return is_ours && hash == study.provenance.hash && version == BRECCIA_VERSION;
+  return is_ours && version == BRECCIA_VERSION && hash == provenance_of(study).hash;
 }
 
 bool is_record_of_breccia(const std::filesystem::path& file) {
@@ -95,11 +96,16 @@ std::string difference(const StudyRecord& before, const Study& now) {
   if (before.version != BRECCIA_VERSION) {
     return fmt::format("they are of version {} of Breccia, this is version {}", before.version, BRECCIA_VERSION);
   }
-  const auto deck = difference(before.deck_text, now.provenance.deck_text);
-  if (!deck.empty()) return fmt::format("{}: {}", now.provenance.deck.string(), deck);
-  if (before.overrides != now.provenance.overrides) {
+  const auto provenance = provenance_of(now);
+  if (before.deck_text.empty() || provenance.deck_text.empty()) {
+    return fmt::format("their hash is {}, that of this study {}, and not both are as a deck gives them", before.hash,
+                       provenance.hash);
+  }
+  const auto deck = difference(before.deck_text, provenance.deck_text);
+  if (!deck.empty()) return fmt::format("{}: {}", provenance.deck.string(), deck);
+  if (before.overrides != provenance.overrides) {
     return fmt::format("the overrides were {}, are {}", Json(before.overrides).dump(),
-                       Json(now.provenance.overrides).dump());
+                       Json(provenance.overrides).dump());
   }
   return "a data file differs";
 }

@@ -41,8 +41,9 @@ PlotCurve plotted(const TaskCurve& curve) {
 
 }  // namespace
 
-void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result) {
-  if (why_no_plots()) return;
+std::optional<std::string> write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep,
+                                            const SweepResult& result) {
+  if (why_no_plots()) return std::nullopt;
   const auto names = names_of_colours(sweep);
   const auto shown = last_stage_of(result);
   ModulusPlot plot;
@@ -62,9 +63,13 @@ void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep
       plot.title = fmt::format("{}: {}", sweep.tasks[task].study.title, curve.stage);
     }
   }
-  if (plot.curves.empty()) return remove_files(directory, std::vector<std::string>{"sweep.svg"});
+  if (plot.curves.empty()) {
+    remove_files(directory, std::vector<std::string>{"sweep.svg"});
+    return std::nullopt;
+  }
   if (has_lower_bound) plot.title += ", lower bound dashed";
-  write_text(directory / "sweep.svg", modulus_plot(plot));
+  const auto reason = write_modulus_plot(directory / "sweep.svg", plot);
+  return reason ? std::optional(fmt::format("sweep.svg is left out: {}", *reason)) : std::nullopt;
 }
 
 }  // namespace breccia

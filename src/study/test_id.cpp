@@ -4,12 +4,25 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
 namespace breccia {
 namespace {
 
 constexpr std::string_view name_of_limit = "extrapolated";
 
 }  // namespace
+
+TestGrid::TestGrid(int cells) : cells_(cells) {
+  if (cells < 1) throw InputError(fmt::format("a grid of {} cells: expected one cell or more per side", cells));
+}
+
+std::strong_ordering operator<=>(const TestGrid& one, const TestGrid& other) {
+  if (!one.cells_ || !other.cells_) return one.is_extrapolated() <=> other.is_extrapolated();
+  return *one.cells_ <=> *other.cells_;
+}
 
 std::string name_of(TestGrid grid) {
   const auto cells = grid.cells();
@@ -23,6 +36,12 @@ std::optional<TestGrid> grid_named(std::string_view name) {
   const auto [end, error] = std::from_chars(name.data(), end_of_name, cells);
   const bool is_grid = error == std::errc{} && end == end_of_name && cells > 0;
   return is_grid ? std::optional(TestGrid(cells)) : std::nullopt;
+}
+
+std::string calculation_of(const TestId& test) {
+  const auto boundary_and_grid = fmt::format("{}, {} cells", bound_of(test.boundary), name_of(test.grid));
+  if (test.method == Method::quasistatic) return boundary_and_grid + ", quasi-static";
+  return fmt::format("{}, {}, dynamic", name_of(test.load), boundary_and_grid);
 }
 
 bool is_preferred(const TestId& one, const TestId& other) {

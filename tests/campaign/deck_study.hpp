@@ -6,6 +6,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/curves.hpp"
 #include "breccia/results/provenance.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "results/hand_made_results.hpp"
 #include "study/two_stages.hpp"
@@ -21,6 +22,7 @@ inline void give_provenance(Study& study, const std::string& title) {
   provenance.hash = content_hash(provenance.deck_text);
   provenance.stage_hashes.clear();
   for (const auto& stage : study.stages) provenance.stage_hashes.push_back(stage.name + " in " + title);
+  provenance.content = content_of(study);
 }
 
 /// A study of the stage "fine" as a deck would give it. It is known by its title.

@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/campaign/resume.hpp"
+#include "breccia/deck/read_study.hpp"
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 
 #include "messages.hpp"
 #include "study/two_stages.hpp"
@@ -16,18 +19,76 @@ namespace {
 
 using testing::HasSubstr;
 
-// Two studies without a hash could not be told apart on the disk.
-TEST(RunStudy, RefusesAStudyWithoutAHash) {
+/// A single coarse stage under one load and boundary.
+Study small_study() {
+  auto study = test::two_stages();
+  study.stages = {test::four_discs("fine", test::binder, 6e-3, 8)};
+  study.tests.boundaries = {Boundary::displacement};
+  return study;
+}
+
+/// Results of another study are neither taken over nor replaced.
+void expect_refusal(const Study& study, const std::filesystem::path& results) {
+  EXPECT_EQ(take_over_complete_run(study, results), std::nullopt);
+  for (const bool resume : {false, true}) {
+    EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(study, results, {.resume = resume})); }),
+                HasSubstr("not both are as a deck gives them"));
+  }
+}
+
+TEST(RunStudy, AStudyPutTogetherInTheMemoryIsKnownByItsContent) {
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
-  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(run_study(test::two_stages(), results)); }),
-              HasSubstr("does not come from a deck"));
-  EXPECT_FALSE(std::filesystem::exists(results));
+  static_cast<void>(run_study(small_study(), results));
+  EXPECT_TRUE(take_over_complete_run(small_study(), results).has_value());
+  auto other = small_study();
+  other.stages[0].side *= 2.0;
+  expect_refusal(other, results);
+}
+
+constexpr auto deck = R"(
+[materials.binder]
+density = "1 g/cm^3"
+bulk = "1 GPa"
+shear = { equilibrium = "0.01 MPa", terms = [{ time = "10 ms", modulus = "0.5 MPa" }] }
+[[stages]]
+name = "box"
+matrix = "binder"
+box = "6 mm"
+cells = 8
+[tests]
+times = ["1 ms", "50 ms"]
+boundaries = ["displacement"]
+)";
+
+// The hash of its deck says nothing of a study that was changed since.
+TEST(RunStudy, AStudyThatWasChangedAfterItsDeckWasReadIsAnotherOne) {
+  const test::TemporaryDirectory directory;
+  directory.write("deck.toml", deck);
+  const auto results = directory.path() / "results", others = directory.path() / "others";
+  auto study = read_study(directory.path() / "deck.toml");
+  static_cast<void>(run_study(study, results));
+  EXPECT_TRUE(take_over_complete_run(study, results).has_value());
+  std::get<Material>(study.stages[0].matrix).shear = PronySeries(1e6);
+  expect_refusal(study, results);
+
+  static_cast<void>(run_study(study, others));
+  EXPECT_TRUE(take_over_complete_run(study, others).has_value());
+  const auto unchanged = read_study(directory.path() / "deck.toml");
+  expect_refusal(unchanged, others);
+}
+
+TEST(RunStudy, RefusesToReplaceTheDeckOfAChangedStudy) {
+  const test::TemporaryDirectory directory;
+  directory.write("study.json", deck);
+  auto study = read_study(directory.path() / "study.json");
+  study.title = "changed";
+  EXPECT_THROW(static_cast<void>(run_study(study, directory.path(), {.overwrite = true})), InputError);
+  EXPECT_EQ(read_text(directory.path() / "study.json"), deck);
 }
 
 TEST(RunStudy, LeavesNothingBehindWhereItFailsAtOnce) {
   auto study = test::two_stages();
-  study.provenance.hash = "0123456789abcdef";
   study.stages[0].filler->sizes = SingleSize{10.0};
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";

@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 
+#include "messages.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -86,6 +88,16 @@ TEST_F(SweepRun, StagesAtAnotherTemperatureAreComparedWithTheMeasurement) {
   const auto stages = compared_stages(R"(materials.binder.temperature_shift.temperature=["20 degC", "40 degC"])");
   ASSERT_EQ(stages.size(), 2U);
   for (const auto& of_task : stages) EXPECT_THAT(of_task, AllOf(Not(IsEmpty()), Each("fine")));
+}
+
+// Its name and its hash would tell of another study.
+TEST_F(SweepRun, ATaskThatWasChangedAfterItsDeckWasReadIsRefused) {
+  auto sweep = read_sweep(directory.path() / "deck.toml", {}, {"stages.0.cells=[8, 12]"});
+  sweep.tasks[1].study.tests.last_time *= 2.0;
+  const auto results = directory.path() / "results";
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(run_sweep(sweep, results, {})); }),
+            "cells-12: this study of a sweep was changed after its deck was read; sweep a key of the deck, or run the "
+            "study alone");
 }
 
 }  // namespace

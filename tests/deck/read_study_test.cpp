@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/study/identity.hpp"
+
 #include "decks.hpp"
 
 namespace breccia {
@@ -13,6 +15,7 @@ TEST(StudyDeck, ResolvesEverything) {
   const auto study = directory.study(test::join("title = \"A\"\n", test::materials, test::stage, test::tests));
   EXPECT_EQ(study.title, "A");
   EXPECT_EQ(study.provenance.deck, directory.path() / "deck.toml");
+  EXPECT_EQ(study.provenance.content, content_of(study));
   EXPECT_THAT(study.provenance.deck_text, HasSubstr("title = \"A\""));
   ASSERT_EQ(study.materials.size(), 2U);
   EXPECT_EQ(study.materials[0].name, "binder");

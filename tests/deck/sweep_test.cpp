@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/results/sweep_spread.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "decks.hpp"
 
@@ -65,6 +66,7 @@ TEST_F(SweepDeck, HasAllCombinations) {
 TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
   const auto task = read("[sweep]\n\"tests.volumetric\" = [\"standard\"]\n").tasks.at(0);
   EXPECT_THAT(task.study.provenance.overrides, ElementsAre("tests.volumetric=\"standard\""));
+  EXPECT_EQ(task.study.provenance.content, content_of(task.study));
   EXPECT_EQ(directory.study(deck + "# ", task.study.provenance.overrides).tests.quasistatic.volumetric,
             Volumetric::standard);
 }

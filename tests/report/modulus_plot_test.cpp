@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/text_file.hpp"
 
 #include "report/xml.hpp"
 #include "scoped_path.hpp"
@@ -133,7 +134,19 @@ TEST(ModulusPlot, PassesOnWhatAFailingGnuplotSays) {
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho 'no terminal svg' >&2\nexit 3\n";
   std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
   const ScopedPath path(folder.string());
-  EXPECT_THAT(message_of({"", {relaxation("a", 1e6)}, {}}), HasSubstr("status 3: no terminal svg"));
+  EXPECT_THAT(message_of({"", {relaxation("a", 1e6)}, {}}), HasSubstr("status 3: no terminal svg;"));
+  const auto file = folder / "modulus.svg";
+  std::ofstream(file) << "of a run before";
+  EXPECT_THAT(write_modulus_plot(file, {"", {relaxation("a", 1e6)}, {}}), ::testing::Optional(HasSubstr("status 3")));
+  EXPECT_FALSE(std::filesystem::exists(file)) << "it would show other results";
+}
+
+TEST(ModulusPlot, IsWrittenToAFile) {
+  const ModulusPlot plot{"", {relaxation("a", 1e6)}, {}};
+  const auto file = std::filesystem::path(::testing::TempDir()) / "breccia-plot.svg";
+  EXPECT_EQ(write_modulus_plot(file, plot), std::nullopt);
+  EXPECT_EQ(read_text(file), modulus_plot(plot));
+  EXPECT_THROW(write_modulus_plot(file / "below a file.svg", plot), FileError);
 }
 
 }  // namespace

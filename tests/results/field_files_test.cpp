@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -90,6 +91,37 @@ TEST_F(FieldFiles, AreNamedByWhatTellsThemApart) {
               ElementsAre("fields-traction-quasistatic-1.vtkhdf", "fields-traction-quasistatic.vtkhdf"));
   EXPECT_THAT(names({first.load, first.boundary, Method::dynamic, first.grid}, 1),
               ElementsAre("fields-displacement-dynamic.vtkhdf"));
+}
+
+TEST_F(FieldFiles, AreCopiedWithTheirStage) {
+  const TestId test{Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(2)};
+  StageRecord record;
+  record.fields = {{test, write(Load::shear, Boundary::displacement)}};
+  const auto other = directory.path() / "other";
+  std::filesystem::create_directory(other);
+  copy_fields(directory.path(), other, record);
+  for (const auto* name : {"fields.vtkhdf", "fields-stress.svg", "fields-strain.svg"}) {
+    EXPECT_EQ(read_text(other / name), read_text(directory.path() / name)) << name;
+  }
+  EXPECT_EQ(record.fields_of(test).size(), 1U);
+  EXPECT_TRUE(record.fields_of({test.load, Boundary::traction, test.method, test.grid}).empty());
+  std::filesystem::remove(directory.path() / "fields-stress.svg");
+  EXPECT_THROW(copy_fields(directory.path(), other, record), FileError);
+}
+
+// Those of a test that was done before are not written again.
+TEST_F(FieldFiles, HaveTheSameNamesWithoutTheirNumbers) {
+  const TestId test{Load::shear, Boundary::traction, Method::quasistatic, TestGrid(2)};
+  const auto written =
+      write_fields(directory.path(), study, study.stages[0], test, discretisation, {{1e-3, fields}, {10e-3, fields}});
+  const auto named = field_records(study, test, {1e-3, 10e-3});
+  ASSERT_EQ(named.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(named[i].time, written[i].time);
+    EXPECT_EQ(named[i].file, written[i].file);
+    EXPECT_EQ(named[i].stress_picture, written[i].stress_picture);
+    EXPECT_EQ(named[i].strain_picture, written[i].strain_picture);
+  }
 }
 
 TEST_F(FieldFiles, AreKnownByTheirNames) {

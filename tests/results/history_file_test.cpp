@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"
@@ -95,6 +96,7 @@ class HistoryFile : public testing::Test {
  protected:
   HistoryFile() {
     study.provenance.hash = "0123456789abcdef";
+    study.provenance.content = content_of(study);
     stage.name = "A";
   }
   [[nodiscard]] std::vector<std::string> files() const {

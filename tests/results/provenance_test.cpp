@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
@@ -30,8 +31,10 @@ class WriteProvenance : public testing::Test {
     study.provenance.overrides = {"stages.0.cells=12"};
     study.provenance.hash = "0123456789abcdef";
   }
-  [[nodiscard]] json written(const StudyResult& result) const {
-    write_provenance(directory.path(), study, result);
+  [[nodiscard]] json written(const StudyResult& result, const StageRecords& records = {}) const {
+    auto as_read = study;
+    as_read.provenance.content = content_of(study);
+    write_provenance(directory.path(), as_read, result, records);
     std::ifstream file(directory.path() / "study.json");
     return json::parse(file);
   }
@@ -125,6 +128,29 @@ TEST_F(WriteProvenance, TellsTheTimeDomainsOfADynamicTest) {
   EXPECT_EQ(found.at("time_domains").at(0).at("points_x_steps_per_s"), 1.152e6);
   EXPECT_EQ(found.at("overlaps"), json::parse(R"([{"window_s": [1e-4, 1e-3], "mismatch": 0.02}])"));
   EXPECT_FALSE(found.contains("fit_error")) << "a relaxation test needs no fit";
+}
+
+TEST_F(WriteProvenance, TellsTheFilesOfFieldsAndWhoHasAnswered) {
+  const auto tested = test::test_with({.grid = TestGrid(12)}, {{1.0, 1.0}});
+  const StudyResult result{{test::stage_with("fine", {tested}), test::stage_with("coarse", {tested})}, {}};
+  StageRecords records;
+  records["fine"] = {{{tested.id, {{10e-3, "fields.vtkhdf", "fields-stress.svg", "fields-strain.svg"}}}}, "seed-1"};
+  const auto stages = written(result, records).at("stages");
+  EXPECT_EQ(stages.at(0).at("tests").at(0).at("fields"),
+            json::parse(R"([{"time_s": 0.01, "file": "fields.vtkhdf", "stress_picture": "fields-stress.svg",
+                             "strain_picture": "fields-strain.svg"}])"));
+  EXPECT_EQ(stages.at(0).at("answered_from"), "seed-1");
+  EXPECT_FALSE(stages.at(1).at("tests").at(0).contains("fields"));
+  EXPECT_FALSE(stages.at(1).contains("answered_from"));
+}
+
+// Its hash is that of its content, and it has no deck.
+TEST_F(WriteProvenance, OfAStudyThatWasChangedIsItsOwn) {
+  write_provenance(directory.path(), study, {});
+  std::ifstream file(directory.path() / "study.json");
+  const auto record = json::parse(file);
+  EXPECT_EQ(record.at("hash"), content_of(study));
+  EXPECT_EQ(record.at("deck_text"), "");
 }
 
 TEST_F(WriteProvenance, TellsThePackingOfAStage) {

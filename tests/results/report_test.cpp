@@ -12,6 +12,7 @@
 #include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
 #include "breccia/results/response_file.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "messages.hpp"
 #include "one_vector_response.hpp"
@@ -37,6 +38,7 @@ class Report : public testing::Test {
     study.title = "one <scale>";
     study.provenance.hash = "0123456789abcdef";
     study.stages.pop_back();
+    study.provenance.content = content_of(study);
     auto test = test::test_with(dynamic, {{1e-3, 2.0}, {1e-2, 1.0}});
     DynamicTestResult record;
     record.domains.resize(2);

@@ -7,6 +7,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/results/provenance.hpp"
+#include "breccia/study/identity.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"
@@ -25,6 +26,7 @@ Study study_of_a_deck() {
   study.provenance.deck_text = "title = \"a\"\n[tests]\ntimes = 1\n";
   study.provenance.overrides = {"stages.0.cells=12", "tests.method=\"quasistatic\""};
   study.provenance.hash = "0123456789abcdef";
+  study.provenance.content = content_of(study);
   return study;
 }
 

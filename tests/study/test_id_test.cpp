@@ -1,6 +1,10 @@
 #include "breccia/study/test_id.hpp"
 
+#include <limits>
+
 #include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
 
 namespace breccia {
 namespace {
@@ -20,6 +24,22 @@ TEST(TestGrid, TheLimitIsAboveAllGridsAndHasNoCells) {
   EXPECT_LT(TestGrid(1 << 20), TestGrid::extrapolated());
   EXPECT_EQ(TestGrid(7).cells(), 7);
   EXPECT_EQ(TestGrid::extrapolated().cells(), std::nullopt);
+  EXPECT_LT(TestGrid(std::numeric_limits<int>::max()), TestGrid::extrapolated());
+  EXPECT_EQ(TestGrid::extrapolated(), TestGrid::extrapolated());
+  EXPECT_NE(TestGrid::extrapolated(), TestGrid(1));
+}
+
+TEST(TestGrid, HasACellOrMore) {
+  EXPECT_THROW(TestGrid(0), InputError);
+  EXPECT_THROW(TestGrid(-1), InputError);
+}
+
+// All loads of a quasi-static calculation are computed together.
+TEST(TestId, IsPartOfACalculation) {
+  const TestId dynamic{Load::bulk, Boundary::traction, Method::dynamic, TestGrid(150)};
+  const TestId quasistatic{Load::bulk, Boundary::displacement, Method::quasistatic, TestGrid(150)};
+  EXPECT_EQ(calculation_of(dynamic), "bulk, lower bound, 150 cells, dynamic");
+  EXPECT_EQ(calculation_of(quasistatic), "upper bound, 150 cells, quasi-static");
 }
 
 TEST(TestId, AQuasistaticLimitIsPreferredToEverythingElse) {

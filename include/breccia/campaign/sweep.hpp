@@ -36,8 +36,9 @@ SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory
 /// directories, and FileError.
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
 
-/// Throws InputError, for all tasks at once, where a run would replace or go on from results of another study, sweep or
-/// version and is not to overwrite them, or replace files that Breccia did not write.
+/// Throws InputError, for all tasks at once, where a study was changed after its deck was read, and where a run would
+/// replace or go on from results of another study, sweep or version and is not to overwrite them, or replace files that
+/// Breccia did not write.
 void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
 
 }  // namespace breccia

@@ -26,7 +26,7 @@ struct StoredResponses {
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
   double side = 0.0;                          ///< of the box [m]
-  std::string deck_hash;                      ///< of the study that left it; empty for a study without a deck
+  std::string deck_hash;                      ///< of the study that left it (provenance_of)
   double fit_tolerance = 0.0;                 ///< of that study
   TimeWindow times;                           ///< of the study [s]
   int points_per_decade = 20;                 ///< of its curves
@@ -35,10 +35,11 @@ struct StoredResponses {
 };
 
 /// The reduced responses of a stage from its result; without entries where none of its tests was computed by the
-/// quasi-static method with the reduced solver.
+/// quasi-static method with the reduced solver. Throws InputError where the result has another name or grid.
 StoredResponses responses_of(const Study& study, const Stage& stage, const StageResult& result);
 
-/// The same of all stages of a study that have such tests, in their order.
+/// The same of all stages of a study that have such tests, in their order. Throws InputError where the result is that
+/// of another study, or of this one before it was changed.
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.

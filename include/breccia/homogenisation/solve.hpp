@@ -13,10 +13,14 @@ struct SolveOptions {
   bool ignore_memory = false;  ///< begin even what will hardly fit into the memory
 };
 
+/// Throws InputError where a study cannot be solved: where it is not sound (require_sound), or will not fit into the
+/// memory.
+void require_solvable(const Study& study, const SolveOptions& options = {});
+
 /// Solves a study: packs its stages and runs their tests, one stage after the other, each as the matrix of the stages
-/// that build on it. Everything stays in the memory but for what a sink takes; no file is written. Throws InputError
-/// where the study is not sound (require_sound), its particles cannot be placed, or it will not fit into the memory,
-/// NumericalError where a calculation fails, and what observer and sink throw.
+/// that build on it. Everything stays in the memory but for what a sink takes; no file is written. Throws InputError as
+/// require_solvable does and where particles cannot be placed, NumericalError where a calculation fails, and what
+/// observer and sink throw.
 StudyResult solve(const Study& study, const SolveOptions& options = {}, const StudyObserver& observer = {});
 StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink);
 

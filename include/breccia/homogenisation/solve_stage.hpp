@@ -20,8 +20,4 @@ void pack_stage(const Study& study, const Stage& stage, const StudyObserver& obs
 void test_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
                 StudyResult& result);
 
-/// Adds a stage to the result that was computed for another study with the same stage. It is compared with the
-/// measurements of this study.
-void adopt_stage(const Study& study, const Stage& stage, StageResult computed, StudyResult& result);
-
 }  // namespace breccia

@@ -4,11 +4,12 @@
 #include <functional>
 #include <optional>
 
-#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
+
+class Checkpoint;
 
 /// The particles of a stage, and how well they are what the deck asks for.
 struct StageMicrostructure {

@@ -5,6 +5,7 @@
 
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/stage.hpp"
+#include "breccia/study/test_id.hpp"
 
 namespace breccia {
 
@@ -12,9 +13,11 @@ namespace breccia {
 struct StudyObserver {
   std::function<void(const Stage&, const PackingProgress&)> packing = {};
   std::function<void(const Stage&, const StageResult&)> packed = {};
-  std::function<void(const Stage&, const std::string& test, double share, const std::string& details)> progress = {};
+  /// How far a test has come: its share, 0 to 1, and the present work. The quasi-static method computes all loads of a
+  /// stage together; their test is told as that of the first load.
+  std::function<void(const Stage&, const TestId&, double share, const std::string& details)> progress = {};
   std::function<void(const Stage&, const TestResult&)> finished = {};
-  std::function<void(const Stage&, Boundary, Load, const TimeDomain&)> domain_finished = {};
+  std::function<void(const Stage&, const TestId&, const TimeDomain&)> domain_finished = {};
 };
 
 }  // namespace breccia

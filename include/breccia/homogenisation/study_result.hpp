@@ -27,21 +27,13 @@ struct ExtrapolationRecord {
   std::vector<double> half_bands;  ///< of the modulus at each time [Pa]
 };
 
-/// Where the fields of a test at one time have been written: names of files in the directory of its stage.
-struct FieldRecord {
-  double time = 0.0;  ///< [s]
-  std::string file;   ///< VTKHDF
-  std::string stress_picture, strain_picture;
-};
-
 /// One virtual test of one stage under one load, done.
 struct TestResult {
-  TestId id = {};
+  TestId id;
   Curve modulus = {};                       ///< relaxation modulus; of a creep test after interconversion
   Creep compliance = {};                    ///< of a creep test
   PronySeries series = {};                  ///< of the modulus
-  std::vector<TimedFields<2>> fields = {};  ///< of the material points, in the memory; empty where they were written
-  std::vector<FieldRecord> field_files = {};
+  std::vector<TimedFields<2>> fields = {};  ///< of the material points; empty where a sink has taken them
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 
@@ -90,13 +82,12 @@ struct StageResult {
   std::vector<StageMaterial> materials;  ///< what later stages take as their matrix
   std::vector<Comparison> comparisons;   ///< with all that was measured
   std::vector<std::string> warnings;     ///< what makes the results doubtful
-  /// The task of a sweep whose reduced responses gave the tests at another temperature; empty where they were computed.
-  std::string answered_from = {};
 };
 
 struct StudyResult {
   std::vector<StageResult> stages;
-  std::optional<double> seconds = {};  ///< wall time, once everything is done and written
+  std::optional<double> seconds = {};  ///< wall time, once all stages are done
+  std::string study_hash = {};         ///< of the study that was solved (provenance_of)
 };
 
 }  // namespace breccia

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,10 @@ struct ModulusPlot {
 /// are left out. Throws InputError if a curve has not as many moduli as times or if nothing is left to show,
 /// and FileError if gnuplot is missing or fails.
 std::string modulus_plot(const ModulusPlot& plot);
+
+/// Writes such a plot to a file. Where gnuplot cannot draw it, returns why, and no file of that name is left: results
+/// are whole without their plots. Throws InputError as above, and FileError where the file cannot be written.
+std::optional<std::string> write_modulus_plot(const std::filesystem::path& file, const ModulusPlot& plot);
 
 /// Why gnuplot cannot draw, and what to install; nothing where it can. For results whose plots can be left out.
 std::optional<std::string> why_no_plots();

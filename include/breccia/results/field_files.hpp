@@ -5,21 +5,24 @@
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
-#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/stage_record.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {
 
-/// Writes the fields of a test of the first load to the directory of its stage, as VTKHDF and as pictures of stress and
-/// strain. Those of the first boundary and method at the last time are `fields.vtkhdf`; the names of others tell their
-/// boundary and method, and the place of an earlier time. Throws FileError.
+/// Names of the files of the fields that a test of the first load leaves at some times [s]. Those of the first boundary
+/// and method at the last time are `fields.vtkhdf`; the names of others tell their boundary and method, and the place
+/// of an earlier time.
+std::vector<FieldRecord> field_records(const Study& study, const TestId& test, const std::vector<double>& times);
+
+/// Writes the fields of a test to the directory of its stage, as VTKHDF and as pictures of stress and strain, to files
+/// of these names. Throws FileError.
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const Discretisation<2>& discretisation,
                                       const std::vector<TimedFields<2>>& fields);
 
-/// Copies the files of the fields of tests from one directory to another. Throws FileError.
-void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to,
-                 const std::vector<TestResult>& tests);
+/// Copies the files of the fields of a stage from one directory to another. Throws FileError.
+void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to, const StageRecord& stage);
 
 /// Is this the name of one of these files?
 bool is_of_fields(std::string_view name);

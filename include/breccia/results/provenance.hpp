@@ -3,11 +3,14 @@
 #include <filesystem>
 
 #include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/stage_record.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {
 
-/// Writes `study.json` to a directory: what was asked for, and how every number was made. Throws FileError.
-void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result);
+/// Writes `study.json` to a directory: what was asked for, how every number was made, and what the directory tells of
+/// the stages beside it. Throws FileError.
+void write_provenance(const std::filesystem::path& directory, const Study& study, const StudyResult& result,
+                      const StageRecords& records = {});
 
 }  // namespace breccia

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,10 @@ void write_sweep_tables(const std::filesystem::path& directory, const Sweep& swe
 void write_sweep_record(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result,
                         const std::vector<std::vector<std::string>>& replaceable);
 
-/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done. Writes nothing where gnuplot
-/// cannot draw.
-void write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep, const SweepResult& result);
+/// Writes `sweep.svg`, the shear modulus of the last stage in all tasks, once one is done. Writes nothing where there
+/// is no gnuplot. Returns why the plot is left out where gnuplot could not draw it. Throws FileError.
+std::optional<std::string> write_sweep_plot(const std::filesystem::path& directory, const Sweep& sweep,
+                                            const SweepResult& result);
 
 /// Writes `report.html` beside `sweep.json`, which write_sweep_record writes.
 void write_sweep_report(const std::filesystem::path& directory, const SweepResult& result);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,20 +15,21 @@ namespace breccia {
 /// from several grids. Grids rise with their cells; the limit is above all of them.
 class TestGrid {
  public:
-  /// A grid of one cell or more per side.
-  constexpr explicit TestGrid(int cells) : cells_(cells) {}
-  static constexpr TestGrid extrapolated() { return TestGrid(std::numeric_limits<int>::max()); }
+  /// A grid of so many cells per side. Throws InputError where they are fewer than one.
+  explicit TestGrid(int cells);
+  static TestGrid extrapolated() { return {}; }
 
-  [[nodiscard]] constexpr bool is_extrapolated() const { return cells_ == std::numeric_limits<int>::max(); }
-  /// Cells per side; nothing of the limit.
-  [[nodiscard]] constexpr std::optional<int> cells() const {
-    return is_extrapolated() ? std::nullopt : std::optional(cells_);
-  }
+  [[nodiscard]] bool is_extrapolated() const { return !cells_; }
+  /// Cells per side; nothing for the limit.
+  [[nodiscard]] std::optional<int> cells() const { return cells_; }
 
-  friend constexpr auto operator<=>(const TestGrid&, const TestGrid&) = default;
+  friend bool operator==(const TestGrid&, const TestGrid&) = default;
+  friend std::strong_ordering operator<=>(const TestGrid& one, const TestGrid& other);
 
  private:
-  int cells_;
+  TestGrid() = default;
+
+  std::optional<int> cells_;
 };
 
 /// A grid in tables: "150", or "extrapolated".
@@ -43,10 +43,14 @@ struct TestId {
   Load load = Load::shear;
   Boundary boundary = Boundary::displacement;
   Method method = Method::quasistatic;
-  TestGrid grid = TestGrid::extrapolated();
+  TestGrid grid;
 
   friend bool operator==(const TestId&, const TestId&) = default;
 };
+
+/// The calculation that a test is part of, in words: "shear, upper bound, 150 cells, dynamic". The quasi-static method
+/// computes all loads together, so that its calculations have none: "upper bound, 150 cells, quasi-static".
+std::string calculation_of(const TestId& test);
 
 /// Does a test stand for the other one where a single one is shown? Of tests that differ in their method or grid alone
 /// the quasi-static ones come before the dynamic ones, and of each method the limit of vanishing cells before the

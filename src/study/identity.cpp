@@ -1,0 +1,203 @@
+#include "breccia/study/identity.hpp"
+
+#include <bit>
+#include <concepts>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "breccia/io/text_file.hpp"
+
+namespace breccia {
+namespace {
+
+/// The bytes of a study. Each struct is taken apart by a structured binding, so that a member that is added to it does
+/// not compile until it is added here.
+class Content {
+ public:
+  void add(const Study& study) {
+    const auto& [title, materials, temperature_shifts, stages, tests, measurements, provenance] = study;
+    add_all(title, materials, temperature_shifts, stages, tests, measurements);
+    static_cast<void>(provenance);
+  }
+
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  template <class... Values>
+  void add_all(const Values&... values) {
+    (add(values), ...);
+  }
+
+  void add_bits(std::uint64_t bits) {
+    constexpr int bits_of_a_byte = 8;
+    for (std::size_t i = 0; i < sizeof bits; ++i) {
+      bytes_ += static_cast<char>(bits & 0xffU);
+      bits >>= bits_of_a_byte;
+    }
+  }
+
+  template <std::integral Integer>
+  void add(Integer value) {
+    add_bits(static_cast<std::uint64_t>(value));
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void add(Enum value) { add_bits(static_cast<std::uint64_t>(value)); }
+  void add(double value) { add_bits(std::bit_cast<std::uint64_t>(value)); }
+  void add(const std::string& text) {
+    add(text.size());
+    bytes_ += text;
+  }
+  template <class Value>
+  void add(const std::vector<Value>& values) {
+    add(values.size());
+    for (const auto& value : values) add(value);
+  }
+  template <class Value>
+  void add(const std::optional<Value>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <class... Values>
+  void add(const std::variant<Values...>& value) {
+    add(value.index());
+    std::visit([this](const auto& one) { add(one); }, value);
+  }
+  void add(const std::map<std::string, TemperatureShift>& shifts) {
+    add(shifts.size());
+    for (const auto& [material, shift] : shifts) add_all(material, shift);
+  }
+
+  void add(const PronySeries& series) { add_all(series.equilibrium(), series.terms()); }
+  void add(const MaxwellTerm& term) {
+    const auto& [relaxation_time, modulus] = term;
+    add_all(relaxation_time, modulus);
+  }
+  void add(const Material& material) {
+    const auto& [name, density, bulk, shear] = material;
+    add_all(name, density, bulk, shear);
+  }
+  void add(const TemperatureShift& shift) {
+    const auto& [law, temperature] = shift;
+    const auto& [c1, c2, reference_temperature] = law;
+    add_all(c1, c2, reference_temperature, temperature);
+  }
+  void add(const TimeWindow& window) {
+    const auto& [begin, end] = window;
+    add_all(begin, end);
+  }
+  void add(const Sample& sample) {
+    const auto& [time, modulus] = sample;
+    add_all(time, modulus);
+  }
+  void add(const Measurement& measurement) {
+    const auto& [label, stage, shear, times] = measurement;
+    add_all(label, stage, shear, times);
+  }
+
+  void add(const EarlierStage& earlier) {
+    const auto& [name] = earlier;
+    add(name);
+  }
+  void add(const Stage& stage) {
+    const auto& [name, matrix, side, cells, coarser_cells, filler, warnings] = stage;
+    add_all(name, matrix, side, cells, coarser_cells, filler);
+    static_cast<void>(warnings);
+  }
+  void add(const Filler& filler) {
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, packing] = filler;
+    add_all(material, fraction, smallest, largest, sizes, gap, gap_source, packing);
+  }
+  void add(const SingleSize& sizes) {
+    const auto& [diameter] = sizes;
+    add(diameter);
+  }
+  void add(const ListedSizes& sizes) {
+    const auto& [diameters] = sizes;
+    add(diameters);
+  }
+  void add(const LognormalSizes& sizes) {
+    const auto& [components] = sizes;
+    add(components);
+  }
+  void add(const LognormalSizes::Component& component) {
+    const auto& [weight, median, sigma] = component;
+    add_all(weight, median, sigma);
+  }
+  void add(const TabulatedSizes& sizes) {
+    const auto& [file, diameters, cumulative_volume_fractions] = sizes;
+    add_all(diameters, cumulative_volume_fractions);
+    static_cast<void>(file);
+  }
+  void add(const LubachevskyStillingerPacking& packing) {
+    const auto& [walls, seed] = packing;
+    add_all(walls, seed);
+  }
+  void add(const RegularPacking& packing) {
+    const auto& [columns, rows] = packing;
+    add_all(columns, rows);
+  }
+  void add(const ExplicitPacking& packing) {
+    const auto& [file, discs, walls] = packing;
+    add_all(discs, walls);
+    static_cast<void>(file);
+  }
+  void add(const Disc& disc) {
+    const auto& [centre, diameter] = disc;
+    for (const double coordinate : centre) add(coordinate);
+    add(diameter);
+  }
+
+  void add(const Tests& tests) {
+    const auto& [loads, boundaries, methods, first_time, last_time, points_per_decade, field_times, fit_tolerance,
+                 quasistatic, dynamic] = tests;
+    add_all(loads, boundaries, methods, first_time, last_time, points_per_decade, field_times, fit_tolerance,
+            quasistatic, dynamic);
+  }
+  void add(const QuasistaticOptions& options) {
+    const auto& [solver, range, volumetric, sampling, steps_per_decade, linear] = options;
+    add_all(solver, range, volumetric, sampling, steps_per_decade, linear);
+  }
+  void add(const SamplingOptions& options) {
+    const auto& [tolerance, most_snapshots] = options;
+    add_all(tolerance, most_snapshots);
+  }
+  void add(const LinearOptions& options) {
+    const auto& [method, most_unknowns_direct, most_unknowns_direct_on_several, tolerance, threads] = options;
+    add_all(method, most_unknowns_direct, most_unknowns_direct_on_several, tolerance);
+    static_cast<void>(threads);
+  }
+  void add(const DynamicOptions& options) {
+    const auto& [formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,
+                 density_factors, overlap, reduction_tolerance] = options;
+    add_all(formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time, density_factors,
+            overlap, reduction_tolerance);
+  }
+
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string content_of(const Study& study) {
+  Content content;
+  content.add(study);
+  return content_hash(content.bytes());
+}
+
+Provenance provenance_of(const Study& study) {
+  auto content = content_of(study);
+  if (study.provenance.content == content) return study.provenance;
+  Provenance provenance;
+  provenance.inputs = study.provenance.inputs;
+  provenance.hash = content;
+  provenance.content = std::move(content);
+  return provenance;
+}
+
+}  // namespace breccia

@@ -1,0 +1,119 @@
+#include "breccia/study/identity.hpp"
+
+#include <functional>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/two_stages.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+using Change = std::function<void(Study&)>;
+
+/// As a deck reader leaves it.
+Study study_of_a_deck() {
+  auto study = test::two_stages();
+  study.provenance = {.deck = "deck.toml",
+                      .deck_text = "title = ...",
+                      .inputs = {"deck.toml"},
+                      .overrides = {"stages.0.cells=12"},
+                      .hash = "0123456789abcdef",
+                      .stage_hashes = {"1", "2"},
+                      .content = content_of(study)};
+  return study;
+}
+
+TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
+  const std::vector<Change> changes = {
+      [](Study&) {},
+      [](Study& study) { study.title = "another"; },
+      [](Study& study) { study.materials.pop_back(); },
+      [](Study& study) {
+        study.temperature_shifts["binder"] = {{6.5, 120.0, 293.15}, 300.0};
+      },
+      [](Study& study) { study.stages.pop_back(); },
+      [](Study& study) { study.stages[0].name = "another"; },
+      [](Study& study) { study.stages[0].cells = 24; },
+      [](Study& study) { study.stages[0].coarser_cells = {6}; },
+      [](Study& study) { study.stages[0].side *= 1.0 + 1e-15; },
+      [](Study& study) {
+        std::get<Material>(study.stages[0].matrix).shear = PronySeries(1e4, {{0.02, 0.5e6}});
+      },
+      [](Study& study) { study.stages[1].matrix = test::binder; },
+      [](Study& study) { study.stages[0].filler->sizes = SingleSize{1e-3}; },
+      [](Study& study) { study.stages[0].filler->sizes = ListedSizes{{2e-3}}; },
+      [](Study& study) { study.stages[0].filler->fraction = 0.3; },
+      [](Study& study) {
+        study.stages[0].filler->packing = RegularPacking{1, 4};
+      },
+      [](Study& study) {
+        study.stages[0].filler->packing = LubachevskyStillingerPacking{Walls::hard, 1};
+      },
+      [](Study& study) {
+        study.stages[0].filler->packing = LubachevskyStillingerPacking{Walls::hard, 2};
+      },
+      [](Study& study) {
+        study.stages[0].filler->packing = ExplicitPacking{"", {{{1e-3, 1e-3}, 1e-3}}, Walls::hard};
+      },
+      [](Study& study) { study.tests.last_time *= 2.0; },
+      [](Study& study) { study.tests.loads = {Load::bulk}; },
+      [](Study& study) { study.tests.quasistatic.sampling.tolerance = 1e-4; },
+      [](Study& study) { study.tests.dynamic.density_factors = {1.0}; },
+      [](Study& study) { study.measurements = {{.label = "a", .stage = "fine", .shear = PronySeries(1e6)}}; },
+  };
+  std::set<std::string> contents;
+  for (const auto& change : changes) {
+    auto study = test::two_stages();
+    change(study);
+    contents.insert(content_of(study));
+  }
+  EXPECT_EQ(contents.size(), changes.size());
+}
+
+// No result depends on these.
+TEST(ContentOf, LeavesAsideThreadsAndWarnings) {
+  auto study = test::two_stages();
+  study.tests.quasistatic.linear.threads = 3;
+  study.stages[0].warnings = {"doubtful"};
+  study.provenance.hash = "0123456789abcdef";
+  EXPECT_EQ(content_of(study), content_of(test::two_stages()));
+}
+
+TEST(ProvenanceOf, AStudyAsItsDeckGivesItHasThatOfTheDeck) {
+  const auto provenance = provenance_of(study_of_a_deck());
+  EXPECT_EQ(provenance.deck, "deck.toml");
+  EXPECT_EQ(provenance.hash, "0123456789abcdef");
+  EXPECT_THAT(provenance.stage_hashes, ElementsAre("1", "2"));
+}
+
+TEST(ProvenanceOf, AChangedStudyLosesThatOfItsDeckButForTheFilesItWasReadFrom) {
+  auto study = study_of_a_deck();
+  study.stages[0].cells = 24;
+  const auto provenance = provenance_of(study);
+  EXPECT_EQ(provenance.hash, content_of(study));
+  EXPECT_THAT(provenance.deck_text, IsEmpty());
+  EXPECT_THAT(provenance.overrides, IsEmpty());
+  EXPECT_THAT(provenance.stage_hashes, IsEmpty());
+  EXPECT_THAT(provenance.inputs, ElementsAre("deck.toml"));
+  study.stages[0].cells = 12;
+  EXPECT_EQ(provenance_of(study).hash, "0123456789abcdef");
+}
+
+// A hash that somebody wrote by hand says nothing of the content.
+TEST(ProvenanceOf, AStudyPutTogetherInMemoryIsKnownByItsContent) {
+  auto study = test::two_stages();
+  study.provenance.hash = "0123456789abcdef";
+  EXPECT_EQ(provenance_of(study).hash, content_of(study));
+}
+
+}  // namespace
+}  // namespace breccia
