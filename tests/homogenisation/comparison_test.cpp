@@ -80,7 +80,7 @@ TEST_F(Compare, TakesOneTestForEachBoundaryAndMethod) {
   const auto found = compared(tests);
   ASSERT_EQ(found.size(), 4U);
   EXPECT_EQ(found[3].test, (TestId{Load::shear, Boundary::traction, Method::dynamic, TestGrid::extrapolated()}));
-  tests.resize(4);
+  tests.erase(tests.begin() + 4, tests.end());
   EXPECT_THROW(static_cast<void>(compared(tests)), InputError) << "the traction boundary was not tested";
 }
 

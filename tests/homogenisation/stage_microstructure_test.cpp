@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 
