@@ -53,14 +53,14 @@ class DirectorySinkTest : public testing::Test {
   DirectorySinkTest() { fs::create_directories(place); }
 
   [[nodiscard]] const Stage& fine() const { return study.stages.front(); }
-  [[nodiscard]] DirectorySink sink_in(const fs::path& directory) {
-    return DirectorySink(study, directory, options, observer, shared);
+  [[nodiscard]] DirectorySink sink_in(const fs::path& results) {
+    return DirectorySink(study, results, options, observer, shared);
   }
   /// Files of a directory, but for plots, which need gnuplot.
-  [[nodiscard]] static std::vector<std::string> files(const fs::path& directory) {
+  [[nodiscard]] static std::vector<std::string> files(const fs::path& results) {
     std::vector<std::string> names;
-    if (!fs::exists(directory)) return names;
-    for (const auto& entry : fs::directory_iterator(directory)) {
+    if (!fs::exists(results)) return names;
+    for (const auto& entry : fs::directory_iterator(results)) {
       const auto name = entry.path().filename().string();
       if (entry.is_regular_file() && name != "modulus.svg") names.push_back(name);
     }
@@ -106,7 +106,8 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
   EXPECT_EQ(read_responses(place / "fine" / "response.h5").entries.size(), 1U);
 
   sink.stage_finished(fine(), result);
-  EXPECT_THAT(files(place), UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv", "report.html"));
+  EXPECT_THAT(files(place),
+              UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv", "report.html"));
   EXPECT_FALSE(read_study_record(place).is_complete);
 
   write_text(place / "fine" / "packing.checkpoint.h5", "");
@@ -156,7 +157,7 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
   {
     auto sink = sink_in(place);
     finish_stage(sink);
-    EXPECT_TRUE(sink.take_fields(fine(), in_shear, Discretisation<2>({{12, 12}, 0.5e-3}), {}));
+    EXPECT_TRUE(sink.take_fields(fine(), in_shear, Discretisation<2>(Grid<2>{{12, 12}, 0.5e-3}), {}));
   }
   fs::path told;
   observer.taken_over = [&](const StageResult& stage, const fs::path& files) {
