@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/study/identity.hpp"
 
@@ -80,8 +81,11 @@ void write_histories(const std::filesystem::path& directory, const Study& study,
 
 StoredHistory read_history(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
-  return {file.attribute<std::string>("/history", "deck_hash"), file.read_numbers(times_dataset),
-          file.read_numbers(file.has(compliance_dataset) ? compliance_dataset : modulus_dataset)};
+  StoredHistory history = {file.attribute<std::string>("/history", "deck_hash"), file.read_numbers(times_dataset),
+                           file.read_numbers(file.has(compliance_dataset) ? compliance_dataset : modulus_dataset)};
+  if (history.times.size() == history.values.size()) return history;
+  throw FileError(fmt::format("{}: {} times and {} values: not as `breccia run` writes it", path.string(),
+                              history.times.size(), history.values.size()));
 }
 
 StoredHistory outline_of(const StoredHistory& history) {

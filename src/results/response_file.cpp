@@ -1,6 +1,11 @@
 #include "breccia/results/response_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -20,15 +25,6 @@ void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::Matrix
              {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
 }
 
-Eigen::MatrixXd read_matrix(const Hdf5Reader& file, const std::string& name) {
-  const auto shape = file.shape(name);
-  const auto values = file.read_numbers(name);
-  if (shape.size() != 2) throw FileError(fmt::format("{}: expected a matrix", name));
-  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(shape[1]),
-                                           static_cast<Eigen::Index>(shape[0]))
-      .transpose();
-}
-
 void write_response(Hdf5Writer& file, const std::string& group, const ReducedResponse& response) {
   write_matrix(file, group + "/filler_Pa", response.constant);
   write_matrix(file, group + "/matrix_shear", response.part(ElasticModulus::shear));
@@ -44,12 +40,34 @@ void write_response(Hdf5Writer& file, const std::string& group, const ReducedRes
   file.write_attribute(group, "residual_scale", response.residual_scale);
 }
 
-void require(bool is_so, const std::string& group, const char* expected) {
-  if (!is_so) throw FileError(fmt::format("{}: not a response that Breccia has written: expected {}", group, expected));
+/// A group of a file that is being read.
+struct Group {
+  const Hdf5Reader& file;
+  const std::filesystem::path& path;
+  std::string name;
+
+  /// Throws FileError where the group is not as write_responses writes it.
+  void require(bool is_so, std::string_view expected) const {
+    if (is_so) return;
+    throw FileError(
+        fmt::format("{}: {}: not a response that Breccia has written: expected {}", path.string(), name, expected));
+  }
+};
+
+Eigen::MatrixXd read_matrix(const Group& group, const std::string& name) {
+  const auto dataset = group.name + "/" + name;
+  const auto shape = group.file.shape(dataset);
+  const auto values = group.file.read_numbers(dataset);
+  group.require(shape.size() == 2, name + " to be a matrix");
+  const bool is_finite = std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+  group.require(is_finite, name + " to be of finite numbers");
+  return Eigen::Map<const Eigen::MatrixXd>(values.data(), static_cast<Eigen::Index>(shape[1]),
+                                           static_cast<Eigen::Index>(shape[0]))
+      .transpose();
 }
 
 /// Checks that all matrices of a response have the same size of the basis.
-void require_consistent(const ReducedResponse& response, const std::string& group) {
+void require_consistent(const ReducedResponse& response, const Group& group) {
   const auto size = response.constant.rows();
   const auto is_square = [size](const Eigen::MatrixXd& matrix) {
     return matrix.rows() == size && matrix.cols() == size;
@@ -58,29 +76,71 @@ void require_consistent(const ReducedResponse& response, const std::string& grou
                     is_square(response.part(ElasticModulus::bulk)) && response.load_forces.size() == size &&
                     response.residual_products.rows() == 3 * size + 1 &&
                     response.residual_products.cols() == 3 * size + 1 && !response.snapshots.empty();
-  require(fits, group, "matrices of one size");
+  group.require(fits, "matrices of one size");
 }
 
-int read_cells(const std::string& name, const std::string& group) {
-  const auto grid = grid_named(name);
-  require(grid && !grid->is_extrapolated(), group, "numbers of cells");
-  return grid->cells().value();
-}
-
-ReducedResponse read_response(const Hdf5Reader& file, const std::string& group) {
+ReducedResponse read_response(const Group& group) {
   ReducedResponse response;
-  response.constant = read_matrix(file, group + "/filler_Pa");
-  response.parts = matrix_parts(read_matrix(file, group + "/matrix_shear"), read_matrix(file, group + "/matrix_bulk"));
-  response.load_forces = read_matrix(file, group + "/load_forces");
-  response.residual_products = read_matrix(file, group + "/residual_products");
-  response.residual_scale = file.attribute<double>(group, "residual_scale");
-  const auto snapshots = read_matrix(file, group + "/snapshots_shear_bulk_error");
-  require(snapshots.cols() == 3, group, "three columns of snapshots");
+  response.constant = read_matrix(group, "filler_Pa");
+  response.parts = matrix_parts(read_matrix(group, "matrix_shear"), read_matrix(group, "matrix_bulk"));
+  const auto load_forces = read_matrix(group, "load_forces");
+  group.require(load_forces.cols() == 1, "one column of load_forces");
+  response.load_forces = load_forces;
+  response.residual_products = read_matrix(group, "residual_products");
+  response.residual_scale = group.file.attribute<double>(group.name, "residual_scale");
+  const auto snapshots = read_matrix(group, "snapshots_shear_bulk_error");
+  group.require(snapshots.cols() == 3, "three columns of snapshots");
   for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
     response.snapshots.push_back({{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}, snapshots(i, 2)});
   }
   require_consistent(response, group);
   return response;
+}
+
+/// The responses under one boundary and load, on all grids.
+std::vector<StoredResponses::Entry> read_entries(const Group& group, Boundary boundary, Load load) {
+  std::vector<StoredResponses::Entry> entries;
+  for (const auto& name : group.file.names(group.name)) {
+    const auto grid = grid_named(name);
+    group.require(grid && !grid->is_extrapolated(), "numbers of cells");
+    auto& entry = entries.emplace_back();
+    entry.cells = grid->cells().value();
+    entry.response = read_response({group.file, group.path, group.name + "/" + name});
+    entry.response.load = load;
+    entry.response.boundary = boundary;
+  }
+  return entries;
+}
+
+/// What the attributes of the file tell of the stage, all but its responses.
+StoredResponses read_stage(const Group& root) {
+  const auto number = [&root](const char* name) { return root.file.attribute<double>("/", name); };
+  const auto text = [&root](const char* name) { return root.file.attribute<std::string>("/", name); };
+  StoredResponses stored;
+  stored.stage = text("stage");
+  if (text("matrix_is") == "stage") {
+    stored.matrix = EarlierStage{text("matrix")};
+  } else {
+    stored.matrix.emplace<Material>().name = text("matrix");
+  }
+  stored.filler_density = number("filler_density_kg_per_m3");
+  stored.filler_fraction = number("filler_fraction");
+  stored.side = number("box_m");
+  root.require(stored.side > 0.0 && std::isfinite(stored.side), "the side of a box");
+  stored.deck_hash = text("deck_hash");
+  const auto range = value_named<SampledRange>(text("sampled_range"));
+  root.require(range.has_value(), "a range that was sampled, matrix or times");
+  stored.range = *range;
+  stored.fit_tolerance = number("fit_tolerance");
+  const auto times = root.file.attribute<std::vector<double>>("/", "times_s");
+  const bool is_window = times.size() == 2 && times[0] > 0.0 && times[0] <= times[1] && std::isfinite(times[1]);
+  root.require(is_window, "two positive times that do not fall");
+  stored.times = {times[0], times[1]};
+  const auto points_per_decade = root.file.attribute<std::int64_t>("/", "points_per_decade");
+  constexpr std::int64_t most_points = 1'000'000;
+  root.require(points_per_decade > 0 && points_per_decade <= most_points, "a number of points per decade");
+  stored.points_per_decade = static_cast<int>(points_per_decade);
+  return stored;
 }
 
 }  // namespace
@@ -116,36 +176,12 @@ StoredResponses read_responses(const std::filesystem::path& path) {
     throw FileError(
         fmt::format("{}: written in format {}; this program reads format {}", path.string(), version, format_version));
   }
-  StoredResponses stored;
-  stored.stage = file.attribute<std::string>("/", "stage");
-  const auto matrix = file.attribute<std::string>("/", "matrix");
-  if (file.attribute<std::string>("/", "matrix_is") == "stage") {
-    stored.matrix = EarlierStage{matrix};
-  } else {
-    stored.matrix.emplace<Material>().name = matrix;
-  }
-  stored.filler_density = file.attribute<double>("/", "filler_density_kg_per_m3");
-  stored.filler_fraction = file.attribute<double>("/", "filler_fraction");
-  stored.side = file.attribute<double>("/", "box_m");
-  stored.deck_hash = file.attribute<std::string>("/", "deck_hash");
-  const auto range = value_named<SampledRange>(file.attribute<std::string>("/", "sampled_range"));
-  require(range.has_value(), path.string(), "a range that was sampled, matrix or times");
-  stored.range = *range;
-  stored.fit_tolerance = file.attribute<double>("/", "fit_tolerance");
-  const auto times = file.attribute<std::vector<double>>("/", "times_s");
-  require(times.size() == 2, path.string(), "two times");
-  stored.times = {times[0], times[1]};
-  stored.points_per_decade = static_cast<int>(file.attribute<std::int64_t>("/", "points_per_decade"));
+  auto stored = read_stage({file, path, "/"});
   for (const auto& [boundary_name, boundary] : words<Boundary>) {
     for (const auto& [load_name, load] : words<Load>) {
       const auto group = fmt::format("/{}/{}", boundary_name, load_name);
       if (!file.has(group)) continue;
-      for (const auto& cells : file.names(group)) {
-        auto response = read_response(file, fmt::format("{}/{}", group, cells));
-        response.load = load;
-        response.boundary = boundary;
-        stored.entries.push_back({read_cells(cells, group), std::move(response)});
-      }
+      for (auto& entry : read_entries({file, path, group}, boundary, load)) stored.entries.push_back(std::move(entry));
     }
   }
   return stored;

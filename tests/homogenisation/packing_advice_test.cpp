@@ -1,5 +1,7 @@
 #include "homogenisation/packing_advice.hpp"
 
+#include <numbers>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -108,6 +110,64 @@ TEST(PackingAdvice, AParticleThatDoesNotFit) {
   EXPECT_LE(gap, 50.0);
   stage.filler->gap = 1e-6 * gap;
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage)));
+}
+
+/// A hundred discs of 50 mm in a periodic box of 1 m, and a gap that is as wide.
+struct HundredDiscs {
+  Stage stage = box(0.05, 0.2, 0.05, Walls::periodic);
+  PackingRequest request = {
+      .side = 1.0, .walls = Walls::periodic, .diameters = std::vector<double>(100, 0.05), .minimum_gap = 0.05};
+  HundredDiscs() {
+    stage.side = 1.0;
+    stage.cells = 100;
+  }
+};
+
+/// A fraction of the box that a hundred discs of 50 mm fill with so wide a gap.
+double hundred_filled_with(double gap) {
+  return 100.0 * std::numbers::pi / 4.0 * (0.05 + gap) * (0.05 + gap);
+}
+
+// 96 % of what has jammed will pack. A gap of 25.7 mm fills so much, and the advice has two digits.
+TEST(PackingAdvice, KeepsAShareOfWhatHasJammed) {
+  const HundredDiscs discs;
+  const double jammed = hundred_filled_with(0.0257) / 0.96;
+  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  ASSERT_TRUE(advice.gap);
+  EXPECT_NEAR(*advice.gap, 0.025, 1e-12);
+  EXPECT_FALSE(advice.cells) << "the gap is a length";
+  // 0.2 (0.45006 / 0.7854), less half of a disc, 0.00098.
+  ASSERT_TRUE(advice.fraction);
+  EXPECT_NEAR(*advice.fraction, 0.11, 1e-12);
+}
+
+// Discs at random reach 0.82, less 0.4 times their relative size, 0.1, in a small box.
+TEST(PackingAdvice, KeepsToWhatDiscsAtRandomReach) {
+  const HundredDiscs discs;
+  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::density, 0.9, "too dense"});
+  ASSERT_TRUE(advice.gap);
+  EXPECT_LE(hundred_filled_with(*advice.gap), 0.78);
+  EXPECT_GT(hundred_filled_with(*advice.gap + 0.001), 0.78) << "the next with two digits";
+}
+
+// Half the gap takes twice the cells where it is so many of them.
+TEST(PackingAdvice, NamesCellsWhereTheGapFollowsTheGrid) {
+  HundredDiscs discs;
+  discs.stage.filler->gap_source = GapSource::points;
+  const double jammed = hundred_filled_with(0.0257) / 0.96;
+  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  EXPECT_EQ(advice.cells, 200);
+}
+
+TEST(PackingAdvice, IsNoneWhereNoGapWouldDo) {
+  HundredDiscs discs;
+  const double jammed = hundred_filled_with(0.0) / 0.97;
+  const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
+  EXPECT_FALSE(advice.gap);
+  discs.stage.filler->fraction.reset();
+  EXPECT_FALSE(packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}).fraction);
+  EXPECT_THAT(message_on(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}),
+              HasSubstr("; expected fewer or smaller particles"));
 }
 
 }  // namespace

@@ -63,6 +63,30 @@ TEST(Quality, ReportsAFactorIfBoundsAreFarApart) {
   EXPECT_THAT(summary, HasSubstr("bounds a factor of 15 at 10 ms, a factor of 15 at 1 s;"));
 }
 
+TEST(Quality, TellsDistancesWithTwoDigits) {
+  const auto bounds_of = [](double upper, double lower) {
+    const auto summary =
+        summary_of(quality_of(random_stage(), result_of({constant(Boundary::displacement, TestGrid(100), upper),
+                                                         constant(Boundary::traction, TestGrid(100), lower)})));
+    return summary.substr(0, summary.find(" at 10 ms"));
+  };
+  EXPECT_EQ(bounds_of(1.0009, 1.0), "bounds less than 0.1 % apart");
+  EXPECT_EQ(bounds_of(1.0011, 1.0), "bounds 0.11 % apart");
+  EXPECT_EQ(bounds_of(1.994, 1.0), "bounds 99 % apart");
+  EXPECT_EQ(bounds_of(2.001, 1.0), "bounds a factor of 2");
+  EXPECT_EQ(bounds_of(99.4, 1.0), "bounds a factor of 99");
+  EXPECT_EQ(bounds_of(1234.0, 1.0), "bounds a factor of 1234");
+}
+
+// The half band over the smaller of the two moduli.
+TEST(Quality, ComparesTheBandOfTheGridsWithTheModulus) {
+  EXPECT_EQ((BoundsAtTime{1.0, 4.0, 2.0, 0.5}).grid_share(), 0.25);
+  EXPECT_EQ((BoundsAtTime{1.0, 4.0, std::nullopt, 0.5}).grid_share(), 0.125);
+  EXPECT_EQ((BoundsAtTime{1.0, std::nullopt, 2.0, 0.5}).grid_share(), 0.25);
+  EXPECT_FALSE((BoundsAtTime{1.0, 4.0, 2.0, std::nullopt}).grid_share());
+  EXPECT_FALSE((BoundsAtTime{1.0, 4.0, std::nullopt, 0.5}).distance());
+}
+
 TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
   auto stage = random_stage();
   stage.coarser_cells = {50};
@@ -106,6 +130,23 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   packed.fraction = 0.377;
   EXPECT_THAT(warnings_on_packing(stage, packed),
               ElementsAre(HasSubstr("fill 37.7 % of the box where 35 % were asked for")));
+  packed.fraction = 0.3599;
+  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty()) << "within 1 % of the box";
+  packed.fraction = 0.3401;
+  EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
+  for (const double fraction : {0.3601, 0.3399}) {
+    packed.fraction = fraction;
+    EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 35 % were asked for"))) << fraction;
+  }
+  packed.microstructure.particles.resize(1);
+  packed.fraction = 0.35;
+  EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
+  auto without_fraction = stage;
+  without_fraction.filler->fraction.reset();
+  packed = result_of({}, 30).microstructure;
+  packed.fraction = 0.9;
+  EXPECT_THAT(warnings_on_packing(without_fraction, packed), IsEmpty());
+  EXPECT_THAT(warnings_on_packing({.name = "plain", .matrix = Material{}, .side = 1e-3, .cells = 10}, {}), IsEmpty());
   auto regular = stage;
   regular.filler->packing = RegularPacking{};
   packed = result_of({}, 4).microstructure;

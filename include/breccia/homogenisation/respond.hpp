@@ -25,9 +25,9 @@ struct StoredResponses {
   StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
-  double side = 0.0;  ///< side of the box [m]
+  double side = 0.0;                          ///< side of the box [m]
   std::string deck_hash;                      ///< of the study that left it (provenance_of)
-  double fit_tolerance = 0.0;  ///< of the study [-]
+  double fit_tolerance = 0.0;                 ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]
   int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled

@@ -30,9 +30,9 @@ struct ExtrapolationRecord {
 /// The result of one virtual test of one stage under one load.
 struct TestResult {
   TestId id;
-  Curve modulus = {};  ///< relaxation modulus; for a creep test by interconversion
-  Creep compliance = {};  ///< creep compliance, for a creep test only
-  PronySeries series = {};  ///< relaxation modulus
+  Curve modulus = {};                       ///< relaxation modulus; for a creep test by interconversion
+  Creep compliance = {};                    ///< creep compliance, for a creep test only
+  PronySeries series = {};                  ///< relaxation modulus
   std::vector<TimedFields<2>> fields = {};  ///< of the material points; empty where a sink has taken them
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
@@ -81,8 +81,8 @@ struct StageResult {
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
-  std::vector<Comparison> comparisons;  ///< with all measurements of the stage
-  std::vector<std::string> warnings;  ///< reasons to doubt the results
+  std::vector<Comparison> comparisons;   ///< with all measurements of the stage
+  std::vector<std::string> warnings;     ///< reasons to doubt the results
 };
 
 /// The results of a study.

@@ -1,0 +1,179 @@
+#include "campaign/sweep_directory.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/results/sweep_files.hpp"
+
+#include "campaign/deck_study.hpp"
+#include "campaign/result_directory.hpp"
+#include "campaign/sweep_temperatures.hpp"
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Each;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Tasks that differ in a key alone.
+Sweep sweep_over(const std::string& path, const std::vector<std::string>& values) {
+  Sweep sweep;
+  sweep.keys = {{path, "key", false}};
+  for (const auto& value : values) {
+    auto& task = sweep.tasks.emplace_back();
+    task.name = "key-" + value;
+    task.labels = {task.name};
+    task.values = {value};
+    task.study = test::study_of_deck(task.name);
+  }
+  return sweep;
+}
+
+class SweepDirectory : public testing::Test {
+ protected:
+  void leave(const std::string& task, const Study& study, const StudyResult& result) const {
+    test::leave(results / task, study, result);
+  }
+  /// Writes `sweep.json` with the states of the tasks and what they may replace.
+  void write_record(const Sweep& of, const std::vector<TaskState>& states,
+                    const std::vector<std::vector<std::string>>& replaceable = {{}, {}}) const {
+    fs::create_directories(results);
+    SweepResult result;
+    for (const auto state : states) result.push_back({.state = state});
+    write_sweep_record(results, of, result, replaceable);
+  }
+  [[nodiscard]] std::string refusal(const RunOptions& options) const {
+    return test::message_of<InputError>([&] { refuse_objections(sweep, results, options); });
+  }
+  [[nodiscard]] std::vector<std::vector<std::string>> replaceable(const RunOptions& options) const {
+    std::vector<std::vector<std::string>> hashes;
+    for (const auto& of_task : options_of_tasks(sweep, results, options)) hashes.push_back(of_task.replaceable);
+    return hashes;
+  }
+
+  Sweep sweep = sweep_over("stages.0.cells", {"8", "12"});
+  const Study other = test::study_of_deck("other");
+  test::TemporaryDirectory directory;
+  const fs::path results = directory.path() / "results";
+};
+
+TEST_F(SweepDirectory, IsFreeWhereNothingIs) {
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {}));
+  EXPECT_THAT(replaceable({}), ElementsAre(IsEmpty(), IsEmpty()));
+}
+
+// Not what others put there since.
+TEST_F(SweepDirectory, IsOverwrittenAsItWasWhenTheSweepBegan) {
+  leave("key-12", other, test::complete_result());
+  const auto hashes = hashes_of_records_in(results / "key-12");
+  EXPECT_THAT(hashes, SizeIs(1));
+  EXPECT_THAT(replaceable({.overwrite = true}), ElementsAre(IsEmpty(), hashes));
+  EXPECT_THAT(options_of_tasks(sweep, results, {.overwrite = true}), Each(Field(&RunOptions::overwrite, false)));
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
+}
+
+TEST_F(SweepDirectory, IsResumedAsItsRecordSays) {
+  write_record(sweep, {TaskState::done, TaskState::waiting}, {{"aa"}, {"bb", "cc"}});
+  EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), ElementsAre("bb", "cc")))
+      << "what is done replaces nothing any more";
+  EXPECT_THAT(replaceable({}), ElementsAre(IsEmpty(), IsEmpty()));
+  write_text(results / "sweep.json", R"({"program": "breccia", "tasks": [7, {"name": "key-8"}]})");
+  EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), IsEmpty()));
+  write_text(results / "sweep.json", R"({"tasks": [{"name": "key-8", "may_replace": ["aa"]}]})");
+  EXPECT_THAT(replaceable({.resume = true}), ElementsAre(IsEmpty(), IsEmpty())) << "not of Breccia";
+}
+
+TEST_F(SweepDirectory, IsRefusedForAllTasksAtOnce) {
+  leave("key-8", other, test::complete_result());
+  leave("key-12", other, test::tested_result());
+  const auto message = refusal({});
+  EXPECT_THAT(message, HasSubstr("results/key-8: here are complete results of another study"));
+  EXPECT_THAT(message, HasSubstr("\n" + (results / "key-12").string() + ": here are results of another study"));
+}
+
+TEST_F(SweepDirectory, OfASingleStudyIsRefused) {
+  test::leave(results, other, test::tested_result());
+  EXPECT_THAT(refusal({.overwrite = true}),
+              HasSubstr("results: here are the results of a single study; take another directory (--out " +
+                        results.string() + "-sweep)"));
+}
+
+TEST_F(SweepDirectory, OfAnotherSweepIsReplacedOnRequestAlone) {
+  write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::done, TaskState::waiting});
+  EXPECT_THAT(refusal({}),
+              HasSubstr("results: here are the results of another sweep; replace them (--overwrite), add to "
+                        "them (--resume) or take another directory"));
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {.resume = true}));
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
+  write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::waiting, TaskState::failed});
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {})) << "nothing of it is done";
+  write_record(sweep, {TaskState::done, TaskState::done});
+  EXPECT_NO_THROW(refuse_objections(sweep, results, {})) << "the same sweep";
+}
+
+TEST_F(SweepDirectory, WithForeignTablesIsRefused) {
+  fs::create_directories(results);
+  write_text(results / "sweep.csv", "mine");
+  EXPECT_THAT(refusal({.overwrite = true}),
+              HasSubstr("results/sweep.csv: the results would replace this file, which Breccia did not write"));
+}
+
+TEST_F(SweepDirectory, IsHeldByOneProcess) {
+  const auto lock = hold_sweep_directory(sweep, results);
+  ASSERT_NE(lock, nullptr);
+  EXPECT_THROW(static_cast<void>(hold_sweep_directory(sweep, results)), DirectoryInUse);
+  Sweep single;
+  single.tasks.emplace_back().study = other;
+  EXPECT_EQ(hold_sweep_directory(single, results), nullptr) << "a task without a name locks the directory itself";
+}
+
+TEST(SweepTemperatures, AreAnsweredByTheFirstTaskThatDiffersInThemAlone) {
+  auto sweep = sweep_over("materials.binder.temperature_shift.temperature", {"20 degC", "30 degC", "40 degC"});
+  EXPECT_EQ(task_that_answers(sweep, 0), std::nullopt) << "the first is computed";
+  EXPECT_EQ(task_that_answers(sweep, 1), 0U);
+  EXPECT_EQ(task_that_answers(sweep, 2), 0U);
+  sweep.keys.push_back({"stages.0.cells", "cells", false});
+  for (std::size_t i = 0; i < 3; ++i) sweep.tasks[i].values.emplace_back(i == 0 ? "8" : "12");
+  EXPECT_EQ(task_that_answers(sweep, 1), std::nullopt) << "on another grid";
+  EXPECT_EQ(task_that_answers(sweep, 2), 1U);
+}
+
+TEST(SweepTemperatures, AreNotAnsweredOnOtherKeys) {
+  for (const auto* path : {"materials.binder.temperature_shift.reference", "materials.binder.temperature",
+                           "stages.binder.temperature_shift.temperature"}) {
+    EXPECT_EQ(task_that_answers(sweep_over(path, {"20 degC", "30 degC"}), 1), std::nullopt) << path;
+  }
+}
+
+TEST(SweepTemperatures, AreNotAnsweredWhereTheTestsLeaveMoreThanResponses) {
+  auto sweep = sweep_over("materials.binder.temperature_shift.temperature", {"20 degC", "30 degC"});
+  auto& tests = sweep.tasks[1].study.tests;
+  const auto usual = tests;
+  const auto answering = [&] { return task_that_answers(sweep, 1); };
+  tests.field_times = {tests.last_time};
+  EXPECT_EQ(answering(), 0U) << "the usual map is left out";
+  tests.field_times = {0.5 * tests.last_time};
+  EXPECT_EQ(answering(), std::nullopt) << "maps at a time of the deck's own take a run";
+  tests = usual;
+  tests.methods = {Method::quasistatic, Method::dynamic};
+  EXPECT_EQ(answering(), std::nullopt);
+  tests = usual;
+  tests.quasistatic.solver = Solver::stepping;
+  EXPECT_EQ(answering(), std::nullopt);
+  tests = usual;
+  tests.quasistatic.range = SampledRange::times;
+  EXPECT_EQ(answering(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,101 @@
+#include "homogenisation/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::DoubleNear;
+using testing::IsEmpty;
+
+const TestId upper{Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(12)};
+
+TestResult test_with(const TestId& id, Curve modulus) {
+  TestResult test{.id = id};
+  test.modulus = std::move(modulus);
+  return test;
+}
+
+class Compare : public testing::Test {
+ protected:
+  Compare() {
+    stage.name = "A";
+    study.tests.boundaries = {Boundary::displacement};
+  }
+  [[nodiscard]] std::vector<Comparison> compared(const std::vector<TestResult>& tests) const {
+    return compare(study, stage, tests);
+  }
+
+  Study study;
+  Stage stage;
+};
+
+// From 8 Pa at 1 s to 2 Pa at 100 s as a power of time: 4 Pa at 10 s.
+TEST_F(Compare, TellsTheModulusBesideAMeasuredCurve) {
+  study.measurements = {{"rheometer", "A", Curve{{1.0, 8.0}, {100.0, 2.0}}}};
+  const auto found = compared({test_with(upper, {{0.1, 20.0}, {1.0, 16.0}, {10.0, 12.0}, {100.0, 1.0}, {1e3, 0.5}})});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].measurement, "rheometer");
+  EXPECT_EQ(found[0].test, upper);
+  ASSERT_EQ(found[0].samples.size(), 3U) << "the times that were measured";
+  EXPECT_EQ(found[0].samples[0].time, 1.0);
+  EXPECT_THAT(found[0].samples[0].ratio(), DoubleNear(2.0, 1e-12));
+  EXPECT_THAT(found[0].samples[1].measured, DoubleNear(4.0, 1e-12));
+  EXPECT_EQ(found[0].samples[1].modulus, 12.0);
+  EXPECT_THAT(found[0].samples[2].ratio(), DoubleNear(0.5, 1e-12));
+  EXPECT_EQ(found[0].best().time, 1.0) << "twice is as far as half, and comes first";
+  EXPECT_EQ(found[0].worst().time, 10.0);
+}
+
+TEST_F(Compare, TakesASeriesWithinTheTimesInWhichItHolds) {
+  study.measurements = {{"published", "A", PronySeries(2.0, {{10.0, 4.0}}), TimeWindow{1.0, 10.0}}};
+  const auto found = compared({test_with(upper, {{0.1, 20.0}, {1.0, 16.0}, {10.0, 12.0}, {100.0, 1.0}})});
+  ASSERT_EQ(found.size(), 1U);
+  ASSERT_EQ(found[0].samples.size(), 2U);
+  EXPECT_THAT(found[0].samples[1].measured, DoubleNear(2.0 + 4.0 / std::exp(1.0), 1e-12));
+}
+
+TEST_F(Compare, LeavesOutOtherStagesAndOtherTimes) {
+  study.measurements = {{"of B", "B", PronySeries(1.0)},
+                        {"later", "A", Curve{{100.0, 8.0}, {200.0, 2.0}}},
+                        {"between two samples", "A", Curve{{2.0, 8.0}, {3.0, 2.0}}}};
+  EXPECT_THAT(compared({test_with(upper, {{1.0, 16.0}, {10.0, 12.0}})}), IsEmpty());
+}
+
+TEST_F(Compare, TakesOneTestForEachBoundaryAndMethod) {
+  study.tests.boundaries = {Boundary::displacement, Boundary::traction};
+  study.tests.methods = {Method::quasistatic, Method::dynamic};
+  study.measurements = {{"rheometer", "A", PronySeries(1.0)}};
+  std::vector<TestResult> tests;
+  for (const auto boundary : study.tests.boundaries) {
+    for (const auto method : study.tests.methods) {
+      for (const auto grid : {TestGrid::extrapolated(), TestGrid(12)}) {
+        tests.push_back(test_with({Load::shear, boundary, method, grid}, {{1.0, 3.0}, {2.0, 3.0}}));
+      }
+    }
+  }
+  const auto found = compared(tests);
+  ASSERT_EQ(found.size(), 4U);
+  EXPECT_EQ(found[3].test, (TestId{Load::shear, Boundary::traction, Method::dynamic, TestGrid::extrapolated()}));
+  tests.erase(tests.begin() + 4, tests.end());
+  EXPECT_THROW(static_cast<void>(compared(tests)), InputError) << "the traction boundary was not tested";
+}
+
+TEST(PreferredTest, IsOfTheLimitOrTheFinestGrid) {
+  std::vector<TestResult> tests = {
+      test_with(upper, {}), test_with({Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(24)}, {}),
+      test_with({Load::shear, Boundary::displacement, Method::dynamic, TestGrid(48)}, {})};
+  EXPECT_EQ(preferred_test(tests, Load::shear, Boundary::displacement).id.grid, TestGrid(24));
+  EXPECT_EQ(preferred_test(tests, Load::shear, Boundary::displacement, Method::dynamic).id.grid, TestGrid(48));
+  tests.push_back(test_with({.grid = TestGrid::extrapolated()}, {}));
+  EXPECT_TRUE(preferred_test(tests, Load::shear, Boundary::displacement).id.grid.is_extrapolated());
+  EXPECT_EQ(find_preferred_test(tests, Load::bulk, Boundary::displacement), nullptr);
+  EXPECT_EQ(find_preferred_test(tests, Load::shear, Boundary::traction), nullptr);
+  EXPECT_THROW(static_cast<void>(preferred_test(tests, Load::shear, Boundary::periodic)), InputError);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,100 @@
+// Responses of composites whose moduli are linear in those of their matrix, so that the answers are known.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/respond.hpp"
+
+#include "messages.hpp"
+#include "one_vector_response.hpp"
+#include "study/two_stages.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// A stage whose composite has the moduli in_shear G, and in the plane K + in_shear G / 3.
+StoredResponses linear_stage(const std::string& name, StageMatrix matrix, double in_shear) {
+  StoredResponses stored;
+  stored.stage = name;
+  stored.matrix = std::move(matrix);
+  stored.side = 1.0;
+  stored.deck_hash = "0123456789abcdef";
+  stored.fit_tolerance = 0.03;
+  stored.times = {1e-3, 50e-3};
+  const std::vector<Snapshot> snapshots = {{{.bulk = 1e9, .shear = 1e8}, 0.0}, {{.bulk = 1e9, .shear = 1e3}, 0.0}};
+  for (const auto& [load, composite] : {std::pair{Load::shear, test::LinearComposite{0.0, in_shear, 0.0}},
+                                        std::pair{Load::bulk, test::LinearComposite{0.0, in_shear / 3.0, 1.0}}}) {
+    stored.entries.push_back({12, test::one_vector_response(load, Boundary::traction, composite, snapshots)});
+  }
+  return stored;
+}
+
+// Twice the binder, and three times that.
+TEST(Respond, TakesWhatAStageMakesOfTheMatrixAsTheMatrixOfTheNext) {
+  const auto answers = respond(
+      {linear_stage("coarse", EarlierStage{"fine"}, 3.0), linear_stage("fine", test::binder, 2.0)}, test::binder);
+  ASSERT_THAT(answers, SizeIs(2));
+  EXPECT_EQ(answers[0].name, "fine") << "in the order in which they build on each other";
+  EXPECT_EQ(answers[1].name, "coarse");
+  const auto modulus = [&](std::size_t stage, double time) {
+    return preferred_test(answers[stage].tests, Load::shear, Boundary::traction).series.at(time);
+  };
+  for (const double time : {1e-3, 1e-2, 5e-2}) {
+    EXPECT_NEAR(modulus(0, time) / (2.0 * test::binder.shear.at(time)), 1.0, 1e-9) << time;
+    EXPECT_NEAR(modulus(1, time) / (6.0 * test::binder.shear.at(time)), 1.0, 0.03) << time << ", through a fit";
+  }
+}
+
+TEST(Respond, TellsTheCreepComplianceUnderATraction) {
+  const auto answer =
+      respond(linear_stage("fine", test::binder, 2.0), {"elastic", 1e3, PronySeries(1e9), PronySeries(1e6)});
+  const auto& in_shear = preferred_test(answer.tests, Load::shear, Boundary::traction);
+  ASSERT_EQ(in_shear.compliance.size(), in_shear.modulus.size());
+  EXPECT_NEAR(in_shear.compliance.front().compliance * 2e6, 1.0, 1e-12);
+  EXPECT_EQ(in_shear.modulus.front().time, 1e-3);
+  EXPECT_EQ(in_shear.modulus.back().time, 50e-3);
+}
+
+TEST(Respond, RefusesStagesThatDoNotBelongTogether) {
+  const auto fine = linear_stage("fine", test::binder, 2.0);
+  const auto refusal_of = [](const std::vector<StoredResponses>& stored) {
+    return test::message_of<InputError>([&] { static_cast<void>(respond(stored, test::binder)); });
+  };
+  EXPECT_THAT(respond(std::vector<StoredResponses>{}, test::binder), IsEmpty());
+  EXPECT_THAT(refusal_of({fine, linear_stage("coarse", EarlierStage{"middle"}, 3.0)}),
+              HasSubstr("stage coarse: its matrix is the result of stage middle, of which there is no response"));
+  auto elsewhere = linear_stage("coarse", EarlierStage{"fine"}, 3.0);
+  elsewhere.deck_hash = "fedcba9876543210";
+  EXPECT_THAT(
+      refusal_of({fine, elsewhere}),
+      HasSubstr("the responses of stages fine and coarse are of different studies (deck hashes 0123456789abcdef "
+                "and fedcba9876543210)"));
+  EXPECT_THAT(refusal_of({fine, linear_stage("other", test::glass, 3.0)}),
+              HasSubstr("stages fine and other have different matrices, binder and glass"));
+}
+
+TEST(Respond, TakesAMaterialForEachThatStagesHaveAsTheirMatrix) {
+  const std::vector<StoredResponses> stored = {linear_stage("fine", test::binder, 2.0),
+                                               linear_stage("other", test::glass, 3.0)};
+  const Material soft{"soft", 1e3, PronySeries(1e9), PronySeries(1e4)},
+      hard{"hard", 1e3, PronySeries(1e9), PronySeries(1e7)};
+  const auto answers = respond(stored, {{"binder", soft}, {"glass", hard}});
+  EXPECT_NEAR(answers.at(0).tests.at(0).modulus.front().modulus / 2e4, 1.0, 1e-9);
+  EXPECT_NEAR(answers.at(1).tests.at(0).modulus.front().modulus / 3e7, 1.0, 1e-9);
+  EXPECT_THAT(test::message_of<InputError>([&] {
+                static_cast<void>(respond(stored, {{"binder", soft}}));
+              }),
+              HasSubstr("no new material for \"glass\", which is the matrix of a stage"));
+}
+
+}  // namespace
+}  // namespace breccia

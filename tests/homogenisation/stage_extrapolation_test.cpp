@@ -1,0 +1,137 @@
+#include "homogenisation/stage_extrapolation.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "one_vector_response.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::DoubleNear;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Stage on_grids(std::vector<int> coarser, int finest) {
+  Stage stage;
+  stage.name = "A";
+  stage.side = 1e-3;
+  stage.cells = finest;
+  stage.coarser_cells = std::move(coarser);
+  return stage;
+}
+
+/// A test with a constant modulus.
+TestResult constant(int cells, double modulus, Boundary boundary = Boundary::displacement) {
+  TestResult test{.id = {.boundary = boundary, .grid = TestGrid(cells)}};
+  for (const double time : logarithmic_times({1e-2, 1.0}, 5)) test.modulus.push_back({time, modulus});
+  return test;
+}
+
+const ExtrapolationRecord& record_of(const TestResult& test) {
+  return std::get<ExtrapolationRecord>(test.record);
+}
+
+// The modulus 10 + 40 h / L on two grids is 14 and 12; the band of two grids is half of what the finest is corrected
+// by.
+TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
+  const auto limits = extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(20, 12.0)});
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_EQ(limits[0].id, (TestId{.grid = TestGrid::extrapolated()}));
+  ASSERT_EQ(limits[0].modulus.size(), 11U);
+  for (const auto& sample : limits[0].modulus) EXPECT_THAT(sample.modulus, DoubleNear(10.0, 1e-12));
+  EXPECT_THAT(record_of(limits[0]).cells, ElementsAre(10, 20));
+  EXPECT_THAT(record_of(limits[0]).half_bands, Each(DoubleNear(1.0, 1e-12)));
+  EXPECT_NEAR(limits[0].series.at(0.1), 10.0, 1e-6);
+  EXPECT_THAT(limits[0].compliance, IsEmpty());
+}
+
+// 18, 14 and 11: the two finest tell 8, the two coarsest 10.
+TEST(ExtrapolateTests, TakesTheBandFromThreeGrids) {
+  const auto limits =
+      extrapolate_tests(on_grids({10, 20}, 40), {constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)});
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(8.0, 1e-12));
+  EXPECT_THAT(record_of(limits[0]).cells, ElementsAre(10, 20, 40));
+  EXPECT_THAT(record_of(limits[0]).half_bands, Each(DoubleNear(2.0, 1e-12)));
+}
+
+TEST(ExtrapolateTests, TakesCompliancesByThemselves) {
+  auto coarse = constant(10, 1.0, Boundary::traction), fine = constant(20, 1.0, Boundary::traction);
+  for (const auto& [time, modulus] : coarse.modulus) {
+    coarse.compliance.push_back({time, 0.2});
+    fine.compliance.push_back({time, 0.5});
+  }
+  const auto limits = extrapolate_tests(on_grids({10}, 20), {coarse, fine});
+  ASSERT_EQ(limits.size(), 1U);
+  ASSERT_EQ(limits[0].compliance.size(), 11U);
+  EXPECT_THAT(limits[0].compliance.front().compliance, DoubleNear(0.8, 1e-12));
+  EXPECT_EQ(limits[0].compliance.back().time, 1.0);
+}
+
+TEST(ExtrapolateTests, KeepsTestsApart) {
+  const auto limits =
+      extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(10, 7.0, Boundary::traction),
+                                             constant(20, 12.0), constant(20, 6.0, Boundary::traction)});
+  ASSERT_EQ(limits.size(), 2U);
+  EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(10.0, 1e-12));
+  EXPECT_EQ(limits[1].id.boundary, Boundary::traction);
+  EXPECT_THAT(limits[1].modulus.front().modulus, DoubleNear(5.0, 1e-12));
+}
+
+TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {
+  EXPECT_THAT(extrapolate_tests(on_grids({}, 20), {constant(20, 12.0)}), IsEmpty());
+}
+
+// 30 and 10 have the limit -10.
+TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
+  const auto message = test::message_of<NumericalError>([] {
+    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {constant(10, 30.0), constant(20, 10.0)}));
+  });
+  EXPECT_THAT(message, AllOf(HasSubstr("A shear upper bound quasistatic: extrapolation to vanishing cells gives -10 at "
+                                       "0.01 s"),
+                             HasSubstr("take finer ones")));
+}
+
+/// A test of the reduced solver, whose series tells the modulus at all times.
+TestResult with_series(int cells, const PronySeries& series) {
+  auto test = constant(cells, 1.0);
+  test.series = series;
+  QuasistaticRecord record;
+  record.response.reduced = test::one_vector_response(Load::shear, Boundary::displacement, {}, {});
+  test.record = std::move(record);
+  return test;
+}
+
+TEST(CurveAt, FollowsASeriesBeyondTheCurve) {
+  const PronySeries series(2.0, {{1.0, 4.0}});
+  const auto test = with_series(20, series);
+  const auto curve = curve_at(test, on_grids({}, 20), {test}, {1e-5, 100.0});
+  EXPECT_EQ(curve, (Curve{{1e-5, series.at(1e-5)}, {100.0, series.at(100.0)}}));
+}
+
+TEST(CurveAt, FollowsTheLimitOfTheSeriesOfAllGrids) {
+  const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
+  TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
+  limit.modulus = {{1.0, 1.0}};
+  const auto curve = curve_at(limit, on_grids({10}, 20), tests, {1e-5});
+  ASSERT_EQ(curve.size(), 1U);
+  EXPECT_EQ(curve[0].time, 1e-5);
+  EXPECT_THAT(curve[0].modulus, DoubleNear(10.0, 1e-12));
+}
+
+// A series that was fitted to a curve says nothing beyond it.
+TEST(CurveAt, KeepsToTheCurveWhereASeriesIsAFit) {
+  auto test = constant(20, 3.0);
+  test.series = PronySeries(5.0);
+  EXPECT_EQ(curve_at(test, on_grids({}, 20), {test}, {1e-5, 100.0}), test.modulus);
+}
+
+}  // namespace
+}  // namespace breccia

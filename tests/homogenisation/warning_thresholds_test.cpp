@@ -1,0 +1,156 @@
+// Each warning on a stage from both sides of its threshold.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/homogenisation/stage_warnings.hpp"
+
+#include "homogenisation/material_warnings.hpp"
+#include "homogenisation/separation.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::Optional;
+
+const Material resin{"resin", 1.0, PronySeries(4.0), PronySeries(1.0)};
+const Material glass{"glass", 2.0, PronySeries(5.0), PronySeries(3.0)};
+
+/// A box of 10 mm with 200 cells of 50 um and particles of some sizes.
+Stage stage_with(const std::vector<double>& diameters, StageMatrix matrix = resin, const std::string& name = "A") {
+  Filler filler;
+  filler.material = glass;
+  filler.sizes = ListedSizes{diameters};
+  filler.packing = RegularPacking{};
+  return {.name = name, .matrix = std::move(matrix), .side = 10e-3, .cells = 200, .filler = std::move(filler)};
+}
+
+StageMicrostructure packed_with(double gap, double wall_gap = 1.0) {
+  StageMicrostructure packed;
+  packed.gap = gap;
+  packed.wall_gap = wall_gap;
+  return packed;
+}
+
+Study within(double first_time, double last_time) {
+  Study study;
+  study.tests.first_time = first_time;
+  study.tests.last_time = last_time;
+  return study;
+}
+
+std::vector<std::string> warnings_at_gap(double gap, double wall_gap = 1.0) {
+  const auto stage = stage_with({1e-3});
+  return warnings_on(within(1.0, 2.0), stage, packed_with(gap, wall_gap));
+}
+
+// Three cells of 50 um.
+TEST(WarningThresholds, OfGapsInCells) {
+  EXPECT_THAT(warnings_at_gap(150e-6), IsEmpty());
+  EXPECT_THAT(warnings_at_gap(149.9e-6), ElementsAre(HasSubstr("149.9 um, is 3 cells wide")));
+  EXPECT_THAT(warnings_at_gap(1.0, 149.9e-6), ElementsAre(HasSubstr("between particles or to a wall")));
+  EXPECT_THAT(warnings_at_gap(50e-6), ElementsAre(HasSubstr("50 um, is 1 cell wide")));
+}
+
+// 20000 cells a side resolve 1.5 um of 10 mm.
+TEST(WarningThresholds, OfCellsThatCanBeAfforded) {
+  EXPECT_THAT(warnings_at_gap(1.5001e-6), ElementsAre(HasSubstr("(cells = 19999 would resolve it)")));
+  EXPECT_THAT(warnings_at_gap(1.4999e-6), ElementsAre(Not(HasSubstr("would resolve it"))));
+}
+
+// A term affects the modulus for about a decade on either side of its time.
+TEST(WarningThresholds, OfTimesBesideTheSpectrum) {
+  auto material = resin;
+  material.shear = PronySeries(0.0, {{1e-3, 1.0}, {1.0, 1.0}});
+  EXPECT_FALSE(warning_of_unknown_times(material, {1.001e-4, 9.99}));
+  EXPECT_THAT(warning_of_unknown_times(material, {0.999e-4, 1.0}),
+              Optional(HasSubstr("constant, whatever the material")));
+  EXPECT_TRUE(warning_of_unknown_times(material, {1.0, 10.01}));
+}
+
+// Poisson's ratio is 0.49999 where K / G = 2.99998 / 0.00006 = 49999.67.
+TEST(WarningThresholds, OfPoissonsRatioNearAHalf) {
+  auto stage = stage_with({1e-3});
+  stage.filler.reset();
+  const auto warnings_with = [&](const PronySeries& bulk, const PronySeries& shear) {
+    stage.matrix = Material{"resin", 1.0, bulk, shear};
+    return warnings_on_materials(within(1.0, 2.0), stage);
+  };
+  EXPECT_THAT(warnings_with(PronySeries(49999.0), PronySeries(1.0)), IsEmpty());
+  EXPECT_THAT(warnings_with(PronySeries(50001.0), PronySeries(1.0)),
+              ElementsAre(HasSubstr("Poisson's ratio is 0.49999 before it relaxes")));
+}
+
+// Below zero at the last time alone: the bulk modulus relaxes from 2 to 1 Pa, the shear modulus stays at 2 Pa.
+TEST(WarningThresholds, OfPoissonsRatioBelowZeroAtTheLastTime) {
+  auto stage = stage_with({1e-3});
+  stage.filler.reset();
+  stage.matrix = Material{"resin", 1.0, PronySeries(1.0, {{1.0, 1.0}}), PronySeries(2.0)};
+  EXPECT_THAT(warnings_on_materials(within(1e-3, 0.1), stage), IsEmpty());
+  EXPECT_THAT(warnings_on_materials(within(1e-3, 10.0), stage), ElementsAre(HasSubstr("at 10 s, below zero")));
+}
+
+TEST(WarningThresholds, OfAFillerAsStiffAsItsBinderAtTheFirstTime) {
+  auto stage = stage_with({1e-3});
+  stage.matrix = Material{"resin", 1.0, PronySeries(4.0), PronySeries(1.0, {{1.0, 5.0}})};
+  EXPECT_THAT(warning_of_soft_filler(within(1e-3, 10.0), stage), Optional(HasSubstr("shear modulus 3 Pa against")));
+  EXPECT_FALSE(warning_of_soft_filler(within(2.0, 10.0), stage)) << "1 + 5 exp(-2) Pa";
+  stage.filler.reset();
+  EXPECT_FALSE(warning_of_soft_filler(within(1e-3, 10.0), stage));
+}
+
+/// Of a stage with particles of some sizes whose matrix has some others.
+std::optional<std::string> warning_of_sizes(const std::vector<double>& below, const std::vector<double>& own,
+                                            double gap = 1.0) {
+  auto study = within(1.0, 2.0);
+  study.stages = {stage_with(below, resin, "small"), stage_with({1.0}, EarlierStage{"small"}, "plain"),
+                  stage_with(own, EarlierStage{"plain"})};
+  study.stages[1].filler.reset();
+  return warning_of_separation(study, study.stages[2], packed_with(gap));
+}
+
+// Through a stage without particles.
+TEST(WarningThresholds, OfSizesThatAreFiveTimesApart) {
+  EXPECT_FALSE(warning_of_sizes({0.2e-3, 0.4e-3}, {2e-3, 3e-3}));
+  EXPECT_THAT(
+      warning_of_sizes({0.2e-3, 0.4e-3}, {1.99e-3, 3e-3}),
+      Optional(AllOf(HasSubstr("its smallest particles, 1.99 mm, are only 5 times as wide as the largest of its "
+                               "matrix small, 400 um"),
+                     Not(HasSubstr("gap")))));
+  EXPECT_THAT(warning_of_sizes({0.4e-3}, {0.4e-3 * 1.04}), Optional(HasSubstr("are no wider than the largest")));
+  EXPECT_THAT(warning_of_sizes({0.4e-3}, {0.4e-3 * 1.06}), Optional(HasSubstr("are only 1.1 times as wide")));
+}
+
+TEST(WarningThresholds, OfGapsAsWideAsTheParticlesOfTheMatrix) {
+  EXPECT_FALSE(warning_of_sizes({0.4e-3}, {2e-3}, 0.4e-3));
+  EXPECT_THAT(
+      warning_of_sizes({0.4e-3}, {2e-3}, 0.399e-3),
+      Optional(HasSubstr("its smallest gap, 399 um, is narrower than the largest of its matrix small, 400 um")));
+  EXPECT_THAT(warning_of_sizes({0.4e-3}, {1e-3}, 0.399e-3),
+              Optional(HasSubstr(", and its smallest gap, 399 um, is narrower than those")));
+}
+
+TEST(WarningThresholds, OfStagesInTheWrongOrder) {
+  EXPECT_THAT(warning_of_sizes({0.4e-3}, {0.399e-3}), Optional(HasSubstr("the stages are in the wrong order")));
+  EXPECT_THAT(warning_of_sizes({0.4e-3}, {0.1e-3, 0.401e-3}), Optional(Not(HasSubstr("in the wrong order"))))
+      << "its largest are wider";
+}
+
+TEST(WarningThresholds, OfSizesThatAreNotKnown) {
+  auto study = within(1.0, 2.0);
+  study.stages = {stage_with({0.4e-3}, resin, "small"), stage_with({0.4e-3}, EarlierStage{"small"})};
+  EXPECT_TRUE(warning_of_separation(study, study.stages[1], packed_with(1.0)));
+  EXPECT_FALSE(warning_of_separation(study, study.stages[0], packed_with(1.0))) << "its matrix is a material";
+  study.stages[0].filler->sizes.reset();
+  EXPECT_FALSE(warning_of_separation(study, study.stages[1], packed_with(1.0)));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,49 @@
+#include "breccia/results/comparison_file.hpp"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/csv.hpp"
+
+#include "results/hand_made_results.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(WriteComparisons, LeavesARowForEachTimeOfEachMeasurement) {
+  const test::TemporaryDirectory directory;
+  auto first = test::stage_with("A", {}), second = test::stage_with("B", {});
+  first.comparisons = {{R"(Wetzel, "1999")",
+                        {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid::extrapolated()},
+                        {{1e-3, 3e6, 2e6}, {1.0, 1e6, 4e6}}}};
+  second.comparisons = {
+      {"rheometer", {Load::shear, Boundary::traction, Method::dynamic, TestGrid(24)}, {{0.1, 1.0, 3.0}}}};
+  write_comparisons(directory.path(), {{first, second}, {}});
+  const auto table =
+      read_csv(directory.path() / "comparison.csv", {"measurement", "stage", "boundary", "method", "cells"});
+  EXPECT_THAT(table.names(), ElementsAre("measurement", "stage", "boundary", "method", "cells", "time_s", "modulus_Pa",
+                                         "measured_Pa", "ratio"));
+  EXPECT_THAT(table.text("measurement"), ElementsAre(R"(Wetzel, "1999")", R"(Wetzel, "1999")", "rheometer"));
+  EXPECT_THAT(table.text("stage"), ElementsAre("A", "A", "B"));
+  EXPECT_THAT(table.text("boundary"), ElementsAre("displacement", "displacement", "traction"));
+  EXPECT_THAT(table.text("method"), ElementsAre("quasistatic", "quasistatic", "dynamic"));
+  EXPECT_THAT(table.text("cells"), ElementsAre("extrapolated", "extrapolated", "24"));
+  EXPECT_THAT(table.numbers("time_s"), ElementsAre(1e-3, 1.0, 0.1));
+  EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(3e6, 1e6, 1.0));
+  EXPECT_THAT(table.numbers("measured_Pa"), ElementsAre(2e6, 4e6, 3.0));
+  EXPECT_THAT(table.numbers("ratio"), ElementsAre(1.5, 0.25, 1.0 / 3.0));
+}
+
+TEST(WriteComparisons, LeavesNoTableWithoutAMeasurement) {
+  const test::TemporaryDirectory directory;
+  write_comparisons(directory.path(), {{test::stage_with("A", {})}, {}});
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+}  // namespace
+}  // namespace breccia

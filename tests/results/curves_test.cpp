@@ -1,0 +1,136 @@
+#include "breccia/results/curves.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/csv.hpp"
+
+#include "results/hand_made_results.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::columns_of_tests;
+using test::stage_with;
+using test::test_with;
+using testing::DoubleNear;
+using testing::Each;
+using testing::ElementsAre;
+
+const TestId on_12_cells{Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(12)};
+
+class WriteCurves : public testing::Test {
+ protected:
+  [[nodiscard]] CsvTable read(const std::string& name, const std::vector<std::string>& text = columns_of_tests) const {
+    return read_csv(directory.path() / name, text);
+  }
+  [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(directory.path() / name); }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(WriteCurves, LeavesARowForEachTimeOfEachTestWithAllItsDigits) {
+  const TestId creep{Load::bulk, Boundary::traction, Method::dynamic, TestGrid::extrapolated()};
+  const TestId diagonal{Load::diagonal_shear, Boundary::periodic, Method::quasistatic, TestGrid(300)};
+  write_curves(directory.path(), {{stage_with("A", {test_with(on_12_cells, {{1e-3, 1.0 / 3.0}, {0.1, 2e9 / 7.0}})}),
+                                   stage_with("B", {test_with(creep, {{1e-300, 5.0}}), test_with(diagonal, {{2, 4}})})},
+                                  {}});
+  const auto table = read("curves.csv");
+  EXPECT_THAT(table.names(), ElementsAre("stage", "load", "boundary", "method", "cells", "time_s", "modulus_Pa"));
+  EXPECT_THAT(table.text("stage"), ElementsAre("A", "A", "B", "B"));
+  EXPECT_THAT(table.text("load"), ElementsAre("shear", "shear", "bulk", "shear-xx-yy"));
+  EXPECT_THAT(table.text("boundary"), ElementsAre("displacement", "displacement", "traction", "periodic"));
+  EXPECT_THAT(table.text("method"), ElementsAre("quasistatic", "quasistatic", "dynamic", "quasistatic"));
+  EXPECT_THAT(table.text("cells"), ElementsAre("12", "12", "extrapolated", "300"));
+  EXPECT_THAT(table.numbers("time_s"), ElementsAre(1e-3, 0.1, 1e-300, 2.0));
+  EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(1.0 / 3.0, 2e9 / 7.0, 5.0, 4.0));
+}
+
+TEST_F(WriteCurves, LeavesTheCompliancesOfCreepTestsAlone) {
+  auto creep = test_with({Load::shear, Boundary::traction, Method::quasistatic, TestGrid(12)}, {{1.0, 4.0}});
+  creep.compliance = {{1.0, 0.25}, {2.0, 1.0 / 3.0}};
+  const auto relaxation = test_with(on_12_cells, {{1.0, 5.0}});
+  write_curves(directory.path(), {{stage_with("A", {relaxation})}, {}});
+  EXPECT_FALSE(has("compliance.csv"));
+  write_curves(directory.path(), {{stage_with("A", {relaxation, creep})}, {}});
+  const auto table = read("compliance.csv");
+  EXPECT_THAT(table.text("boundary"), Each("traction"));
+  EXPECT_THAT(table.numbers("time_s"), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(table.numbers("compliance_1_per_Pa"), ElementsAre(0.25, 1.0 / 3.0));
+}
+
+TEST_F(WriteCurves, LeavesTheHalfBandsOfExtrapolatedTestsAlone) {
+  auto limit = test_with({.grid = TestGrid::extrapolated()}, {{1.0, 3.0}, {2.0, 2.0}});
+  limit.record = ExtrapolationRecord{{12, 24}, {0.5, 0.125}};
+  write_curves(directory.path(), {{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}})})}, {}});
+  EXPECT_FALSE(has("extrapolation.csv"));
+  write_curves(directory.path(), {{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}}), limit})}, {}});
+  const auto table = read("extrapolation.csv", {"stage", "load", "boundary", "method"});
+  EXPECT_FALSE(table.has("cells")) << "all are of the limit";
+  EXPECT_THAT(table.numbers("time_s"), ElementsAre(1.0, 2.0));
+  EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(3.0, 2.0));
+  EXPECT_THAT(table.numbers("half_band_Pa"), ElementsAre(0.5, 0.125));
+}
+
+/// A test with a series that has an equilibrium modulus alone.
+TestResult elastic(Boundary boundary, Method method, TestGrid grid, double modulus) {
+  auto test = test_with({Load::shear, boundary, method, grid}, {{1.0, modulus}});
+  test.series = PronySeries(modulus);
+  return test;
+}
+
+TEST_F(WriteCurves, LeavesOneSeriesForEachLoadAndBoundary) {
+  auto limit = elastic(Boundary::displacement, Method::quasistatic, TestGrid::extrapolated(), 0.0);
+  limit.series = PronySeries(7.0, {{0.5, 2.0}, {30.0, 3.0}});
+  write_curves(directory.path(),
+               {{stage_with("A", {elastic(Boundary::displacement, Method::dynamic, TestGrid::extrapolated(), 1.0),
+                                  elastic(Boundary::displacement, Method::quasistatic, TestGrid(12), 2.0), limit,
+                                  elastic(Boundary::displacement, Method::quasistatic, TestGrid(24), 4.0),
+                                  elastic(Boundary::traction, Method::dynamic, TestGrid(12), 5.0),
+                                  elastic(Boundary::traction, Method::dynamic, TestGrid(24), 6.0)})},
+                {}});
+  const auto table = read("prony.csv", {"stage", "load", "boundary"});
+  EXPECT_THAT(table.text("boundary"), ElementsAre("displacement", "displacement", "displacement", "traction"));
+  EXPECT_THAT(table.numbers("relaxation_time_s"), ElementsAre(INFINITY, 30.0, 0.5, INFINITY))
+      << "the equilibrium modulus, then the terms from slow to fast";
+  EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(7.0, 3.0, 2.0, 6.0))
+      << "the limit before grids, the finest grid before others";
+}
+
+// Between samples that are far apart the modulus is linear in ln t: halfway from 10 ms to 1 s it is the mean.
+TEST_F(WriteCurves, LeavesTheDistanceOfTheBounds) {
+  auto upper = test_with({.grid = TestGrid::extrapolated()}, {{0.01, 4.0}, {1.0, 2.0}});
+  upper.record = ExtrapolationRecord{{12, 24}, {0.25, 0.5}};
+  const auto lower = test_with({.boundary = Boundary::traction, .grid = TestGrid(24)}, {{0.01, 2.0}, {1.0, 1.0}});
+  const auto bulk =
+      test_with({Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)}, {{1.0, 8.0}, {2.0, 6.0}});
+  write_curves(directory.path(), {{stage_with("A", {upper, lower, bulk})}, {}});
+  const auto table = read(
+      "quality.csv", {"stage", "load", "method", "upper_Pa", "lower_Pa", "relative_distance", "grid_half_band_Pa"});
+  EXPECT_THAT(table.text("load"), ElementsAre("shear", "shear", "shear", "bulk", "bulk"));
+  EXPECT_THAT(table.text("method"), ElementsAre("quasistatic", "quasistatic", "quasistatic", "dynamic", "dynamic"));
+  EXPECT_THAT(table.numbers("time_s"), ElementsAre(0.01, 0.1, 1.0, 1.0, 2.0));
+  const auto number = [&](const char* column, std::size_t row) { return std::stod(table.text(column)[row]); };
+  EXPECT_THAT(number("upper_Pa", 1), DoubleNear(3.0, 1e-12));
+  EXPECT_THAT(number("lower_Pa", 1), DoubleNear(1.5, 1e-12));
+  EXPECT_THAT(number("relative_distance", 1), DoubleNear(1.0, 1e-12));
+  EXPECT_EQ(number("grid_half_band_Pa", 0), 0.25);
+  EXPECT_EQ(number("grid_half_band_Pa", 2), 0.5);
+  EXPECT_EQ(table.text("upper_Pa")[3], "") << "not tested";
+  EXPECT_EQ(table.text("lower_Pa")[3], "8");
+  EXPECT_EQ(table.text("relative_distance")[3], "");
+  EXPECT_EQ(table.text("grid_half_band_Pa")[3], "") << "one grid";
+}
+
+TEST_F(WriteCurves, FailsWhereThereIsNoDirectory) {
+  const StudyResult result{{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}})})}, {}};
+  EXPECT_THROW(write_curves(directory.path() / "nowhere", result), FileError);
+}
+
+}  // namespace
+}  // namespace breccia

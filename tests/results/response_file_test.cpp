@@ -1,0 +1,210 @@
+#include "breccia/results/response_file.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/hdf5.hpp"
+
+#include "messages.hpp"
+#include "one_vector_response.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A response of two vectors in which no number stands twice, so that none can be mistaken for another.
+ReducedResponse two_vector_response() {
+  ReducedResponse response;
+  response.load = Load::bulk;
+  response.boundary = Boundary::traction;
+  response.constant = Eigen::MatrixXd{{1.0, 1.0 / 3.0}, {2.0, 4.0}};
+  response.parts = matrix_parts(Eigen::MatrixXd{{5.0, 6.0}, {7.0, 8.0}}, Eigen::MatrixXd{{9.0, 10.0}, {11.0, 12.0}});
+  response.load_forces = Eigen::VectorXd{{13.0, 14.0}};
+  response.residual_products = Eigen::MatrixXd::Random(7, 7);
+  response.residual_scale = 15.0;
+  response.snapshots = {{{.bulk = 16.0, .shear = 17.0}, 0.0}, {{.bulk = 18.0, .shear = 19.0}, 1e-3}};
+  return response;
+}
+
+StoredResponses two_responses() {
+  StoredResponses stored;
+  stored.stage = "A";
+  stored.matrix = Material{"binder", 1000.0, PronySeries(2.0), PronySeries(1.0)};
+  stored.filler_density = 1850.0;
+  stored.filler_fraction = 0.65;
+  stored.side = 48e-6;
+  stored.deck_hash = "0123456789abcdef";
+  stored.fit_tolerance = 0.02;
+  stored.times = {1e-8, 1e-2};
+  stored.points_per_decade = 12;
+  stored.range = SampledRange::times;
+  stored.entries = {{24, test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 1.0},
+                                                   {{{.bulk = 2.0, .shear = 1.0}, 0.0}})},
+                    {150, two_vector_response()}};
+  return stored;
+}
+
+class ResponseFile : public testing::Test {
+ protected:
+  [[nodiscard]] std::string refusal() const {
+    return test::message_of<FileError>([&] { static_cast<void>(read_responses(path)); });
+  }
+  /// What is said of a file without responses that is as it should be but for one attribute, and of an empty group.
+  [[nodiscard]] std::string refusal_with(const std::string& attribute, const Hdf5Attribute& value,
+                                         const std::string& group = {}) const {
+    Hdf5Writer file(path);
+    if (!group.empty()) file.create_group(group);
+    std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {{"format_version", std::int64_t{3}},
+                                                                     {"deck_hash", std::string("0123")},
+                                                                     {"stage", std::string("A")},
+                                                                     {"matrix", std::string("binder")},
+                                                                     {"matrix_is", std::string("stage")},
+                                                                     {"filler_density_kg_per_m3", 1.0},
+                                                                     {"filler_fraction", 0.5},
+                                                                     {"box_m", 1.0},
+                                                                     {"times_s", std::vector{1.0, 2.0}},
+                                                                     {"sampled_range", std::string("matrix")},
+                                                                     {"fit_tolerance", 0.1},
+                                                                     {"points_per_decade", std::int64_t{20}}};
+    for (auto& [name, usual] : attributes) file.write_attribute("/", name, name == attribute ? value : usual);
+    file.commit();
+    return refusal();
+  }
+  /// What is said of a file with a damaged response.
+  template <class Damage>
+  [[nodiscard]] std::string refusal_after(const Damage& damage) const {
+    auto stored = two_responses();
+    damage(stored.entries.back().response);
+    write_responses(directory.path(), stored);
+    return refusal();
+  }
+
+  test::TemporaryDirectory directory;
+  std::filesystem::path path = directory.path() / "response.h5";
+};
+
+TEST_F(ResponseFile, IsReadAsItWasWritten) {
+  const auto written = two_responses();
+  write_responses(directory.path(), written);
+  const auto read = read_responses(path);
+  EXPECT_EQ(read.stage, "A");
+  EXPECT_TRUE(std::holds_alternative<Material>(read.matrix));
+  EXPECT_EQ(name_of(read.matrix), "binder");
+  EXPECT_EQ(read.filler_density, 1850.0);
+  EXPECT_EQ(read.filler_fraction, 0.65);
+  EXPECT_EQ(read.side, 48e-6);
+  EXPECT_EQ(read.deck_hash, "0123456789abcdef");
+  EXPECT_EQ(read.fit_tolerance, 0.02);
+  EXPECT_EQ(read.times, (TimeWindow{1e-8, 1e-2}));
+  EXPECT_EQ(read.points_per_decade, 12);
+  EXPECT_EQ(read.range, SampledRange::times);
+  ASSERT_EQ(read.entries.size(), 2U);
+  EXPECT_EQ(read.entries[0].cells, 24);
+  EXPECT_EQ(read.entries[0].response.load, Load::shear);
+  EXPECT_EQ(read.entries[0].response.boundary, Boundary::displacement);
+  EXPECT_EQ(read.entries[0].response.modulus(Moduli{.bulk = 10.0, .shear = 7.0}), 3.0 + 2.0 * 7.0 + 10.0);
+}
+
+TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
+  const auto written = two_responses();
+  write_responses(directory.path(), written);
+  const auto read = read_responses(path);
+  const auto& entry = read.entries.at(1);
+  const auto& response = entry.response;
+  const auto& original = written.entries[1].response;
+  EXPECT_EQ(entry.cells, 150);
+  EXPECT_EQ(response.load, Load::bulk);
+  EXPECT_EQ(response.boundary, Boundary::traction);
+  EXPECT_EQ(response.constant, original.constant);
+  EXPECT_EQ(response.part(ElasticModulus::shear), original.part(ElasticModulus::shear));
+  EXPECT_EQ(response.part(ElasticModulus::bulk), original.part(ElasticModulus::bulk));
+  EXPECT_EQ(response.load_forces, original.load_forces);
+  EXPECT_EQ(response.residual_products, original.residual_products);
+  EXPECT_EQ(response.residual_scale, 15.0);
+  ASSERT_EQ(response.snapshots.size(), 2U);
+  EXPECT_EQ(response.snapshots[1].matrix.bulk, 18.0);
+  EXPECT_EQ(response.snapshots[1].matrix.shear, 19.0);
+  EXPECT_EQ(response.snapshots[1].error_before, 1e-3);
+  // HDF5 counts rows first.
+  EXPECT_THAT(Hdf5Reader(path).read_numbers("/traction/bulk/150/filler_Pa"), ElementsAre(1.0, 1.0 / 3.0, 2.0, 4.0));
+}
+
+TEST_F(ResponseFile, TellsAStageFromAMaterial) {
+  auto stored = two_responses();
+  stored.matrix = EarlierStage{"fine"};
+  write_responses(directory.path(), stored);
+  const auto read = read_responses(path);
+  ASSERT_TRUE(std::holds_alternative<EarlierStage>(read.matrix));
+  EXPECT_EQ(name_of(read.matrix), "fine");
+}
+
+TEST_F(ResponseFile, IsNotWrittenWithoutAResponse) {
+  auto stored = two_responses();
+  stored.entries.clear();
+  write_responses(directory.path(), stored);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(ResponseFile, IsRefusedWhereItIsTornOrOfAnotherFormat) {
+  EXPECT_THAT(refusal(), HasSubstr("response.h5: cannot open it (missing, damaged or no HDF5 file)"));
+  directory.write("response.h5", "shear_Pa\n1\n");
+  EXPECT_THAT(refusal(), HasSubstr("no HDF5 file"));
+  write_responses(directory.path(), two_responses());
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  EXPECT_THAT(refusal(), HasSubstr("response.h5: cannot"));
+  EXPECT_THAT(refusal_with("format_version", std::int64_t{2}),
+              HasSubstr("response.h5: written in format 2; this program reads format 3"));
+  EXPECT_THAT(refusal_with("format_version", 3.0), HasSubstr("has another type"));
+}
+
+// What a damaged file says of the times would be followed without end.
+TEST_F(ResponseFile, IsRefusedWhereItsStageCannotBe) {
+  const std::vector<std::vector<double>> windows = {{1.0},           {0.0, 1.0}, {2.0, 1.0},
+                                                    {1.0, INFINITY}, {NAN, 1.0}, {1.0, NAN}};
+  for (const auto& times : windows) {
+    EXPECT_THAT(refusal_with("times_s", times), AllOf(HasSubstr("response.h5: /: no response of this program: "),
+                                                      HasSubstr("expected two positive times that do not fall")));
+  }
+  for (const std::int64_t points : {0L, -1L, 1L << 40}) {
+    EXPECT_THAT(refusal_with("points_per_decade", points), HasSubstr("expected a number of points per decade"));
+  }
+  for (const double side : {0.0, -1.0, static_cast<double>(INFINITY), static_cast<double>(NAN)}) {
+    EXPECT_THAT(refusal_with("box_m", side), HasSubstr("expected the side of a box"));
+  }
+  EXPECT_THAT(refusal_with("sampled_range", std::string("all")), HasSubstr("expected a range that was sampled"));
+}
+
+TEST_F(ResponseFile, IsRefusedWhereItsMatricesDoNotFit) {
+  const auto is_of_several_sizes = HasSubstr(
+      "response.h5: /traction/bulk/150: no response of this program: expected "
+      "matrices of one size");
+  EXPECT_THAT(refusal_after([](auto& response) { response.constant = Eigen::MatrixXd::Zero(1, 1); }),
+              is_of_several_sizes);
+  EXPECT_THAT(refusal_after([](auto& response) { response.load_forces = Eigen::VectorXd::Ones(3); }),
+              is_of_several_sizes);
+  EXPECT_THAT(refusal_after([](auto& response) { response.residual_products = Eigen::MatrixXd::Zero(7, 6); }),
+              is_of_several_sizes);
+  EXPECT_THAT(refusal_after([](auto& response) { response.parts[1].stiffness = Eigen::MatrixXd::Zero(2, 3); }),
+              is_of_several_sizes);
+  EXPECT_THAT(refusal_after([](auto& response) { response.constant(1, 0) = NAN; }),
+              HasSubstr("expected filler_Pa to be of finite numbers"));
+}
+
+TEST_F(ResponseFile, IsRefusedWhereAGroupIsNotOfAGrid) {
+  for (const auto* name : {"extrapolated", "many", "0"}) {
+    EXPECT_THAT(refusal_with("stage", std::string("A"), std::string("/traction/shear/") + name),
+                HasSubstr("/traction/shear: no response of this program: expected numbers of cells"))
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace breccia

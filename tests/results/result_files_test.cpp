@@ -1,0 +1,69 @@
+#include "breccia/results/result_files.hpp"
+
+#include <filesystem>
+#include <numbers>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/results/microstructure_files.hpp"
+
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+TEST(ResultFiles, OfAStageAreKnownByTheirNames) {
+  for (const auto* name :
+       {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5",
+        "shear-traction-dynamic-300-1.h5", "fields.vtkhdf", "fields-2-stress.svg", "packing.checkpoint.h5"}) {
+    EXPECT_TRUE(is_file_of_a_stage(name)) << name;
+  }
+  for (const auto* name : {"", "notes.txt", "study.json", "curves.csv", "microstructure.csv.bak", "fields.svg",
+                           "my-fields.vtkhdf", "response.h5x", "fields/../../x.vtkhdf"}) {
+    EXPECT_FALSE(is_file_of_a_stage(name)) << name;
+  }
+}
+
+TEST(ResultFiles, InADirectoryAreThoseOfStudySweepAndItsStages) {
+  const test::TemporaryDirectory directory;
+  for (const auto* stage : {"A", "B", "other"}) std::filesystem::create_directory(directory.path() / stage);
+  for (const auto* name : {"study.json", "curves.csv", "report.html", "sweep.json", "notes.txt", "A/response.h5",
+                           "A/notes.txt", "other/response.h5"}) {
+    directory.write(name, "");
+  }
+  std::filesystem::create_directory(directory.path() / "B" / "modulus.svg");
+  EXPECT_THAT(result_files_in(directory.path(), {"A", "B", "missing"}),
+              UnorderedElementsAre("study.json", "curves.csv", "report.html", "sweep.json", "A/response.h5"))
+      << "each once, and a directory is no file";
+  EXPECT_THAT(result_files_in(directory.path() / "nowhere", {"A"}), IsEmpty());
+}
+
+TEST(MicrostructureFiles, TellEveryParticle) {
+  const test::TemporaryDirectory directory;
+  Stage stage;
+  stage.name = "A";
+  stage.side = 6e-3;
+  StageMicrostructure packed;
+  packed.microstructure = {
+      6e-3, Walls::periodic, {{{1e-3, 2e-3 / 3.0}, 2e-3}, {{4e-3, std::numbers::pi * 1e-3}, 1e-3}}};
+  write_microstructure(directory.path(), stage, packed);
+  const auto table = read_csv(directory.path() / "microstructure.csv");
+  EXPECT_THAT(table.names(), ElementsAre("x_m", "y_m", "diameter_m"));
+  EXPECT_THAT(table.numbers("x_m"), ElementsAre(1e-3, 4e-3));
+  EXPECT_THAT(table.numbers("y_m"), ElementsAre(2e-3 / 3.0, std::numbers::pi * 1e-3));
+  EXPECT_THAT(table.numbers("diameter_m"), ElementsAre(2e-3, 1e-3));
+  EXPECT_THAT(read_text(directory.path() / "microstructure.csv"),
+              HasSubstr("# Particles of stage A in a box of 0.006 m"));
+  EXPECT_THAT(read_text(directory.path() / "microstructure.svg"), HasSubstr("2 particles in a box of 6 mm"));
+}
+
+}  // namespace
+}  // namespace breccia

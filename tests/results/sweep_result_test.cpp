@@ -1,0 +1,127 @@
+#include "breccia/results/sweep_result.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+#include "breccia/results/curves.hpp"
+
+#include "messages.hpp"
+#include "results/hand_made_results.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const TestId shear{Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(12)};
+
+/// The test with one of its four parts replaced.
+TestId with(TestId test, Boundary boundary) {
+  test.boundary = boundary;
+  return test;
+}
+TestId with(TestId test, Load load) {
+  test.load = load;
+  return test;
+}
+TestId with(TestId test, Method method) {
+  test.method = method;
+  return test;
+}
+TestId with(TestId test, TestGrid grid) {
+  test.grid = grid;
+  return test;
+}
+
+TaskResult done(std::vector<TaskCurve> curves) {
+  return {.state = TaskState::done, .curves = std::move(curves)};
+}
+
+std::vector<double> first_moduli(const TaskResult& task) {
+  std::vector<double> moduli;
+  for (const auto& curve : task.curves) moduli.push_back(curve.modulus.at(0).modulus);
+  return moduli;
+}
+
+TEST(TaskCurves, AreReadAsTheyWereWritten) {
+  const StudyResult result{
+      {test::stage_with("A", {test::test_with(shear, {{1e-3, 1.0 / 3.0}, {1.0, 0.1}}),
+                              test::test_with(with(shear, TestGrid::extrapolated()), {{1.0, 0.2}})}),
+       test::stage_with("B",
+                        {test::test_with(with(with(shear, Load::diagonal_shear), Method::dynamic), {{2.0, 0.3}})})},
+      {}};
+  const test::TemporaryDirectory directory;
+  write_curves(directory.path(), result);
+  const auto written = curves_of(result), read = read_curves(directory.path());
+  ASSERT_EQ(read.size(), 3U);
+  ASSERT_EQ(written.size(), 3U);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_TRUE(read[i].matches(written[i])) << i;
+    EXPECT_EQ(read[i].modulus, written[i].modulus) << i;
+  }
+  EXPECT_EQ(read[0].modulus, (Curve{{1e-3, 1.0 / 3.0}, {1.0, 0.1}}));
+}
+
+TEST(TaskCurves, MatchByStageAndTest) {
+  const TaskCurve curve{"A", shear, {{1.0, 1.0}}};
+  EXPECT_TRUE(curve.matches({"A", shear, {{2.0, 5.0}}}));
+  EXPECT_FALSE(curve.matches({"B", shear, {}}));
+  EXPECT_FALSE(curve.matches({"A", with(shear, Load::bulk), {}}));
+  EXPECT_FALSE(curve.matches({"A", with(shear, Boundary::traction), {}}));
+  EXPECT_FALSE(curve.matches({"A", with(shear, Method::dynamic), {}}));
+  EXPECT_FALSE(curve.matches({"A", with(shear, TestGrid(13)), {}}));
+}
+
+TEST(TaskCurves, AreRefusedFromATableThatIsDamaged) {
+  const test::TemporaryDirectory directory;
+  EXPECT_THROW(static_cast<void>(read_curves(directory.path())), FileError) << "no table";
+  directory.write("curves.csv", "stage,load,boundary,method,cells,time_s\nA,shear,traction,quasistatic,12,1\n");
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(read_curves(directory.path())); }),
+              HasSubstr("modulus_Pa"));
+  for (const auto* row : {"A,tension,traction,quasistatic,12,1,1", "A,shear,free,quasistatic,12,1,1",
+                          "A,shear,traction,static,12,1,1", "A,shear,traction,quasistatic,-3,1,1"}) {
+    directory.write("curves.csv", std::string("stage,load,boundary,method,cells,time_s,modulus_Pa\n") + row + "\n");
+    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(read_curves(directory.path())); }),
+                HasSubstr("curves.csv:2: not as `breccia run` writes it"))
+        << row;
+  }
+}
+
+TEST(StageOfSweep, HasOneCurveForEachBoundary) {
+  const SweepResult result = {done({{"A", with(shear, Load::bulk), {{1.0, 9.0}}},
+                                    {"A", with(shear, Method::dynamic), {{1.0, 1.0}}},
+                                    {"A", shear, {{1.0, 2.0}}},
+                                    {"A", with(shear, TestGrid::extrapolated()), {{1.0, 3.0}}},
+                                    {"A", with(shear, TestGrid(24)), {{1.0, 4.0}}},
+                                    {"A", with(shear, Boundary::traction), {{1.0, 5.0}}},
+                                    {"B", shear, {{1.0, 6.0}}}}),
+                              done({{"B", shear, {{1.0, 7.0}}}}),
+                              {}};
+  const auto of_a = stage_of(result, "A");
+  ASSERT_EQ(of_a.size(), 3U);
+  EXPECT_THAT(first_moduli(of_a[0]), ElementsAre(3.0, 5.0)) << "shear, and the limit before the grids";
+  EXPECT_THAT(first_moduli(of_a[1]), IsEmpty());
+  EXPECT_EQ(of_a[2].state, TaskState::waiting);
+  const auto of_last = last_stage_of(result);
+  EXPECT_THAT(first_moduli(of_last[0]), ElementsAre(6.0));
+  EXPECT_THAT(first_moduli(of_last[1]), ElementsAre(7.0));
+}
+
+TEST(StageOfSweep, HasTheOtherLoadWithoutShear) {
+  const SweepResult result = {
+      done({{"A", with(shear, Load::bulk), {{1.0, 1.0}}}, {"A", with(shear, Load::diagonal_shear), {{1.0, 2.0}}}})};
+  EXPECT_THAT(first_moduli(stage_of(result, "A")[0]), ElementsAre(1.0)) << "the first one";
+}
+
+TEST(StageOfSweep, NamesTheStagesInTheirOrder) {
+  const SweepResult result = {
+      {}, done({{"B", shear, {}}, {"A", shear, {}}}), done({{"A", shear, {}}, {"C", shear, {}}})};
+  EXPECT_THAT(tested_stages(result), ElementsAre("B", "A", "C"));
+}
+
+}  // namespace
+}  // namespace breccia
