@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/results/sweep_files.hpp"
+#include "breccia/results/sweep_tables.hpp"
 
 #include "campaign/deck_study.hpp"
 #include "campaign/result_directory.hpp"

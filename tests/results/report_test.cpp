@@ -17,7 +17,7 @@
 #include "messages.hpp"
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
-#include "results/report_data.hpp"
+#include "breccia/results/study_report.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

@@ -170,7 +170,7 @@ TEST_F(ResponseFile, IsRefusedWhereItsStageCannotBe) {
   const std::vector<std::vector<double>> windows = {{1.0},           {0.0, 1.0}, {2.0, 1.0},
                                                     {1.0, INFINITY}, {NAN, 1.0}, {1.0, NAN}};
   for (const auto& times : windows) {
-    EXPECT_THAT(refusal_with("times_s", times), AllOf(HasSubstr("response.h5: /: no response of this program: "),
+    EXPECT_THAT(refusal_with("times_s", times), AllOf(HasSubstr("response.h5: /: not a response that Breccia has written: "),
                                                       HasSubstr("expected two positive times that do not fall")));
   }
   for (const std::int64_t points : {0L, -1L, 1L << 40}) {
@@ -184,7 +184,7 @@ TEST_F(ResponseFile, IsRefusedWhereItsStageCannotBe) {
 
 TEST_F(ResponseFile, IsRefusedWhereItsMatricesDoNotFit) {
   const auto is_of_several_sizes = HasSubstr(
-      "response.h5: /traction/bulk/150: no response of this program: expected "
+      "response.h5: /traction/bulk/150: not a response that Breccia has written: expected "
       "matrices of one size");
   EXPECT_THAT(refusal_after([](auto& response) { response.constant = Eigen::MatrixXd::Zero(1, 1); }),
               is_of_several_sizes);
@@ -201,7 +201,7 @@ TEST_F(ResponseFile, IsRefusedWhereItsMatricesDoNotFit) {
 TEST_F(ResponseFile, IsRefusedWhereAGroupIsNotOfAGrid) {
   for (const auto* name : {"extrapolated", "many", "0"}) {
     EXPECT_THAT(refusal_with("stage", std::string("A"), std::string("/traction/shear/") + name),
-                HasSubstr("/traction/shear: no response of this program: expected numbers of cells"))
+                HasSubstr("/traction/shear: not a response that Breccia has written: expected numbers of cells"))
         << name;
   }
 }

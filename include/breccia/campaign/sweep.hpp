@@ -28,15 +28,4 @@ struct SweepObserver {
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
                       const SweepObserver& observer = {});
 
-/// Locks the directory of a sweep during the lifetime of the returned object, and completes interrupted replacements
-/// (finish_replacement) in the directories of its tasks. Returns nullptr on all processes but the first, and for a
-/// single task without a name, which locks the directory itself. Throws DirectoryInUse if another process writes to one
-/// of the directories, and FileError.
-std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
-
-/// Throws InputError, for all tasks at once, where a study was changed after its deck was read, and where a run would
-/// replace or go on from results of another study, sweep or version and is not to overwrite them, or replace files that
-/// Breccia did not write.
-void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);
-
 }  // namespace breccia

@@ -1,4 +1,4 @@
-#include "breccia/results/sweep_files.hpp"
+#include "breccia/results/sweep_tables.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -10,11 +10,11 @@
 #include "breccia/error.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/results/report.hpp"
+#include "breccia/results/sweep_plot.hpp"
+#include "breccia/results/sweep_report.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_sweep.hpp"
-#include "results/report_data.hpp"
 #include "scoped_path.hpp"
 #include "temporary_directory.hpp"
 
@@ -32,7 +32,7 @@ using testing::Not;
 const std::vector<std::string> text_columns{
     "task", "stages.*.packing.seed", "stages.*.filler.gap", "stage", "load", "boundary", "method", "cells"};
 
-class SweepFiles : public testing::Test {
+class SweepTables : public testing::Test {
  protected:
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return directory.path() / name; }
   void write_record() const {
@@ -44,7 +44,7 @@ class SweepFiles : public testing::Test {
   SweepResult result = SweepResult(6);
 };
 
-TEST_F(SweepFiles, HoldTheCurvesOfAllTasksThatAreDone) {
+TEST_F(SweepTables, HoldTheCurvesOfAllTasksThatAreDone) {
   result[1] =
       done_with({{1e-3, 1.0 / 3.0}, {1.0, 0.1}}, {Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)});
   result[4] = done_with({{1.0, 7.0}});
@@ -63,7 +63,7 @@ TEST_F(SweepFiles, HoldTheCurvesOfAllTasksThatAreDone) {
   EXPECT_THAT(table.numbers("modulus_Pa"), ElementsAre(1.0 / 3.0, 0.1, 7.0));
 }
 
-TEST_F(SweepFiles, HoldTheSpreadOverTheSeeds) {
+TEST_F(SweepTables, HoldTheSpreadOverTheSeeds) {
   for (const std::size_t task : {0U, 2U}) result[task] = done_with({{1.0, 1.0 + static_cast<double>(task)}});
   write_sweep_tables(directory.path(), sweep, result);
   const auto table = read_csv(file("spread.csv"), text_columns);
@@ -79,14 +79,14 @@ TEST_F(SweepFiles, HoldTheSpreadOverTheSeeds) {
 }
 
 // A sweep that begins anew must not leave the numbers of the one before.
-TEST_F(SweepFiles, AreRemovedWhereTheyWouldHaveNoRows) {
+TEST_F(SweepTables, AreRemovedWhereTheyWouldHaveNoRows) {
   for (const auto* name : {"sweep.csv", "spread.csv", "sweep.svg"}) directory.write(name, "of an earlier sweep");
   write_sweep_tables(directory.path(), sweep, result);
-  write_sweep_plot(directory.path(), sweep, result);
+  EXPECT_EQ(write_sweep_plot(directory.path(), sweep, result), std::nullopt);
   EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
 }
 
-TEST_F(SweepFiles, TellTheStateOfEachTask) {
+TEST_F(SweepTables, TellTheStateOfEachTask) {
   sweep.tasks.resize(3);
   result = {done_with({{1.0, 1.0}}), {.state = TaskState::failed, .error = "jammed"}, {}};
   write_sweep_record(directory.path(), sweep, result, {{"aa"}, {"bb"}, {"cc", "dd"}});
@@ -107,34 +107,34 @@ TEST_F(SweepFiles, TellTheStateOfEachTask) {
       << "what is done replaces nothing any more";
 }
 
-TEST_F(SweepFiles, ShowATaskInAColourOfItsOwn) {
+TEST_F(SweepTables, ShowATaskInAColourOfItsOwn) {
   sweep.tasks.resize(2);
   result = {done_with({{1.0, 1e6}, {2.0, 9e5}}), done_with({{1.0, 2e6}, {2.0, 1e6}})};
-  write_sweep_plot(directory.path(), sweep, result);
+  EXPECT_EQ(write_sweep_plot(directory.path(), sweep, result), std::nullopt);
   EXPECT_THAT(read_text(file("sweep.svg")), AllOf(HasSubstr(">seeds and gaps: A<"), HasSubstr(">seed-1_gap-1 um<"),
                                                   HasSubstr(">seed-1_gap-2 um<"), Not(HasSubstr("lower bound"))));
   result[1] = done_with({{1.0, 2e6}, {2.0, 1e6}}, {.boundary = Boundary::traction, .grid = TestGrid(12)});
-  write_sweep_plot(directory.path(), sweep, result);
+  EXPECT_EQ(write_sweep_plot(directory.path(), sweep, result), std::nullopt);
   EXPECT_THAT(read_text(file("sweep.svg")), HasSubstr(">seeds and gaps: A, lower bound dashed<"));
 }
 
 // There are seven colours.
-TEST_F(SweepFiles, ShowManyTasksInTheColoursOfTheirOtherKeys) {
+TEST_F(SweepTables, ShowManyTasksInTheColoursOfTheirOtherKeys) {
   for (const auto* gap : {"1 um", "2 um"}) sweep.tasks.push_back(test::task_with(4, gap));
   result = SweepResult(8, done_with({{1.0, 1e6}, {2.0, 9e5}}));
-  write_sweep_plot(directory.path(), sweep, result);
+  EXPECT_EQ(write_sweep_plot(directory.path(), sweep, result), std::nullopt);
   EXPECT_THAT(read_text(file("sweep.svg")),
               AllOf(HasSubstr(">gap-1 um<"), HasSubstr(">gap-2 um<"), Not(HasSubstr("seed-"))));
 }
 
-TEST_F(SweepFiles, HaveNoPlotWithoutGnuplot) {
+TEST_F(SweepTables, HaveNoPlotWithoutGnuplot) {
   result[0] = done_with({{1.0, 1e6}, {2.0, 9e5}});
   const test::ScopedPath no_programs(directory.path().string());
-  EXPECT_NO_THROW(write_sweep_plot(directory.path(), sweep, result));
+  EXPECT_EQ(write_sweep_plot(directory.path(), sweep, result), std::nullopt);
   EXPECT_FALSE(std::filesystem::exists(file("sweep.svg")));
 }
 
-TEST_F(SweepFiles, GiveThePageItsCurves) {
+TEST_F(SweepTables, GiveThePageItsCurves) {
   result[2] = done_with({{1e-3, 1.0 / 3.0}, {1.0, 0.1}});
   write_record();
   write_sweep_report(directory.path(), result);
@@ -155,7 +155,7 @@ TEST_F(SweepFiles, GiveThePageItsCurves) {
   EXPECT_EQ(read_text(file("report.html")), in_memory) << "the same page from the disk";
 }
 
-TEST_F(SweepFiles, AreRefusedWithoutTheResultsOfATaskThatIsDone) {
+TEST_F(SweepTables, AreRefusedWithoutTheResultsOfATaskThatIsDone) {
   result[2] = done_with({{1.0, 0.1}});
   write_record();
   EXPECT_THAT(test::message_of<FileError>([&] { write_sweep_report(directory.path()); }),
