@@ -66,13 +66,12 @@ TEST_F(StagePlot, ShowsTheMatrixThatAnEarlierStageHasMadeForEachBoundary) {
 
 TEST_F(StagePlot, ShowsOfSeveralGridsTheLimitAlone) {
   study.stages[0].coarser_cells = {6};
-  const auto svg = plot_of(study.stages[0], {test::test_with({.grid = TestGrid(6)}, falling),
-                                             test::test_with({.grid = TestGrid(12)}, falling),
-                                             test::test_with({.grid = TestGrid::extrapolated()}, falling)});
-  const std::string label = ">upper bound<";
-  const auto first = svg.find(label);
-  ASSERT_NE(first, std::string::npos);
-  EXPECT_EQ(svg.find(label, first + 1), std::string::npos) << "one curve for the three of them";
+  const auto on_coarse = test::test_with({.grid = TestGrid(6)}, falling);
+  const auto on_fine = test::test_with({.grid = TestGrid(12)}, falling);
+  const auto limit = test::test_with({.grid = TestGrid::extrapolated()}, {{1e-3, 1.5e6}, {1e-2, 0.5e6}});
+  const auto of_limit = plot_of(study.stages[0], {limit});
+  EXPECT_EQ(plot_of(study.stages[0], {on_coarse, on_fine, limit}), of_limit);
+  EXPECT_NE(plot_of(study.stages[0], {on_fine}), of_limit);
 }
 
 TEST_F(StagePlot, NamesTheMethodsAndTheirTimeDomains) {
