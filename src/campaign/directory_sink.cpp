@@ -10,9 +10,9 @@
 #include "breccia/results/history_file.hpp"
 #include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
-#include "breccia/results/report.hpp"
 #include "breccia/results/response_file.hpp"
 #include "breccia/results/stage_plot.hpp"
+#include "breccia/results/study_report.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "first_process.hpp"

@@ -92,7 +92,7 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
 
 void Checkpoint::save(const WriteState& write) {
   put(write, false);
-  if (ends_) throw Interrupted("interrupted; the state is on the disk");
+  if (ends_) throw Interrupted("interrupted; the state is saved");
 }
 
 void Checkpoint::finish(const WriteState& write) {

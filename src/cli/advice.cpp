@@ -24,7 +24,7 @@ std::string advice_on(const Error& error, const CLI::App& command) {
     return " (--no-memory-check runs them nevertheless)";
   }
   if (dynamic_cast<const Interrupted*>(&error) != nullptr && has(command, "--resume")) {
-    return ", and --resume goes on from it";
+    return ", and --resume continues from it";
   }
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times() && has(command, "--times")) {

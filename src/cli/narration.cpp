@@ -78,7 +78,8 @@ RunObserver narrate(Progress& progress) {
   };
   observer.answered = [&progress](const StageResult& stage, const std::string& task) {
     progress.print(
-        fmt::format("{}: at another temperature from the responses of task {}, without maps", stage.name, task));
+        fmt::format("{}: computed from the reduced responses of task {}, at another temperature, without field maps",
+                    stage.name, task));
   };
   observer.noted = [&progress](const std::string& note) { progress.note(note); };
   return observer;

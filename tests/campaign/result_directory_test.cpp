@@ -155,7 +155,7 @@ TEST_F(ResultDirectory, GoesOnFromNothingWhereThereIsNothing) {
 
 TEST_F(ResultDirectory, DoesNotGoOnFromResultsOfAnotherStudy) {
   leave(results, other, test::tested_result());
-  EXPECT_THAT(refusal({.resume = true}), HasSubstr("results: cannot go on from these results: deck.toml: line 1 was"));
+  EXPECT_THAT(refusal({.resume = true}), HasSubstr("results: cannot resume from these results: deck.toml: line 1 was"));
   EXPECT_EQ(run_in({.resume = true, .overwrite = true}), unfinished) << "which begins anew";
 }
 

@@ -75,22 +75,6 @@ TEST_F(ResultPlaceTest, IsRefusedWithWhatTheChoiceThrows) {
   EXPECT_FALSE(fs::exists(results));
 }
 
-TEST_F(ResultPlaceTest, IsRefusedToStagesWhoseNamesAreNoDirectories) {
-  for (const auto* name : {"../fine", "a/b", "", "report.html", "unfinished", "sweep.json"}) {
-    study.stages[0].name = name;
-    EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(place_of(study)); }),
-                HasSubstr("cannot be the name of a stage: it names a directory"))
-        << name;
-    EXPECT_FALSE(fs::exists(results)) << name;
-  }
-}
-
-class CompleteRun : public ResultPlaceTest {
- protected:
-  void write(const std::string& name) const { write_text(results / "fine" / name, ""); }
-  [[nodiscard]] bool has(const std::string& name) const { return fs::exists(results / "fine" / name); }
-};
-
 TEST_F(CompleteRun, IsKnownByItsRecord) {
   EXPECT_EQ(time_of_complete_run(study, results), std::nullopt);
   EXPECT_FALSE(holds_tests(results));

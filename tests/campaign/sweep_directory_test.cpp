@@ -1,4 +1,4 @@
-#include "campaign/sweep_directory.hpp"
+#include "breccia/campaign/sweep_directory.hpp"
 
 #include <filesystem>
 

@@ -146,8 +146,7 @@ TEST_F(CheckpointTest, IsDueAfterTheInterval) {
 TEST_F(CheckpointTest, AnEndOfTheRunIsDueAtOnceAndLeavesTheState) {
   auto checkpoint = opened(owner_, {.interval = 1e6, .stop = [] { return true; }});
   ASSERT_TRUE(checkpoint.is_due());
-  EXPECT_EQ(test::message_of<Interrupted>([&] { checkpoint.save(state(3.0)); }),
-            "interrupted; the state is saved, and --resume continues from it");
+  EXPECT_EQ(test::message_of<Interrupted>([&] { checkpoint.save(state(3.0)); }), "interrupted; the state is saved");
   EXPECT_EQ(found(), 3.0);
 }
 

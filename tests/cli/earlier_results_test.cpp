@@ -152,6 +152,7 @@ TEST_F(EarlierResults, OfASingleStudyAreNotMixedWithThoseOfASweep) {
   const auto from_within = test::run_breccia(study_.result(""), {"run", "../deck.toml", "--out", ".", "--seeds", "2"});
   EXPECT_EQ(from_within.errors,
             ".: here are the results of a single study; take another directory (--out ../out-sweep)\n");
+  for (const auto* printed : {"stdout", "stderr"}) std::filesystem::remove(study_.result(printed));
   expect_nothing_lost();
 }
 

@@ -17,7 +17,6 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
-using testing::Not;
 
 /// Sampled from 1 to 100 MPa in shear, at 2 GPa in bulk; usable 5 % and 10 % beyond.
 ReducedResponse sampled(Boundary boundary) {
@@ -51,8 +50,8 @@ TEST(CoverageRefusal, TellsWhatIsShownWhatWasSampledAndWhatIsCovered) {
       test::message_of<InputError>([&] { static_cast<void>(respond(stored(), gel)); }),
       "stage A: from 1 ms to 1 Ms gel shows a shear modulus from 1 kPa to 999 MPa; the study has sampled 950 kPa to "
       "105 MPa\n"
-      "a study with this material as its matrix covers all of it\n"
-      "covered from 8.7 s to 1 ks: --times \"8.7 s\" \"1 ks\"");
+      "a new study with this material as its matrix covers all of it\n"
+      "covered from 8.7 s to 1 ks");
 }
 
 TEST(CoverageRefusal, NamesTimesThatAreAnswered) {
@@ -107,7 +106,7 @@ TEST(CoverageRefusal, IsOfEachBoundaryWithItsOwnMatrix) {
   } catch (const NotCovered& refusal) {
     EXPECT_THAT(refusal.what(), AllOf(HasSubstr("gel shows"), HasSubstr("\nstage A: from 1 ms to 1 Ms stiff shows")));
     EXPECT_FALSE(refusal.times());
-    EXPECT_THAT(with_covered_times(refusal, refusal.times()), Not(HasSubstr("--times")));
+    EXPECT_STREQ(with_covered_times(refusal, refusal.times()).what(), refusal.what());
   }
 }
 
@@ -122,7 +121,7 @@ TEST(CoverageRefusal, TellsTimesThatTheWholeAttemptCovers) {
   EXPECT_EQ(test::message_of<InputError>([&] {
               or_tell_covered_times({1.0, 9.0}, attempt);
             }),
-            "the first stage\ncovered from 3 s to 7 s: --times \"3 s\" \"7 s\"");
+            "the first stage\ncovered from 3 s to 7 s");
   EXPECT_THAT(tried, ElementsAre(TimeWindow{1.0, 9.0}, TimeWindow{2.0, 8.0}, TimeWindow{3.0, 7.0}));
   EXPECT_EQ(or_tell_covered_times({4.0, 5.0}, attempt), 1);
 }

@@ -22,10 +22,10 @@ class TestRequests : public testing::Test {
     study.tests.points_per_decade = 7;
   }
   [[nodiscard]] static Discretisation<2> grid_of(int cells) {
-    return Discretisation<2>(Grid<2>{{cells, cells}, 1e-3}, matrix);
+    return Discretisation<2>(Grid<2>{{cells, cells}, 1e-3}, matrix_phase);
   }
 
-  static constexpr PhaseIndex matrix = 0, filler = 1;
+  static constexpr PhaseIndex matrix_phase = 0, filler_phase = 1;
 
   Study study = test::two_stages();
   const Stage& fine = study.stages[0];
@@ -36,8 +36,8 @@ TEST_F(TestRequests, OfTheQuasistaticMethodHoldAllLoadsOfTheStage) {
   study.tests.quasistatic.steps_per_decade = 33;
   const auto request = make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 3);
   ASSERT_EQ(request.materials.size(), 2U);
-  EXPECT_EQ(request.materials[matrix], test::binder);
-  EXPECT_EQ(request.materials[filler], test::glass);
+  EXPECT_EQ(request.materials[matrix_phase], test::binder);
+  EXPECT_EQ(request.materials[filler_phase], test::glass);
   EXPECT_EQ(request.boundary, Boundary::traction);
   EXPECT_THAT(request.loads, ElementsAre(Load::diagonal_shear, Load::shear, Load::bulk)) << "it serves as a matrix";
   EXPECT_EQ(request.times, (TimeWindow{1e-3, 50e-3}));
@@ -53,7 +53,7 @@ TEST_F(TestRequests, OfTheDynamicMethodHoldOneLoad) {
   study.tests.dynamic.courant = 0.5;
   const auto request =
       make_dynamic_test(study, fine, test::binder, grid_of(12), Boundary::displacement, Load::diagonal_shear, 3);
-  EXPECT_EQ(request.materials[filler], test::glass);
+  EXPECT_EQ(request.materials[filler_phase], test::glass);
   EXPECT_EQ(request.load, Load::diagonal_shear);
   EXPECT_EQ(request.times, (TimeWindow{1e-3, 50e-3}));
   EXPECT_EQ(request.points_per_decade, 7);

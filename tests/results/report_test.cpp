@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
@@ -12,12 +13,12 @@
 #include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
 #include "breccia/results/response_file.hpp"
+#include "breccia/results/study_report.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "messages.hpp"
 #include "one_vector_response.hpp"
 #include "results/hand_made_results.hpp"
-#include "breccia/results/study_report.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 

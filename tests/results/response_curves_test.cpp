@@ -64,7 +64,7 @@ TEST_F(WriteResponseCurves, ReplacesCurvesFromElsewhereOnRequestAlone) {
   auto other = destination;
   other.matrix = "fresh binder";
   EXPECT_THAT(refusal(other), AllOf(HasSubstr("here is what `breccia respond` made of \"aged binder: A from 1 ms"),
-                                    HasSubstr("not of \"fresh binder: A from 1 ms"), HasSubstr("--overwrite")));
+                                    HasSubstr("not of \"fresh binder: A from 1 ms"), HasSubstr("replace it")));
   EXPECT_THAT(moduli(), ElementsAre(6.0, 3.0)) << "as it was";
   other.overwrite = true;
   write_response_curves(other, {answer(5.0)});
@@ -90,7 +90,7 @@ TEST_F(WriteResponseCurves, RefusesAPlaceThatIsNotItsOwn) {
   std::filesystem::remove(curves);
   destination.inputs.clear();
   write_text(destination.directory / "study.json", "{}");
-  EXPECT_THAT(refusal(destination), HasSubstr("here are the results of a study; take another directory (--out)"));
+  EXPECT_THAT(refusal(destination), HasSubstr("here are the results of a study; take another directory"));
 }
 
 }  // namespace

@@ -170,8 +170,9 @@ TEST_F(ResponseFile, IsRefusedWhereItsStageCannotBe) {
   const std::vector<std::vector<double>> windows = {{1.0},           {0.0, 1.0}, {2.0, 1.0},
                                                     {1.0, INFINITY}, {NAN, 1.0}, {1.0, NAN}};
   for (const auto& times : windows) {
-    EXPECT_THAT(refusal_with("times_s", times), AllOf(HasSubstr("response.h5: /: not a response that Breccia has written: "),
-                                                      HasSubstr("expected two positive times that do not fall")));
+    EXPECT_THAT(refusal_with("times_s", times),
+                AllOf(HasSubstr("response.h5: /: not a response that Breccia has written: "),
+                      HasSubstr("expected two positive times that do not fall")));
   }
   for (const std::int64_t points : {0L, -1L, 1L << 40}) {
     EXPECT_THAT(refusal_with("points_per_decade", points), HasSubstr("expected a number of points per decade"));

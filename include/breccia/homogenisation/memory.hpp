@@ -14,6 +14,9 @@ class LackingMemory : public InputError {
   using InputError::InputError;
 };
 
+/// Approximate number of unknown displacements of a quasi-static test on a grid with `cells` cells per side.
+double quasistatic_unknowns(int cells);
+
 /// Approximate memory [B] of a quasi-static test of a stage on a grid with `cells` cells per side; an empirical
 /// formula.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);

@@ -7,10 +7,10 @@
 
 namespace breccia {
 
-/// How a study is solved.
+/// Options of a solution.
 struct SolveOptions {
   int threads = 0;             ///< number of threads; 0: all cores
-  bool ignore_memory = false;  ///< begin even what will hardly fit into the memory
+  bool ignore_memory = false;  ///< start even if the study may not fit into the memory
 };
 
 /// Throws InputError where a study cannot be solved: where it is not sound (require_sound), or will not fit into the

@@ -7,16 +7,16 @@
 
 namespace breccia {
 
-/// The steps of solve(), for a caller that decides stage by stage what is to be computed. The study must be sound
+/// The steps of solve(), for callers that decide for each stage whether to compute it. The study must be sound
 /// (require_sound).
 
 /// Packs one stage of a study and adds it to the result, without tests. Throws as solve() does.
 void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
                 StudyResult& result);
 
-/// Runs all tests of the stage that was added to the result last, and what follows from them: extrapolation, the
-/// material that later stages build on, the comparison with measurements. `threads` is 0 for all. Throws as solve()
-/// does, and InputError where the last stage of the result is another one.
+/// Runs all tests of the last stage of the result, then the extrapolation, the fit of its material for later stages and
+/// the comparison with measurements. `threads` = 0 means all cores. Throws as solve(), and InputError if the last stage
+/// of the result is another one.
 void test_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
                 StudyResult& result);
 

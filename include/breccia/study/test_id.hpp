@@ -11,8 +11,8 @@
 
 namespace breccia {
 
-/// The grid that a result stands on: so many cells per side, or the limit of vanishing cells, which is extrapolated
-/// from several grids. Grids rise with their cells; the limit is above all of them.
+/// The grid of a result: a number of cells per side, or the limit of vanishing cells, which is extrapolated from
+/// several grids. Grids are ordered by their cells; the limit is greater than all of them.
 class TestGrid {
  public:
   /// A grid of so many cells per side. Throws InputError where they are fewer than one.
@@ -32,13 +32,13 @@ class TestGrid {
   std::optional<int> cells_;
 };
 
-/// A grid in tables: "150", or "extrapolated".
+/// The name of a grid in tables: "150", or "extrapolated".
 std::string name_of(TestGrid grid);
 
 /// The grid with such a name; nothing for any other text.
 std::optional<TestGrid> grid_named(std::string_view name);
 
-/// Which test of a stage: everything that tells two of them apart.
+/// Identifies a test of a stage by its load, boundary condition, method and grid.
 struct TestId {
   Load load = Load::shear;
   Boundary boundary = Boundary::displacement;
@@ -52,9 +52,8 @@ struct TestId {
 /// computes all loads together, so that its calculations have none: "upper bound, 150 cells, quasi-static".
 std::string calculation_of(const TestId& test);
 
-/// Does a test stand for the other one where a single one is shown? Of tests that differ in their method or grid alone
-/// the quasi-static ones come before the dynamic ones, and of each method the limit of vanishing cells before the
-/// finest grid.
+/// Whether one test is preferred to another that differs from it only in method or grid: quasi-static tests are
+/// preferred to dynamic ones, and, for each method, the limit of vanishing cells to the finest grid.
 bool is_preferred(const TestId& one, const TestId& other);
 
 }  // namespace breccia
