@@ -86,7 +86,7 @@ function(breccia_library)
 endfunction()
 
 # Tests spend their time in the library.
-set(breccia_test_options $<$<CONFIG:Release>:-O0>)
+set(breccia_test_options $<$<CONFIG:Release,RelWithDebInfo>:-O0>)
 
 # breccia_test(<room> SOURCES <file>...): the unit tests of one room.
 function(breccia_test room)

@@ -75,6 +75,12 @@ TEST_F(ResultPlaceTest, IsRefusedWithWhatTheChoiceThrows) {
   EXPECT_FALSE(fs::exists(results));
 }
 
+class CompleteRun : public ResultPlaceTest {
+ protected:
+  void write(const std::string& name) const { write_text(results / "fine" / name, ""); }
+  [[nodiscard]] bool has(const std::string& name) const { return fs::exists(results / "fine" / name); }
+};
+
 TEST_F(CompleteRun, IsKnownByItsRecord) {
   EXPECT_EQ(time_of_complete_run(study, results), std::nullopt);
   EXPECT_FALSE(holds_tests(results));
