@@ -188,22 +188,6 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
   EXPECT_THROW(static_cast<void>(solve(study)), InputError);
 }
 
-TEST(Solve, SaysOfWhichTestATimeDomainIs) {
-  auto study = test::two_stages();
-  study.stages = {{.name = "plain", .matrix = test::binder, .side = 6e-3, .cells = 12, .coarser_cells = {8}}};
-  study.tests.methods = {Method::dynamic};
-  study.tests.boundaries = {Boundary::displacement};
-  std::vector<TestGrid> grids;
-  StudyObserver observer;
-  observer.domain_finished = [&grids](const Stage&, const TestId& test, const TimeDomain&) {
-    EXPECT_EQ(test.boundary, Boundary::displacement);
-    EXPECT_EQ(test.method, Method::dynamic);
-    if (grids.empty() || grids.back() != test.grid) grids.push_back(test.grid);
-  };
-  static_cast<void>(solve(study, {.threads = 1}, observer));
-  EXPECT_THAT(grids, ElementsAre(TestGrid(8), TestGrid(12)));
-}
-
 TEST(Solve, AnExceptionOfAnObserverEndsIt) {
   StudyObserver observer;
   observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
