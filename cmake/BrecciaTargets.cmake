@@ -12,6 +12,10 @@ target_compile_options(breccia_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wnon-virtual-dtor -Wold-style-cast
   -Woverloaded-virtual -ffp-contract=off
   $<$<BOOL:${BRECCIA_WARNINGS_AS_ERRORS}>:-Werror>)
+if(CMAKE_UNITY_BUILD)
+  # To g++ the sources that it compiles as one are headers, whose unnamed namespaces others could see.
+  target_compile_options(breccia_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(BRECCIA_SANITIZE)
   # Instrumented code looks uninitialised, and copies of texts look as if they overlap, to g++ where they do not.
   target_compile_options(breccia_options INTERFACE

@@ -110,11 +110,11 @@ PronySeries series(const std::filesystem::path& path, ModulusKind kind) {
 
 /// The kind of the moduli in a file; the names of the columns may give one kind, several or none.
 ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
-  auto kinds = table.kinds();
-  std::erase(kinds, ModulusKind::unspecified);
+  auto measured = table.kinds();
+  std::erase(measured, ModulusKind::unspecified);
   if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is read
-  if (kinds.empty()) return ModulusKind::unspecified;
-  if (kinds.size() == 1 && kinds.front() != ModulusKind::other) return kinds.front();
+  if (measured.empty()) return ModulusKind::unspecified;
+  if (measured.size() == 1 && measured.front() != ModulusKind::other) return measured.front();
   throw InputError(fmt::format(
       "{}: expected one modulus, of shear, Young's or of bulk, got {}: of several choose one by --modulus; one that is "
       "none of these is fitted when its column is called modulus_Pa",

@@ -15,8 +15,8 @@ namespace {
 
 /// With fewer points than this a thread would mostly wait for the others.
 int useful_threads(int threads, std::size_t points) {
-  constexpr std::size_t points_per_thread = 4096;
-  return std::clamp(static_cast<int>(points / points_per_thread), 1, threads);
+  constexpr std::size_t points_for_a_thread = 4096;
+  return std::clamp(static_cast<int>(points / points_for_a_thread), 1, threads);
 }
 
 /// Sum of the normal components.
