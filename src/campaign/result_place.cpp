@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the first process tells the others: a directory, or an error of this kind.
+/// The first letter of the text that the first process sends to the others: a directory, or the kind of an error.
 constexpr char is_chosen = '+', is_in_use = '!', is_bad_input = 'i', is_numerical = 'n', is_of_files = 'f';
 
 /// The kind of an error and its message.
@@ -43,8 +43,8 @@ void refuse_if_error(const std::string& answer) {
   }
 }
 
-/// The directory that the first process of a group chooses, for all of them, or the error that it throws: whoever did
-/// not know of it would wait for the first for ever.
+/// The directory that the first process of a group chooses, on all processes of the group, or its error: a process that
+/// did not get the error would wait for the first one for ever.
 template <class Choose>
 fs::path chosen_by_first(const Choose& choose) {
   std::string answer;

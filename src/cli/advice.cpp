@@ -15,7 +15,7 @@ bool has(const CLI::App& command, const char* option) {
   return command.get_option_no_throw(option) != nullptr;
 }
 
-/// What stands behind the message; empty where no option of the command helps.
+/// The text that is added to the message of an error; empty if no option of the command helps.
 std::string advice_on(const Error& error, const CLI::App& command) {
   if (dynamic_cast<const DirectoryInUse*>(&error) != nullptr && has(command, "--out")) {
     return ", or take another directory (--out)";

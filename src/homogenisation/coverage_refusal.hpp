@@ -16,11 +16,11 @@ using MatrixUnder = std::function<const Material&(Boundary)>;
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window);
 
-/// The refusal with the times that can be asked for in its place, if there are any.
+/// The refusal, with the times that can be requested instead, if there are any.
 NotCovered with_covered_times(const NotCovered& refusal, const std::optional<TimeWindow>& times);
 
-/// What an attempt gives over a window. Where that is not covered, a narrower one is looked for in which the whole
-/// attempt succeeds, and NotCovered tells of it.
+/// Returns the result of a function of a window of times. If the function throws NotCovered, searches for a narrower
+/// window in which it succeeds, and throws NotCovered with that window.
 template <class Attempt>
 auto or_tell_covered_times(const TimeWindow& window, const Attempt& attempt) -> decltype(attempt(window)) {
   try {

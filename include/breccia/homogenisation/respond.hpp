@@ -43,7 +43,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
-/// Throws NotCovered where the matrix leaves the sampled range, telling both and the times that are covered.
+/// Throws NotCovered if the matrix leaves the sampled range; the message has both and the times that are covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
 
 /// The same for several stages of a study that build on each other. The new matrix replaces that of the stages that do

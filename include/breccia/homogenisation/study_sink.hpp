@@ -25,10 +25,10 @@ class StudySink {
   StudySink& operator=(StudySink&&) = delete;
   virtual ~StudySink() = default;
 
-  /// The result of a stage that is known before it is computed, as that of the same stage in another study; nothing
-  /// where the stage is to be computed.
+  /// The result of a stage that is already known, for example from another study with the same stage; nothing if the
+  /// stage must be computed.
   virtual std::optional<StageResult> known_stage(const Stage&) { return std::nullopt; }
-  /// A stage that was known is the last one of the result, compared with what this study has measured.
+  /// Called after a known stage was added to the result and compared with the measurements of this study.
   virtual void stage_adopted(const Stage&, const StudyResult&) {}
 
   /// The states of a packing, and of a test; null where none are left. The quasi-static method computes all loads of a
@@ -46,7 +46,8 @@ class StudySink {
   virtual bool take_fields(const Stage&, const TestId&, const Discretisation<2>&, const std::vector<TimedFields<2>>&) {
     return false;
   }
-  /// The state of a test says that it was finished, and that its fields at these times [s] were taken then.
+  /// Called if the saved state of a test shows that it was finished, and that a sink took its fields at these times
+  /// [s].
   virtual void fields_taken_before(const Stage&, const TestId&, const std::vector<double>& /*times*/) {}
   /// Is called when a test, or the extrapolation of several, has been added to the last stage of the result.
   virtual void tested(const Stage&, const StudyResult&) {}
