@@ -34,17 +34,16 @@ set(breccia_common_headers
   <numeric> <optional> <set> <span> <sstream> <string> <string_view> <utility> <variant> <vector> <fmt/format.h>
   <fmt/ranges.h>)
 
-# breccia_precompiled(<name> HEADERS <header>... LIBRARIES <target>... [OPTIONS <option>...])
+# breccia_precompiled(<name> HEADERS <header>... LIBRARIES <target>...)
 # Headers that are parsed once for all targets with these libraries' options instead of once in each source. Headers of
 # Breccia are not among them: a change of one would compile everything anew. The preset `clang` does without, so that
 # each source is seen to include what it needs.
 function(breccia_precompiled name)
-  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
   set(source ${PROJECT_BINARY_DIR}/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "")
   add_library(${name} OBJECT ${source})
   target_link_libraries(${name} PRIVATE breccia_options ${arg_LIBRARIES})
-  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
@@ -89,16 +88,18 @@ function(breccia_library)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
 endfunction()
 
-# Tests spend their time in the library.
-set(breccia_test_options $<$<CONFIG:Release,RelWithDebInfo>:-O0>)
+# Tests spend their time in the library. Where several are compiled as one, names of one are no matter of another.
+add_library(breccia_test_options INTERFACE)
+target_compile_options(breccia_test_options INTERFACE
+  $<$<CONFIG:Release,RelWithDebInfo>:-O0> $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>)
 
 # breccia_test(<room> SOURCES <file>...): the unit tests of one room.
 function(breccia_test room)
   cmake_parse_arguments(test "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${room}_test ${test_SOURCES})
   target_include_directories(${room}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${room}_test PRIVATE breccia_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
-  target_compile_options(${room}_test PRIVATE ${breccia_test_options})
+  target_link_libraries(${room}_test PRIVATE
+    breccia_options breccia_test_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
   target_precompile_headers(${room}_test REUSE_FROM breccia_test_headers)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()

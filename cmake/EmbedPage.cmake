@@ -30,13 +30,9 @@ file(WRITE "${OUTPUT}" "#include \"page_templates.hpp\"
 #pragma GCC diagnostic ignored \"-Woverlength-strings\"
 
 namespace breccia {
-namespace {
-
-constexpr char page[] = R\"breccia(${page})breccia\";
-
-}  // namespace
 
 std::string_view ${FUNCTION}() {
+  static constexpr char page[] = R\"breccia(${page})breccia\";
   return {page, sizeof page - 1};
 }
 

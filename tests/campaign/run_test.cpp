@@ -46,7 +46,7 @@ TEST(RunStudy, AStudyPutTogetherInTheMemoryIsKnownByItsContent) {
   expect_refusal(other, results);
 }
 
-constexpr auto deck = R"(
+constexpr auto deck_of_a_box = R"(
 [materials.binder]
 density = "1 g/cm^3"
 bulk = "1 GPa"
@@ -64,7 +64,7 @@ boundaries = ["displacement"]
 // The hash of its deck says nothing of a study that was changed since.
 TEST(RunStudy, AStudyThatWasChangedAfterItsDeckWasReadIsAnotherOne) {
   const test::TemporaryDirectory directory;
-  directory.write("deck.toml", deck);
+  directory.write("deck.toml", deck_of_a_box);
   const auto results = directory.path() / "results", others = directory.path() / "others";
   auto study = read_study(directory.path() / "deck.toml");
   static_cast<void>(run_study(study, results));
@@ -80,11 +80,11 @@ TEST(RunStudy, AStudyThatWasChangedAfterItsDeckWasReadIsAnotherOne) {
 
 TEST(RunStudy, RefusesToReplaceTheDeckOfAChangedStudy) {
   const test::TemporaryDirectory directory;
-  directory.write("study.json", deck);
+  directory.write("study.json", deck_of_a_box);
   auto study = read_study(directory.path() / "study.json");
   study.title = "changed";
   EXPECT_THROW(static_cast<void>(run_study(study, directory.path(), {.overwrite = true})), InputError);
-  EXPECT_EQ(read_text(directory.path() / "study.json"), deck);
+  EXPECT_EQ(read_text(directory.path() / "study.json"), deck_of_a_box);
 }
 
 TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {

@@ -67,7 +67,7 @@ int expect_averages(const StudyDirectory& study) {
       EXPECT_EQ(fields.attribute<double>("/VTKHDF", "time_s"), time);
       EXPECT_NEAR(mean / tabulated(study, boundary, time), 1.0, 1e-6) << boundary << " " << time;
       for (const auto* picture : {"stress_picture", "strain_picture"}) {
-        EXPECT_EQ(testing::xml_mistake(read_text(study.result("A/" + field.at(picture).get<std::string>()))), "");
+        EXPECT_EQ(test::xml_mistake(read_text(study.result("A/" + field.at(picture).get<std::string>()))), "");
       }
       ++files;
     }

@@ -82,7 +82,7 @@ TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
   EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "shear_compliance_1_per_Pa", creep), 3e-3);
   EXPECT_LT(worst_difference(result("results/g-fit/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
   for (const auto* name : {"fit.svg", "creep.svg"}) {
-    EXPECT_EQ(testing::xml_mistake(read_text(directory.path() / "results/g-fit" / name)), "");
+    EXPECT_EQ(test::xml_mistake(read_text(directory.path() / "results/g-fit" / name)), "");
   }
 }
 

@@ -138,15 +138,15 @@ TEST_F(Results, MicrostructureListsTheDiscs) {
 
 TEST_F(Results, PicturesAreWellFormed) {
   const auto picture = read_text(path("A/microstructure.svg"));
-  EXPECT_EQ(testing::xml_mistake(picture), "");
-  EXPECT_EQ(testing::count(picture, "<circle"), 4U);
+  EXPECT_EQ(test::xml_mistake(picture), "");
+  EXPECT_EQ(test::count(picture, "<circle"), 4U);
   const auto plot = read_text(path("A/modulus.svg"));
-  EXPECT_EQ(testing::xml_mistake(plot), "");
+  EXPECT_EQ(test::xml_mistake(plot), "");
   for (const auto* label : {"Model composite: A", "Relaxation modulus G(t)", "upper bound", "matrix"}) {
     EXPECT_THAT(plot, HasSubstr(label));
   }
   const auto bulk_plot = read_text(path("A/bulk_modulus.svg"));
-  EXPECT_EQ(testing::xml_mistake(bulk_plot), "");
+  EXPECT_EQ(test::xml_mistake(bulk_plot), "");
   EXPECT_THAT(bulk_plot, HasSubstr("Plane-strain bulk modulus K(t) + G(t)/3"));
 }
 

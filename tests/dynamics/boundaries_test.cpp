@@ -18,15 +18,11 @@
 namespace breccia {
 namespace {
 
+using testing_materials::damped;
 using testing_materials::relaxing;
 using testing_materials::soft;
 using testing_materials::stiff;
-
-DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
-  problem.time_step =
-      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
-  return problem;
-}
+using testing_materials::with_step;
 
 std::string title_of(Formulation formulation) {
   return formulation == Formulation::classical ? "Classical" : "TotalLagrangian";
@@ -47,11 +43,6 @@ class Boundaries : public testing::TestWithParam<std::tuple<Formulation, Volumet
     return averages.back();
   }
 };
-
-/// A solid with the given equilibrium moduli [Pa], damped by a Maxwell element.
-Material damped(double bulk, double shear) {
-  return {"damped", 1000.0, PronySeries(bulk), PronySeries(shear, {{0.03, 2.0 * shear}})};
-}
 
 constexpr std::array loads = {Load::shear, Load::diagonal_shear, Load::bulk};
 

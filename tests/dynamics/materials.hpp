@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::testing_materials {
@@ -12,9 +13,21 @@ inline const Material stiff = {"stiff", 1700.0, PronySeries(40e6), PronySeries(2
 inline const Material relaxing = {"relaxing", 1200.0, PronySeries(2e6, {{3e-3, 4e6}}),
                                   PronySeries(0.1e6, {{1e-3, 2e6}, {2e-2, 1e6}})};
 
+/// A solid with the given equilibrium moduli [Pa], damped by a Maxwell element.
+inline Material damped(double bulk, double shear) {
+  return {"damped", 1000.0, PronySeries(bulk), PronySeries(shear, {{0.03, 2.0 * shear}})};
+}
+
 /// A disc of material 1 in a box of material 0 with side 1 m.
 inline Discretisation<2> disc_in_box(int cells) {
   return discretise<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells, 0, 1);
+}
+
+/// A problem at a share of its stable time step.
+inline DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
+  problem.time_step =
+      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
+  return problem;
 }
 
 }  // namespace breccia::testing_materials

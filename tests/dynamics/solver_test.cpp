@@ -14,16 +14,11 @@
 namespace breccia {
 namespace {
 
+using testing_materials::damped;
 using testing_materials::relaxing;
 using testing_materials::soft;
 using testing_materials::stiff;
-
-/// A problem at a share of its stable time step.
-DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
-  problem.time_step =
-      courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
-  return problem;
-}
+using testing_materials::with_step;
 
 /// Velocities without order, the same for the same position.
 Vector<2> scattered(const Vector<2>& position) {
@@ -192,11 +187,6 @@ Stress<2> relaxed_laminate(int columns, const std::vector<Material>& materials, 
   std::vector<Averages<2>> averages;
   while (run->time() < 40.0) run->advance(100, averages);
   return averages.back().stress;
-}
-
-/// A solid with the given equilibrium moduli [Pa], damped by a Maxwell element.
-Material damped(double bulk, double shear) {
-  return {"damped", 1000.0, PronySeries(bulk), PronySeries(shear, {{0.03, 2.0 * shear}})};
 }
 
 TEST(Laminate, InParallelItsModuliAddUp) {

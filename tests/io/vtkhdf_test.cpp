@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-using Numbers = std::vector<float>;
+using Floats = std::vector<float>;
 using Bytes = std::vector<std::uint8_t>;
 using Integers = std::vector<std::int64_t>;
 
@@ -28,8 +28,8 @@ class VtkHdf : public testing::Test {
 TEST_F(VtkHdf, WritesASquareForEachValue) {
   write_vtkhdf(path, lattice,
                {{"material", 1, Bytes{0, 1, 2, 3, 4, 5}},
-                {"displacement", 3, Numbers(18, 0.5F)},
-                {"stress", 6, Numbers(36, 2.0F)}},
+                {"displacement", 3, Floats(18, 0.5F)},
+                {"stress", 6, Floats(36, 2.0F)}},
                {{"time_s", 1e-3}});
   const Hdf5Reader file(path);
   EXPECT_THAT(file.attribute<Integers>("/VTKHDF", "Version"), ElementsAre(1, 0));
@@ -54,8 +54,8 @@ TEST_F(VtkHdf, WritesASquareForEachValue) {
 }
 
 TEST_F(VtkHdf, RefusesFieldsThatDoNotFit) {
-  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 1, Numbers(5)}}), InputError);
-  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 2, Numbers(12)}}), InputError);
+  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 1, Floats(5)}}), InputError);
+  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 2, Floats(12)}}), InputError);
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 

@@ -16,16 +16,14 @@
 #include "breccia/microstructure/validity.hpp"
 
 #include "expect_error.hpp"
+#include "hmx_sizes.hpp"
 #include "messages.hpp"
 
 namespace breccia {
 namespace {
 
 using test::expect_error;
-
-SizeDistribution hmx() {
-  return SizeDistribution::lognormal_mixture({{0.75, 154e-6, 0.76}, {0.25, 12.7e-6, 1.09}});
-}
+using test::hmx;
 
 PackingRequest hb1() {
   return {48e-6, Walls::hard, draw_diameters<2>(hmx().truncated(2e-6, 14e-6), 0.65, 48e-6), 0.5e-6};

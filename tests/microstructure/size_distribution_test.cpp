@@ -14,17 +14,15 @@
 #include "breccia/microstructure/draw_diameters.hpp"
 
 #include "expect_error.hpp"
+#include "hmx_sizes.hpp"
 
 namespace breccia {
 namespace {
 
 using test::expect_error;
+using test::hmx;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-SizeDistribution hmx() {
-  return SizeDistribution::lognormal_mixture({{3.0, 154e-6, 0.76}, {1.0, 12.7e-6, 1.09}});
-}
 
 SizeDistribution sieves() {
   return SizeDistribution::tabulated({1e-6, 10e-6, 100e-6}, {0.0, 0.4, 1.0});

@@ -19,7 +19,7 @@ using test::expect_error;
 using ::testing::DoubleEq;
 using ::testing::ElementsAre;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_gap = std::numeric_limits<double>::infinity();
 
 /// Discs of diameter 2 and 4 in a box of 10; their surfaces are 2 apart inside it and 1 apart across the sides x =
 /// 0, 10.
@@ -50,9 +50,9 @@ TEST(Statistics, OverlapIsANegativeGap) {
 }
 
 TEST(Statistics, OneDiscHasAGapOnlyToItsPeriodicImage) {
-  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::hard, {{{5.0, 5.0}, 4.0}}}), infinity);
+  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::hard, {{{5.0, 5.0}, 4.0}}}), no_gap);
   EXPECT_DOUBLE_EQ(smallest_gap(Microstructure<2>{10.0, Walls::periodic, {{{5.0, 5.0}, 4.0}}}), 6.0);
-  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::periodic, {}}), infinity);
+  EXPECT_EQ(smallest_gap(Microstructure<2>{10.0, Walls::periodic, {}}), no_gap);
 }
 
 TEST(Statistics, FarApartDiscsAreFoundToo) {
@@ -62,7 +62,7 @@ TEST(Statistics, FarApartDiscsAreFoundToo) {
 
 TEST(Statistics, GapsToTheWalls) {
   EXPECT_DOUBLE_EQ(smallest_wall_gap(two_discs(Walls::hard)), 0.5);
-  EXPECT_EQ(smallest_wall_gap(two_discs(Walls::periodic)), infinity);
+  EXPECT_EQ(smallest_wall_gap(two_discs(Walls::periodic)), no_gap);
   EXPECT_DOUBLE_EQ(smallest_wall_gap<2>({10.0, Walls::hard, {{{5.0, 9.5}, 2.0}}}), -0.5);
 }
 

@@ -6,6 +6,7 @@
 
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
+#include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia::test {
 
@@ -21,6 +22,9 @@ inline QuasistaticProblem model_composite(int n, Volumetric volumetric, Boundary
           .volumetric = volumetric,
           .boundary = boundary};
 }
+
+/// The times [s] in which random_composite relaxes.
+inline constexpr TimeWindow relaxation_window = {1e-7, 1e-3};
 
 /// Twelve stiff discs in a binder with a spectrum like that of an elastomer, nearly incompressible where it has
 /// relaxed.

@@ -14,11 +14,11 @@
 namespace breccia {
 namespace {
 
-const TimeWindow window = {1e-7, 1e-3};
 constexpr std::array field_times = {1e-7, 1e-5, 1e-3};
 
 SampledResponses sampled(const QuasistaticProblem& problem, Load load) {
-  return sample_responses(problem, 0, std::array{load}, carson_path(problem.materials.front(), window));
+  return sample_responses(problem, 0, std::array{load},
+                          carson_path(problem.materials.front(), test::relaxation_window));
 }
 
 Stress<2> mean_stress(const PointFields<2>& fields) {
@@ -88,12 +88,13 @@ double difference(const std::vector<std::array<double, n>>& one, const std::vect
 TEST(Fields, OfTheReducedBasisAreThoseOfStepping) {
   for (const auto boundary : test::boundaries) {
     for (const auto& problem : composites(boundary)) {
-      const auto times = test::logarithmic(1e-3 * window.begin, window.end, 60);
+      const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 60);
       const std::vector kept = {times[180], times.back()};
       const auto stepped = run_log_time_stepping(problem, std::array{Load::shear}, times, {}, kept);
       ASSERT_EQ(stepped.fields.size(), kept.size());
-      const auto found = sample_responses(problem, 0, std::array{Load::shear},
-                                          carson_path(problem.materials.front(), window), {.tolerance = 1e-9});
+      const auto found =
+          sample_responses(problem, 0, std::array{Load::shear},
+                           carson_path(problem.materials.front(), test::relaxation_window), {.tolerance = 1e-9});
       for (const auto& [time, exact] : stepped.fields) {
         const auto fields = found.fields(0, problem.materials.front(), time);
         EXPECT_LT(difference(exact.displacement, fields.displacement), 3e-3) << time;

@@ -9,7 +9,11 @@
 
 #include "solvers/block_stiffness.hpp"
 
-namespace breccia::quasistatic::test {
+namespace breccia::test {
+
+using quasistatic::Block;
+using quasistatic::BlockKind;
+using quasistatic::boundary_nodes;
 
 /// Cells of random materials: each point has one of two elastic solids whose shear moduli differ by a contrast. The
 /// softer one is nearly incompressible for a high contrast.
@@ -56,4 +60,4 @@ inline Eigen::MatrixXd dense_stiffness(const Block& shape, const std::vector<Cel
   return dense;
 }
 
-}  // namespace breccia::quasistatic::test
+}  // namespace breccia::test

@@ -18,10 +18,9 @@ namespace breccia {
 namespace {
 
 constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
-const TimeWindow window = {1e-7, 1e-3};
 
 std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double tolerance = 1e-6) {
-  return sample_responses(problem, 0, shear_and_bulk, carson_path(problem.materials.front(), window),
+  return sample_responses(problem, 0, shear_and_bulk, carson_path(problem.materials.front(), test::relaxation_window),
                           {.tolerance = tolerance})
       .responses;
 }
@@ -29,13 +28,13 @@ std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double t
 /// Both ways through time must differ by no more than the steps' own error, which falls with their square.
 void expect_agreement_with_stepping(const QuasistaticProblem& problem) {
   const auto responses = sampled(problem);
-  const auto times = test::logarithmic(1e-3 * window.begin, window.end, 60);
+  const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 60);
   const auto stepped = run_log_time_stepping(problem, shear_and_bulk, times).responses;
   for (std::size_t l = 0; l < responses.size(); ++l) {
     const auto compliance = creep_compliance(responses[l], problem.materials.front());
     const auto modulus = relaxation_modulus(compliance);
     for (std::size_t i = 0; i < times.size(); ++i) {
-      if (times[i] < window.begin) continue;
+      if (times[i] < test::relaxation_window.begin) continue;
       const double value = problem.boundary == Boundary::traction ? compliance.at(times[i]) : modulus.at(times[i]);
       const double difference = std::abs(value / stepped[l].values[i] - 1.0);
       EXPECT_LT(difference, 1e-3) << times[i];
@@ -101,7 +100,7 @@ TEST(ReducedResponse, ABoxOfOneMaterialWithAnElasticBulkModulusShowsItsShearModu
 
 TEST(ReducedResponse, MoreSnapshotsMeetAFinerToleranceAndTheEstimateTells) {
   const auto problem = test::random_composite(24, 4, Boundary::displacement);
-  const auto path = carson_path(problem.materials.front(), window);
+  const auto path = carson_path(problem.materials.front(), test::relaxation_window);
   const auto exact = sampled(problem, 1e-10);
   std::size_t snapshots = 0;
   for (const double tolerance : {1e-2, 1e-4, 1e-6}) {
@@ -129,7 +128,7 @@ TEST(ReducedResponse, LowerPeriodicAndUpperAreInOrderWithinVoigtAndReuss) {
     const auto problem = test::random_composite(24, seed, Boundary::periodic);
     const double filled = problem.discretisation.fractions(2)[1];
     const auto& filler = problem.materials[1];
-    for (const auto& moduli : carson_path(problem.materials.front(), window)) {
+    for (const auto& moduli : carson_path(problem.materials.front(), test::relaxation_window)) {
       for (std::size_t l = 0; l < shear_and_bulk.size(); ++l) {
         const auto of = [&](double bulk, double shear) {
           return shear_and_bulk[l] == Load::bulk ? bulk + shear / 3.0 : shear;
@@ -175,7 +174,7 @@ TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
     const auto direct = sampled(problem, 1e-5);
     problem.linear.method = LinearMethod::iterative;
     const auto iterative = sampled(problem, 1e-5);
-    for (const auto& moduli : carson_path(problem.materials.front(), window)) {
+    for (const auto& moduli : carson_path(problem.materials.front(), test::relaxation_window)) {
       EXPECT_NEAR(iterative[0].modulus(moduli) / direct[0].modulus(moduli), 1.0, 1e-5);
     }
   }
@@ -183,7 +182,7 @@ TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
 
 TEST(Sampling, NeedsAnElasticFillerAndCanFailToMeetATolerance) {
   auto problem = test::random_composite(12, 7, Boundary::displacement);
-  const auto path = carson_path(problem.materials.front(), window);
+  const auto path = carson_path(problem.materials.front(), test::relaxation_window);
   EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, path, {.tolerance = 1e-9, .most_snapshots = 4}),
                NumericalError);
   EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, {}), InputError);

@@ -14,8 +14,8 @@
 namespace breccia {
 namespace {
 
+using test::xml_mistake;
 using ::testing::HasSubstr;
-using testing::xml_mistake;
 
 /// Values 1, 2, ... in a square.
 FieldPicture rising(std::size_t columns) {

@@ -12,9 +12,9 @@
 namespace breccia {
 namespace {
 
-using testing::count;
+using test::count;
+using test::xml_mistake;
 using ::testing::HasSubstr;
-using testing::xml_mistake;
 
 /// The paper's model composite: 2 x 2 discs of 2 mm in a box of 6 mm.
 const Microstructure<2> model_composite{

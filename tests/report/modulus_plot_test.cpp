@@ -19,11 +19,11 @@
 namespace breccia {
 namespace {
 
+using test::count;
 using test::ScopedPath;
-using testing::count;
+using test::xml_mistake;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using testing::xml_mistake;
 
 PlotCurve relaxation(const std::string& label, double modulus, PlotStyle style = PlotStyle::line) {
   PlotCurve curve{label, {}, {}, style, {}};

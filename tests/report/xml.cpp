@@ -3,7 +3,7 @@
 #include <regex>
 #include <vector>
 
-namespace breccia::testing {
+namespace breccia::test {
 
 namespace {
 
@@ -57,4 +57,4 @@ std::size_t count(std::string_view text, std::string_view part) {
   return found;
 }
 
-}  // namespace breccia::testing
+}  // namespace breccia::test

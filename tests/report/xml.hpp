@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace breccia::testing {
+namespace breccia::test {
 
 /// The mistakes in an XML text that a small check finds: tags that do not nest, attributes without quotes,
 /// stray '<' and '&'. Empty if it is well-formed.
@@ -13,4 +13,4 @@ std::string xml_mistake(std::string_view text);
 /// How often a part occurs in a text.
 std::size_t count(std::string_view text, std::string_view part);
 
-}  // namespace breccia::testing
+}  // namespace breccia::test

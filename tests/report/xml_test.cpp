@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace breccia::testing {
+namespace breccia::test {
 namespace {
 
 TEST(Xml, PassesWhatIsWellFormed) {
@@ -21,4 +21,4 @@ TEST(Xml, NamesMistakes) {
 }
 
 }  // namespace
-}  // namespace breccia::testing
+}  // namespace breccia::test

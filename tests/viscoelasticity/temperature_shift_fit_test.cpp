@@ -7,12 +7,11 @@
 
 #include "breccia/error.hpp"
 
+#include "viscoelasticity/estane_shift.hpp"
 #include "viscoelasticity/noise.hpp"
 
 namespace breccia {
 namespace {
-
-constexpr WilliamsLandelFerry estane = {6.5, 120.0, 292.15};
 
 /// log10 a_T of a law at some temperatures from T_ref - 60 K to T_ref + 60 K.
 std::vector<ShiftFactor> factors_of(const WilliamsLandelFerry& law) {

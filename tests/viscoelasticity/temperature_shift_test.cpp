@@ -6,10 +6,10 @@
 
 #include "breccia/error.hpp"
 
+#include "viscoelasticity/estane_shift.hpp"
+
 namespace breccia {
 namespace {
-
-constexpr WilliamsLandelFerry estane = {6.5, 120.0, 292.15};
 
 TEST(WilliamsLandelFerry, IsOneAtTheReference) {
   EXPECT_DOUBLE_EQ(estane.shift_factor(292.15), 1.0);
