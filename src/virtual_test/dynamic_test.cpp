@@ -23,7 +23,8 @@ namespace breccia {
 namespace {
 
 void require_complete(const DynamicTest& test) {
-  require_times("dynamic test", test.times, test.field_times);
+  require_times("dynamic test", test.times, test.points_per_decade, test.field_times);
+  require_phases("dynamic test", test.discretisation, test.materials.size());
   if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
     throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
   }
@@ -51,6 +52,7 @@ TimeWindow window_wanted(const DomainSequence& sequence) {
 }  // namespace
 
 double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials) {
+  require_phases("mean density", discretisation, materials.size());
   const auto fractions = discretisation.fractions(materials.size());
   double density = 0.0;
   for (std::size_t m = 0; m < materials.size(); ++m) density += fractions[m] * materials[m].density;

@@ -187,6 +187,16 @@ TEST(RunDynamicTest, RefusesInvalidTests) {
   test.field_times = {};
   test.options.courant = 1.5;
   EXPECT_THROW(run_dynamic_test(test), InputError);
+  test.options.courant = 0.5;
+  for (const int per_decade : {0, -1}) {
+    test.points_per_decade = per_decade;
+    EXPECT_THROW(run_dynamic_test(test), InputError) << per_decade << " points per decade";
+  }
+  test.points_per_decade = 20;
+  test.materials.pop_back();
+  EXPECT_THROW(run_dynamic_test(test), InputError) << "the particles have no material";
+  EXPECT_THROW(static_cast<void>(plan_dynamic_test(test)), InputError);
+  EXPECT_THROW(static_cast<void>(mean_density(test.discretisation, test.materials)), InputError);
 }
 
 TEST(PlanDynamicTest, HomogeneousPlanAgreesWithTheRun) {
