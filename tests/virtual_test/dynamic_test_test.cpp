@@ -199,6 +199,19 @@ TEST(RunDynamicTest, RefusesInvalidTests) {
   EXPECT_THROW(static_cast<void>(mean_density(test.discretisation, test.materials)), InputError);
 }
 
+// A finer grid needs as many more steps as it has cells along an axis; the time domains are the same.
+TEST(PlanDynamicTest, OfAFinerGridIsMadeByACoarseOne) {
+  const auto coarse = relaxation(model_composite(12), {binder, binder}, {1e-3, 0.02});
+  const auto fine = relaxation(model_composite(36), {binder, binder}, {1e-3, 0.02});
+  const auto planned = plan_dynamic_test(coarse, 3.0), expected = plan_dynamic_test(fine);
+  EXPECT_EQ(planned.bytes, expected.bytes);
+  ASSERT_EQ(planned.domains.size(), expected.domains.size());
+  for (std::size_t i = 0; i < expected.domains.size(); ++i) {
+    EXPECT_NEAR(planned.domains[i].time_step / expected.domains[i].time_step, 1.0, 1e-9);
+    EXPECT_NEAR(static_cast<double>(planned.domains[i].steps), static_cast<double>(expected.domains[i].steps), 1.0);
+  }
+}
+
 TEST(PlanDynamicTest, HomogeneousPlanAgreesWithTheRun) {
   const auto test = relaxation(model_composite(24), {binder, binder}, {1e-3, 0.02});
   const auto plan = plan_dynamic_test(test);
