@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
@@ -58,6 +59,17 @@ std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
 }
 
 template <int dim>
+void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count) {
+  for (const auto& cell : discretisation.cells()) {
+    for (const auto phase : cell) {
+      if (phase == no_phase || phase < count) continue;
+      throw InputError(fmt::format("{}: a point has the phase with number {}, counted from 0, but only {} {} given",
+                                   calculation, phase, count, count == 1 ? "material is" : "materials are"));
+    }
+  }
+}
+
+template <int dim>
 Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                std::span<const PhaseIndex> particles) {
   const auto count = microstructure.particles.size();
@@ -90,6 +102,8 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
 
 template class Discretisation<2>;
 template class Discretisation<3>;
+template void require_phases(std::string_view, const Discretisation<2>&, std::size_t);
+template void require_phases(std::string_view, const Discretisation<3>&, std::size_t);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);

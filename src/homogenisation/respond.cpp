@@ -58,6 +58,7 @@ Stage stage_of(const StoredResponses& stored) {
 
 /// Throws NotCovered if one of the responses of the stage does not cover the whole window.
 StageResult respond_within(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+  if (stored.entries.empty()) throw InputError(fmt::format("stage {} has no reduced response", stored.stage));
   require_coverage(stored, matrix, times);
   StageResult result;
   result.name = stored.stage;

@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/empty_directory.hpp"
+#include "breccia/io/file_status.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -42,16 +43,29 @@ WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
   refuse_directories();
   refuse_foreign_unfinished();
   make_directory(place_);
-  remove_partial_files(place_);
-  // The record is written first: it identifies the files that a killed command leaves.
-  write_record();
-  remove_files(place_, origin_.files);
+  try {
+    remove_partial_files(place_);
+    // The record is written first: it identifies the files that a killed command leaves.
+    write_record();
+    remove_files(place_, origin_.files);
+  } catch (const Error&) {
+    remove_place();
+    throw;
+  }
 }
 
 WholeResults::~WholeResults() {
+  try {
+    // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
+    if (is_being_replaced(directory_)) return;
+  } catch (const Error&) {
+    return;  // nothing is removed where that is unknown
+  }
+  remove_place();
+}
+
+void WholeResults::remove_place() const noexcept {
   std::error_code ignored;
-  // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
-  if (fs::exists(place_, ignored) && is_being_replaced(directory_)) return;
   for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
   fs::remove(place_ / record_name(), ignored);
   remove_if_empty(place_);
@@ -59,13 +73,13 @@ WholeResults::~WholeResults() {
 
 void WholeResults::refuse_others() const {
   for (const auto* record : {"study.json", "sweep.json"}) {
-    if (!fs::exists(directory_ / record)) continue;
+    if (!fs::exists(status_of(directory_ / record))) continue;
     throw ForeignResults(
         fmt::format("{}: here are the results of a {}", directory_.string(), fs::path(record).stem().string()),
         Remedy::another_directory);
   }
   const auto record = directory_ / record_name();
-  if (fs::is_regular_file(record)) {
+  if (fs::is_regular_file(status_of(record))) {
     const auto json = Json::parse(read_text(record), nullptr, false);
     const bool is_ours = is_of_breccia(json);
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
@@ -80,9 +94,9 @@ void WholeResults::refuse_others() const {
   }
   std::vector<std::string> foreign;
   for (const auto& name : origin_.files) {
-    if (fs::exists(directory_ / name)) foreign.push_back(name);
+    if (fs::exists(status_of(directory_ / name))) foreign.push_back(name);
   }
-  if (fs::exists(record)) foreign.push_back(record_name());
+  if (fs::exists(status_of(record))) foreign.push_back(record_name());
   if (foreign.empty()) return;
   throw ForeignResults(fmt::format("{}: the results would replace {}, which `breccia {}` did not write",
                                    directory_.string(), fmt::join(foreign, ", "), origin_.command),
@@ -92,7 +106,7 @@ void WholeResults::refuse_others() const {
 void WholeResults::refuse_directories() const {
   auto names = origin_.files;
   names.push_back(record_name());
-  std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
+  std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(status_of(directory_ / name)); });
   if (names.empty()) return;
   throw ForeignResults(
       fmt::format("{}: directories are where the results are to be, {}", directory_.string(), fmt::join(names, ", ")),

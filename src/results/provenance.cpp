@@ -166,10 +166,16 @@ Json json_of(const StageQuality& quality) {
                       {"first", json_of(load.times.front())},
                       {"last", json_of(load.times.back())}});
   }
+  Json gaps;
+  for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
+    gaps.push_back(quality.gap_cells_on(grid));
+  }
   return {{"summary", summary_of(quality)},
           {"fraction_asked", json_of(quality.fraction_asked)},
           {"narrowest_gap_cells", finite_or_null(quality.gap_cells)},
+          {"narrowest_gap_cells_by_grid", std::move(gaps)},
           {"grids", quality.grids.size()},
+          {"grid_error", json_of(quality.grid_share)},
           {"seeds", quality.is_random ? Json(1) : Json()},
           {"bounds", std::move(bounds)}};
 }

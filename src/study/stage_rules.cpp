@@ -1,12 +1,12 @@
 #include "breccia/study/stage_rules.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
 
+#include "breccia/io/lower_case.hpp"
 #include "breccia/io/printable.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/units.hpp"
@@ -15,11 +15,6 @@
 
 namespace breccia {
 namespace {
-
-std::string lower_case(std::string text) {
-  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
 
 /// The largest particle of a filler whose particles are known one by one; 0 where they are drawn from a distribution.
 double largest_known_diameter(const Filler& filler) {

@@ -44,6 +44,21 @@ TEST(StageWarnings, OfGapsBelowThreeCells) {
   EXPECT_THAT(warnings(two_discs(0.0)), ElementsAre(Not(HasSubstr("would resolve it")))) << "no number of cells does";
 }
 
+// The coarsest of several grids has a part in the extrapolation.
+TEST(StageWarnings, OfGapsBelowThreeCellsOnTheCoarsestGrid) {
+  auto stage = two_discs(0.2e-3);
+  EXPECT_THAT(warnings(stage), IsEmpty()) << "four cells";
+  stage.coarser_cells = {100};
+  EXPECT_THAT(warnings(stage),
+              ElementsAre(AllOf(HasSubstr("is 2 cells wide on the coarsest grid, of 100 cells a side;"),
+                                HasSubstr("(cells = [150, 300] would resolve it)"))));
+}
+
+TEST(StageWarnings, OfAGapOfAboutOneCell) {
+  EXPECT_THAT(warnings(two_discs(0.05e-3)), ElementsAre(HasSubstr("is 1 cell wide;")));
+  EXPECT_THAT(warnings(two_discs(0.05095e-3)), ElementsAre(HasSubstr("is 1 cell wide;"))) << "1.019 cells";
+}
+
 TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   auto stage = two_discs(0.15e-3);
   auto& shear = std::get<Material>(stage.matrix).shear;

@@ -72,5 +72,21 @@ TEST(Display, OneIsSingular) {
   EXPECT_EQ(display_count(12, "term"), "12 terms");
 }
 
+TEST(Display, ANumberBesideAnotherShowsThatItIsAnother) {
+  EXPECT_EQ(display_beside(2.1234, 3.0), "2.1");
+  EXPECT_EQ(display_beside(2.998, 3.0), "2.998");
+  EXPECT_EQ(display_beside(2.96, 3.0), "2.96");
+  EXPECT_EQ(display_beside(3.0, 3.0), "3") << "the same number";
+}
+
+TEST(Display, RoundsToTwoDigitsInOneDirection) {
+  EXPECT_DOUBLE_EQ(rounded_down_to_two_digits(0.2999), 0.29);
+  EXPECT_DOUBLE_EQ(rounded_up_to_two_digits(0.2901), 0.30);
+  for (const double two_digits : {0.29, 0.57, 1.1, 9.9, 1e-7, 3.6e9}) {
+    EXPECT_DOUBLE_EQ(rounded_down_to_two_digits(two_digits), two_digits);
+    EXPECT_DOUBLE_EQ(rounded_up_to_two_digits(two_digits), two_digits);
+  }
+}
+
 }  // namespace
 }  // namespace breccia

@@ -41,6 +41,10 @@ TEST(TextFile, ErrorsNameTheFileAndTheReason) {
   EXPECT_EQ(read, missing.string() + ": cannot read: No such file or directory");
   const auto folder = test::message_of<FileError>([&] { static_cast<void>(read_text(directory.path())); });
   EXPECT_THAT(folder, testing::HasSubstr("is a directory"));
+  const auto loop = directory.path() / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  const auto endless = test::message_of<FileError>([&] { static_cast<void>(read_text(loop)); });
+  EXPECT_THAT(endless, testing::StartsWith(loop.string() + ": cannot be looked at: "));
 }
 
 TEST(TextFile, AFullDiskIsAnErrorAndLeavesTheOldFile) {

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "breccia/discretisation/grid.hpp"
@@ -46,7 +47,8 @@ class Discretisation {
   /// Gives a phase to all points in a ball.
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
-  /// Share of the points that have each of the phases 0 .. count - 1.
+  /// Share of the points that have each of the phases 0 .. count - 1. Throws std::out_of_range for another phase; see
+  /// require_phases().
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
@@ -63,6 +65,11 @@ class Discretisation {
   Grid<dim> grid_;
   std::vector<CellPhases<dim>> cells_;
 };
+
+/// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it
+/// has no material. Points of no phase need none. Instantiated for 2 and 3 dimensions.
+template <int dim>
+void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count);
 
 extern template class Discretisation<2>;
 extern template class Discretisation<3>;

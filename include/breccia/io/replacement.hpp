@@ -26,7 +26,7 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
-/// Whether the directory has a replacement that was begun and is not complete.
+/// Whether the directory has a replacement that was begun and is not complete. Throws FileError.
 bool is_being_replaced(const std::filesystem::path& directory);
 
 /// The files in `unfinished`, relative to it, without the lists of a replacement and half-written files

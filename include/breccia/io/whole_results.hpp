@@ -60,6 +60,8 @@ class WholeResults {
   void refuse_directories() const;
   void refuse_foreign_unfinished() const;
   void write_record() const;
+  /// Removes the files of this command, and their directory if it is empty then.
+  void remove_place() const noexcept;
 
   DirectoryLock lock_;
   std::filesystem::path directory_;
