@@ -89,7 +89,13 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
 std::vector<StoredResponses> responses_of(const RespondArguments& arguments) {
   std::vector<StoredResponses> stored;
   for (const auto& stage : chosen_stages(arguments)) {
-    stored.push_back(read_responses(arguments.results / stage / "response.h5"));
+    const auto file = arguments.results / stage / "response.h5";
+    stored.push_back(read_responses(file));
+    if (stored.back().stage == stage) continue;
+    throw InputError(
+        fmt::format("{}: the responses are of stage {}, not of one with the name of the directory, {}; move the copy "
+                    "out of {}",
+                    file.string(), stored.back().stage, stage, arguments.results.string()));
   }
   return stored;
 }

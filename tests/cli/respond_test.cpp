@@ -201,6 +201,19 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" 
   }
 }
 
+TEST_F(Respond, RefusesACopyOfAStage) {
+  study->write("aged.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
+  std::filesystem::copy(study->result("fine"), study->result("fine-old"));
+  for (const std::vector<std::string>& asked :
+       {std::vector<std::string>{"--material", "aged.toml"}, {"--temperature", "40 degC"}}) {
+    const auto outcome = respond(asked);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("out/fine-old/response.h5: the responses are of stage fine, not of one with "
+                                          "the name of the directory, fine-old"));
+  }
+  std::filesystem::remove_all(study->result("fine-old"));
+}
+
 TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
   study->write("curves.csv", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const auto outcome = respond({"--material", "curves.csv", "--out", "."});
