@@ -49,6 +49,22 @@ TEST(DeckWarnings, ReachCheckAndRunAndTheRecordAndTheReport) {
   EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("B: its smallest particles, 2 mm"));
 }
 
+TEST(DeckWarnings, NameAMeasurementThatIsNotCompared) {
+  const StudyDirectory study(two_stages() + R"(
+[[measurements]]
+name  = "rheometer"
+stage = "A"
+shear = { curve = "G.csv" }
+)");
+  study.write("G.csv", "time_s,modulus_Pa\n10,2e5\n100,1e5\n");
+  const auto line = HasSubstr(R"(warning: A: the measurement "rheometer" is not compared: it is known from 10 s to 100 s,)"
+                              " and tests.times go from 1 ms to 50 ms\n");
+  EXPECT_THAT(study.breccia("check").output, line);
+  const auto run = study.breccia("run");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, line);
+}
+
 // Four discs of 2 mm in 36 mm^2 fill pi / 9, and one in the rest pi / 36; densities of 1.5 and 1 g/cm^3.
 TEST(DeckWarnings, ThePlanShowsTheFillerOfTheWhole) {
   const StudyDirectory study(two_stages());
