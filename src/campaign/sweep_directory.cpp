@@ -81,8 +81,10 @@ std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, c
   }
   const auto record = sweep_record(directory);
   if (record.is_null()) {
+    const auto of_study = read_study_record(directory).is_ours ? files_of_a_study() : std::vector<std::string>();
     for (const auto& name : files_of_a_sweep()) {
-      if (!fs::exists(directory / name) || read_study_record(directory).is_ours) continue;
+      const bool is_ours = std::ranges::find(of_study, name) != of_study.end();
+      if (is_ours || !fs::exists(directory / name)) continue;
       return fmt::format(
           "{}: the results would replace this file, which Breccia did not write; take another directory "
           "(--out)",
