@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,10 +39,11 @@ std::vector<std::string> names_of_stages(const Study& study) {
 
 /// The files that Breccia has written to a directory, relative to it.
 std::vector<std::string> own_files(const fs::path& directory, const StudyRecord& record) {
-  if (record.is_ours) return result_files_in(directory, record.stages);
-  if (!holds_sweep(directory)) return {};
-  auto names = files_of_a_sweep();
-  std::erase_if(names, [&](const std::string& name) { return !fs::exists(directory / name); });
+  auto names = record.is_ours ? study_files_in(directory, record.stages) : std::vector<std::string>();
+  if (!holds_sweep(directory)) return names;
+  for (auto& name : sweep_files_in(directory)) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+  }
   return names;
 }
 
@@ -49,7 +51,7 @@ std::vector<std::string> own_files(const fs::path& directory, const StudyRecord&
 std::string objection_to_foreign_files(const Study& study, const fs::path& directory, const StudyRecord& record) {
   const auto ours = own_files(directory, record);
   std::string foreign;
-  for (const auto& name : result_files_in(directory, names_of_stages(study))) {
+  for (const auto& name : study_files_in(directory, names_of_stages(study))) {
     if (std::ranges::find(ours, name) != ours.end()) continue;
     foreign += fmt::format(
         "{}{}: the results would replace this file, which Breccia did not write; take another "
@@ -86,8 +88,12 @@ std::string objection_to_foreign_unfinished(const fs::path& directory) {
 
 /// A message if the results of a study would replace one of its input files.
 std::string objection_to_inputs(const Study& study, const fs::path& directory) {
+  auto names = own_files(directory, read_study_record(directory));
+  std::ranges::copy(study_files_in(directory, names_of_stages(study)), std::back_inserter(names));
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   try {
-    refuse_to_replace(directory, result_files_in(directory, names_of_stages(study)), study.provenance.inputs);
+    refuse_to_replace(directory, names, study.provenance.inputs);
   } catch (const InputError& error) {
     return error.what();
   }

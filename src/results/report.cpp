@@ -4,14 +4,18 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/results/study_record.hpp"
 #include "breccia/results/study_report.hpp"
 #include "breccia/results/sweep_report.hpp"
 
 namespace breccia {
 
 void write_report(const std::filesystem::path& directory) {
-  const bool is_sweep = std::filesystem::is_regular_file(directory / "sweep.json");
-  if (!is_sweep && !std::filesystem::is_regular_file(directory / "study.json")) {
+  const bool has_study = std::filesystem::is_regular_file(directory / "study.json");
+  const auto sweep = directory / "sweep.json";
+  // Beside the results of a study it may be a file of their user.
+  const bool is_sweep = has_study ? is_record_of_breccia(sweep) : std::filesystem::is_regular_file(sweep);
+  if (!is_sweep && !has_study) {
     throw InputError(fmt::format("{}: no study.json or sweep.json, which `breccia run` leaves with its results",
                                  directory.string()));
   }

@@ -102,6 +102,19 @@ TEST_F(EarlierResults, OfRemovedStagesAreReplacedToo) {
                                       Not(Contains(StartsWith("unfinished")))));
 }
 
+TEST_F(EarlierResults, AreReplacedWithoutTheFilesOfTheirUser) {
+  const Words mine = {"sweep.csv", "spread.csv", "sweep.svg", "A/fields-mine-stress.svg", "A/my-dynamic-data.h5"};
+  for (const auto& name : mine) study_.write("out/" + name, "mine");
+  study_.write("out/sweep.json", "{\"mine\": 1}");
+  const auto run = study_.breccia("run", other_instead_);
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_NE(read_text(study_.result("study.json")), before_["study.json"]);
+  for (const auto& name : mine) EXPECT_EQ(read_text(study_.result(name)), "mine") << name;
+  EXPECT_EQ(read_text(study_.result("sweep.json")), "{\"mine\": 1}");
+  const auto report = test::run_breccia(study_.path(), {"report", "out"});
+  EXPECT_EQ(report.exit_code, 0) << report.errors;
+}
+
 TEST_F(EarlierResults, OfTheSameStudyAreMadeOnceMore) {
   const auto run = study_.breccia("run");
   EXPECT_EQ(run.exit_code, 0) << run.errors;

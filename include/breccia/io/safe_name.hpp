@@ -11,4 +11,7 @@ bool is_safe_name(std::string_view name);
 /// Whether a relative name refers to an entry of its directory, and not to anything outside of it.
 bool stays_in_directory(std::string_view name);
 
+/// Whether a part of a name is a number of decimal digits.
+bool is_count(std::string_view text);
+
 }  // namespace breccia
