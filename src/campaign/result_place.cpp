@@ -71,8 +71,8 @@ ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::func
         lock_.emplace(directory_);
         return choose();
       })),
-      directory_if_empty_(directory_),
-      place_if_empty_(place_) {
+      directory_without_result_(directory_),
+      place_without_result_(place_) {
   // A later run needs the record to report differences, even if this one ends in its first packing.
   write_once([&] {
     if (!fs::exists(place_ / "study.json")) write_provenance(place_, study, {});

@@ -210,6 +210,16 @@ TEST(ForeignFiles, MayBeARecordOfSomethingElse) {
   }
 }
 
+TEST(ForeignFiles, InTheDirectoryOfAStageThatIsNotPackedAreKept) {
+  const StudyDirectory study(test::good_deck);
+  fs::create_directories(study.result("A"));
+  study.write("out/A/study.json", "{\"mine\": 1}");
+  for (const auto* command : {"run", "pack"}) {
+    EXPECT_EQ(study.breccia(command, {"--set", "stages.A.filler.fraction=0.9"}).exit_code, 3) << command;
+    EXPECT_EQ(read_text(study.result("A/study.json")), "{\"mine\": 1}");
+  }
+}
+
 TEST(ForeignFiles, InUnfinishedAreNotTouched) {
   const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
   ASSERT_EQ(study.breccia("run").exit_code, 0);
