@@ -107,10 +107,10 @@ void remove_results(const fs::path& directory, std::vector<std::string> names, c
   const bool has_record = std::erase(names, record.front()) > 0;
   remove_files(directory, names);
   for (const auto& stage : stages) {
-    remove_partial_files(directory / stage);
+    remove_partial_stage_files(directory / stage);
     remove_if_empty(directory / stage);
   }
-  remove_partial_files(directory);
+  remove_partial_study_files(directory);
   if (has_record) remove_files(directory, record);
 }
 
@@ -119,7 +119,7 @@ fs::path cleared(const fs::path& directory) {
   const auto record = read_study_record(directory);
   if (record.is_ours) remove_results(directory, own_files(directory, record), record.stages);
   make_directory(directory);
-  remove_partial_files(directory);
+  remove_partial_study_files(directory);
   return directory;
 }
 

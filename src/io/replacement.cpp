@@ -60,7 +60,7 @@ std::vector<std::string> files_below(const fs::path& directory) {
   for (const auto& entry : fs::recursive_directory_iterator(directory)) {
     if (fs::is_directory(entry.symlink_status())) continue;
     auto name = entry.path().lexically_relative(directory).string();
-    if (name != removing_list && name != moving_list && !is_partial_name(name)) names.push_back(std::move(name));
+    if (!is_replacement_list(name) && !is_partial_name(name)) names.push_back(std::move(name));
   }
   std::ranges::sort(names);
   return names;
@@ -99,7 +99,7 @@ void remove_old(const fs::path& directory) {
 void move_new(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   const auto record = names_in(unfinished / moving_list).front();
-  remove_partial_files(unfinished);
+  remove_partial_files(unfinished, is_replacement_list);
   auto names = files_below(unfinished);
   std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
   for (const auto& name : names) {
@@ -133,6 +133,10 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   }
   write_text(unfinished / removing_list, list);
   finish_replacement(directory);
+}
+
+bool is_replacement_list(std::string_view name) {
+  return name == removing_list || name == moving_list;
 }
 
 bool is_being_replaced(const fs::path& directory) {

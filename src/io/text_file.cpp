@@ -120,12 +120,14 @@ void remove_files(const std::filesystem::path& directory, std::span<const std::s
   }
 }
 
-void remove_partial_files(const std::filesystem::path& directory) {
+void remove_partial_files(const std::filesystem::path& directory,
+                          const std::function<bool(std::string_view)>& is_known) {
   std::error_code is_missing;
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(directory, is_missing)) {
     auto name = entry.path().filename().string();
-    if (is_partial_name(name) && entry.is_regular_file()) names.push_back(std::move(name));
+    const auto whole = whole_name(name);
+    if (!whole.empty() && is_known(whole) && entry.is_regular_file()) names.push_back(std::move(name));
   }
   remove_files(directory, names);
 }

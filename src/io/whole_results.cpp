@@ -42,7 +42,10 @@ WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
   refuse_directories();
   refuse_foreign_unfinished();
   make_directory(place_);
-  remove_partial_files(place_);
+  remove_partial_files(place_, [this](std::string_view name) {
+    return name == record_name() || is_replacement_list(name) ||
+           std::ranges::find(origin_.files, name) != origin_.files.end();
+  });
   // The record is written first: it identifies the files that a killed command leaves.
   write_record();
   remove_files(place_, origin_.files);

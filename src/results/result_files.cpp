@@ -4,6 +4,8 @@
 #include <array>
 
 #include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/io/replacement.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/results/field_files.hpp"
 #include "breccia/results/history_file.hpp"
 #include "breccia/study/result_names.hpp"
@@ -16,11 +18,29 @@ namespace fs = std::filesystem;
 constexpr std::array stage_files = {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                                     "response.h5"};
 
+bool is_among(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 }  // namespace
 
 bool is_file_of_a_stage(std::string_view name) {
   return std::ranges::find(stage_files, name) != stage_files.end() || is_history(name) || is_of_fields(name) ||
          is_checkpoint_file(name);
+}
+
+void remove_partial_study_files(const fs::path& directory) {
+  remove_partial_files(directory, [](std::string_view name) {
+    return is_among(files_of_a_study(), name) || is_replacement_list(name);
+  });
+}
+
+void remove_partial_stage_files(const fs::path& directory) {
+  remove_partial_files(directory, is_file_of_a_stage);
+}
+
+void remove_partial_sweep_files(const fs::path& directory) {
+  remove_partial_files(directory, [](std::string_view name) { return is_among(files_of_a_sweep(), name); });
 }
 
 std::vector<std::string> study_files_in(const fs::path& directory, const std::vector<std::string>& stages) {

@@ -220,6 +220,20 @@ TEST(ForeignFiles, InTheDirectoryOfAStageThatIsNotPackedAreKept) {
   }
 }
 
+TEST(ForeignFiles, MayEndLikeHalfWrittenFiles) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  fs::create_directories(study.result("A"));
+  const Words mine = {"data.12.partial", "A/data.12.partial"};
+  const Words left = {"curves.csv.12.partial", "A/response.h5.12.partial"};
+  for (const auto& name : mine) study.write("out/" + name, "mine");
+  for (const auto& name : left) study.write("out/" + name, "half");
+  for (const Words& options : {Words{"--resume"}, {}, {"--overwrite", "--set", "stages.A.cells=10"}}) {
+    ASSERT_EQ(study.breccia("run", options).exit_code, 0);
+    for (const auto& name : mine) EXPECT_EQ(read_text(study.result(name)), "mine") << name;
+    for (const auto& name : left) EXPECT_FALSE(fs::exists(study.result(name))) << name;
+  }
+}
+
 TEST(ForeignFiles, InUnfinishedAreNotTouched) {
   const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
   ASSERT_EQ(study.breccia("run").exit_code, 0);

@@ -26,6 +26,9 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
+/// Whether this is the name of a list that a replacement leaves in `unfinished`.
+bool is_replacement_list(std::string_view name);
+
 /// Whether the directory has a replacement that was begun and is not complete.
 bool is_being_replaced(const std::filesystem::path& directory);
 
