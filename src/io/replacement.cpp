@@ -135,6 +135,17 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   finish_replacement(directory);
 }
 
+std::optional<fs::path> results_with_unfinished(const fs::path& directory) {
+  auto within = fs::absolute(directory).lexically_normal();
+  for (; within.has_relative_path(); within = within.parent_path()) {
+    if (within.filename() != unfinished_directory) continue;
+    auto results = within.parent_path();
+    if (!fs::exists(results / "study.json") && !fs::exists(results / "sweep.json")) continue;
+    return directory.is_absolute() ? results : results.lexically_proximate(fs::current_path());
+  }
+  return std::nullopt;
+}
+
 bool is_replacement_list(std::string_view name) {
   return name == removing_list || name == moving_list;
 }

@@ -24,6 +24,17 @@ bool is_of_breccia(const Json& record) {
   return record.is_object() && record.value("program", Json()) == "breccia";
 }
 
+/// The directory itself. Throws ForeignResults if it is in the unfinished results of a run, which could not be resumed
+/// with other files in them.
+const fs::path& outside_of_unfinished(const fs::path& directory) {
+  const auto results = results_with_unfinished(directory);
+  if (!results) return directory;
+  throw ForeignResults(fmt::format("{}: the results in {} are not finished, and other files there would prevent their "
+                                   "run from being resumed",
+                                   directory.string(), (*results / unfinished_directory).string()),
+                       Remedy::another_directory);
+}
+
 }  // namespace
 
 ForeignResults::ForeignResults(const std::string& problem, Remedy remedy)
@@ -33,7 +44,7 @@ ForeignResults::ForeignResults(const std::string& problem, Remedy remedy)
       remedy_(remedy) {}
 
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
-    : lock_(directory),
+    : lock_(outside_of_unfinished(directory)),
       directory_(std::move(directory)),
       origin_(std::move(origin)),
       place_(directory_ / unfinished_directory) {

@@ -1,9 +1,12 @@
 #include "breccia/results/report.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/io/replacement.hpp"
 #include "breccia/results/study_record.hpp"
 #include "breccia/results/study_report.hpp"
 #include "breccia/results/sweep_report.hpp"
@@ -19,6 +22,8 @@ void write_report(const std::filesystem::path& directory) {
     throw InputError(fmt::format("{}: no study.json or sweep.json, which `breccia run` leaves with its results",
                                  directory.string()));
   }
+  std::optional<DirectoryLock> lock_of_run;
+  if (const auto results = results_with_unfinished(directory)) lock_of_run.emplace(*results);
   const DirectoryLock lock(directory);
   if (is_sweep) {
     write_sweep_report(directory);
