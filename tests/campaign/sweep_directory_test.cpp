@@ -164,6 +164,9 @@ TEST(SweepTemperatures, AreNotAnsweredWhereTheTestsLeaveMoreThanResponses) {
   EXPECT_EQ(answering(), 0U) << "the usual map is left out";
   tests.field_times = {0.5 * tests.last_time};
   EXPECT_EQ(answering(), std::nullopt) << "maps at a time of the deck's own take a run";
+  tests.field_times = {tests.last_time};
+  tests.lists_field_times = true;
+  EXPECT_EQ(answering(), std::nullopt) << "also where the deck lists the last time alone";
   tests = usual;
   tests.methods = {Method::quasistatic, Method::dynamic};
   EXPECT_EQ(answering(), std::nullopt);

@@ -263,6 +263,17 @@ TEST(SweepOverTemperatures, IsOneRun) {
   }
 }
 
+TEST(SweepOverTemperatures, RunsEachTaskOfADeckThatListsTimesOfFields) {
+  const StudyDirectory study(chain);
+  const auto sweep = study.breccia(
+      "run", {"--set", R"(tests.fields=["1 s"])", "--set", "stages.*.cells=6", "--sweep",
+              R"(materials.binder.temperature_shift.temperature=["20 degC", "60 degC"])"});
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
+  for (const auto* task : {"temperature-20-degC", "temperature-60-degC"}) {
+    EXPECT_TRUE(std::filesystem::exists(study.result(std::string(task) + "/fine/fields.vtkhdf"))) << task;
+  }
+}
+
 TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
   const StudyDirectory study(chain);
   const auto run = study.breccia("run", {"--set", "tests.quasistatic.range=times"});

@@ -54,6 +54,8 @@ TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());
+  EXPECT_FALSE(tests(test::join(times, "fields = \"last\"")).lists_field_times);
+  EXPECT_TRUE(tests(test::join(times, "fields = [\"10 ms\"]")).lists_field_times);
   EXPECT_THAT(tests(test::join(times, "fields = [\"1 us\", \"10 ms\"]")).field_times, ElementsAre(1e-6, 1e-2));
 }
 
