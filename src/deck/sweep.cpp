@@ -126,6 +126,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
 
   Sweep sweep;
   sweep.keys = swept_keys(keys, mistakes);
+  sweep.overrides = overrides;
   std::vector<std::vector<std::string>> labels;
   for (const auto& key : keys) {
     std::vector<Scalar> values;

@@ -155,7 +155,7 @@ void write_sweep_record(const std::filesystem::path& directory, const Sweep& swe
                      {"title", study.title},
                      {"deck", provenance.deck.string()},
                      {"deck_text", provenance.deck_text},
-                     {"overrides", provenance.overrides},
+                     {"overrides", sweep.overrides},
                      {"keys", std::move(keys)},
                      {"quantities", std::move(quantities)},
                      {"tasks", std::move(tasks)}};

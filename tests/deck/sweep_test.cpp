@@ -68,6 +68,14 @@ TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
             Volumetric::standard);
 }
 
+TEST_F(SweepDeck, KeepsTheOverridesOfAllTasksApart) {
+  const auto file = directory.written("deck.toml", deck + "[sweep]\n\"tests.volumetric\" = [\"standard\"]\n");
+  const auto sweep = read_sweep(file, {"tests.points_per_decade=5"}, {});
+  EXPECT_THAT(sweep.overrides, ElementsAre("tests.points_per_decade=5"));
+  EXPECT_THAT(sweep.tasks.at(0).study.provenance.overrides,
+              ElementsAre("tests.points_per_decade=5", "tests.volumetric=\"standard\""));
+}
+
 TEST_F(SweepDeck, TakesKeysInTablesAndFromTheCommandLine) {
   EXPECT_THAT(names("[sweep]\nstages.HB-1.filler.from = [\"2 um\", \"3 um\"]\n"),
               ElementsAre("from-2-um", "from-3-um"));
