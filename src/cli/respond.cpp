@@ -75,14 +75,10 @@ std::vector<std::string> chosen_stages(const RespondArguments& arguments) {
 std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   if (times.empty()) return {};
   const auto time = [](const std::string& text) {
-    try {
-      return parse_quantity(text, Dimension::time);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("--times: {}", error.what()));
-    }
+    return option_quantity("--times", text, Dimension::time, Range::positive());
   };
   const TimeWindow window = {time(times[0]), time(times[1])};
-  if (window.begin > 0.0 && window.begin < window.end) return window;
+  if (window.begin < window.end) return window;
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
 

@@ -100,7 +100,20 @@ TEST(StagesCommand, DividesATableOfSizes) {
                                 HasSubstr("--at: expected a length, got \"10 s\"")));
   const auto outside = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "0.8", "--at", "1 mm"});
   EXPECT_EQ(outside.exit_code, 2);
-  EXPECT_THAT(outside.errors, HasSubstr("stages: expected two or more rising diameters"));
+  EXPECT_EQ(outside.errors, "--at: expected rising diameters above 1 um and below 100 um, got \"1 mm\"\n");
+  const auto refusal = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"stages", "sizes.csv"});
+    const auto outcome = run_breccia(directory.path(), options);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_EQ(outcome.output, "");
+    return outcome.errors;
+  };
+  EXPECT_EQ(refusal({"--fraction", "94", "--at", "10 um"}),
+            "--fraction: expected a number between 0 and 1, or per cent as in \"94 %\", got \"94\"\n");
+  EXPECT_EQ(refusal({"--fraction", "0.8", "--at", "10 um", "--from", "-2 um", "--to", "0 um"}),
+            "--from: expected a positive length, got \"-2 um\"\n--to: expected a positive length, got \"0 um\"\n");
+  EXPECT_EQ(refusal({"--fraction", "0.8", "--at", "200 um", "--from", "150 um", "--to", "300 um"}),
+            "stages: there are no particles from 150 um to 200 um\n");
 }
 
 TEST(DeckWarnings, TheGapIsShownWithItsSource) {
