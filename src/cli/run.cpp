@@ -61,16 +61,6 @@ SweepObserver narrate(const Sweep& sweep, Progress& progress) {
   return observer;
 }
 
-/// Throws NumericalError with the names of the failed tasks, if there are any.
-void refuse_failures(const Sweep& sweep, const SweepResult& result) {
-  std::string failures;
-  for (std::size_t task = 0; task < result.size(); ++task) {
-    if (result[task].state != TaskState::failed) continue;
-    failures += fmt::format("{}{}: {}", failures.empty() ? "" : "\n", sweep.tasks[task].name, result[task].error);
-  }
-  if (!failures.empty()) throw NumericalError(failures);
-}
-
 void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
   const auto result = run_sweep(sweep, directory, options, narrate(sweep, progress));
