@@ -47,6 +47,7 @@ struct Answer {
   fs::path out;
   std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};
+  std::vector<std::string> warnings = {};  ///< on the matrix
 };
 
 /// The names of the stages that have reduced responses, in alphabetical order.
@@ -170,6 +171,18 @@ std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& m
   return matrices;
 }
 
+/// A warning on each matrix that is the same at all temperatures.
+std::vector<std::string> warnings_on(const std::map<std::string, Material>& matrices) {
+  std::vector<std::string> warnings;
+  for (const auto& [original, material] : matrices) {
+    if (!material.bulk.is_elastic() || !material.shear.is_elastic()) continue;
+    warnings.push_back(
+        fmt::format("{} is elastic: its moduli do not depend on the temperature here, so they are those of the run",
+                    original));
+  }
+  return warnings;
+}
+
 /// The new matrix in words: "binder at 40 degC", or several if stages have different matrices.
 std::string names_of(const std::map<std::string, Material>& matrices) {
   std::vector<std::string> names;
@@ -213,7 +226,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
-                         study.deck_hash, respond(stored, matrices, window)});
+                         study.deck_hash, respond(stored, matrices, window), warnings_on(matrices)});
     });
   }
   refuse(mistakes);
@@ -221,6 +234,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
 }
 
 void print(const Answer& answer, const TimeWindow& times) {
+  for (const auto& warning : answer.warnings) fmt::print("warning: {}\n", warning);
   for (const auto& stage : answer.stages) {
     for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
   }
@@ -256,7 +270,7 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
                                     : answers_at_temperatures(arguments, window, command);
   std::vector<fs::path> inputs;
   if (has_material) inputs.push_back(arguments.material);
-  for (const auto& [matrix, out, study, stages] : answers) {
+  for (const auto& [matrix, out, study, stages, warnings] : answers) {
     write_response_curves({out, matrix, study, inputs, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;

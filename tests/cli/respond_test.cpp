@@ -286,6 +286,18 @@ TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
   EXPECT_EQ(test["range"], "times");
 }
 
+TEST(RespondWithoutLaw, WarnsThatAnElasticMatrixIsTheSameAtAllTemperatures) {
+  auto deck = std::string(chain);
+  const auto shear = deck.find("shear   = { terms"), end = deck.find("[materials.particle]");
+  deck.replace(shear, end - shear, "shear   = \"1 GPa\"\n\n");
+  const StudyDirectory study(deck);
+  const auto run = study.breccia("run", {"--set", "stages.*.cells=6"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto outcome = run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("warning: binder is elastic: its moduli do not depend on the temperature here"));
+}
+
 TEST(RespondWithoutLaw, AsksForAMaterial) {
   auto deck = std::string(chain);
   const auto law = deck.find("temperature_shift");
