@@ -68,6 +68,14 @@ TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
             Volumetric::standard);
 }
 
+TEST_F(SweepDeck, TakesNamesWithDotsInTables) {
+  deck = test::replaced(deck, "\"HB-1\"", "\"HB.1\"");
+  EXPECT_THAT(names("[sweep.stages.\"HB.1\"]\ncells = [10, 20]\n"), ElementsAre("cells-10", "cells-20"));
+  EXPECT_THAT(names("[sweep]\nstages.\"HB.1\".filler.from = [\"2 um\", \"3 um\"]\n"),
+              ElementsAre("from-2-um", "from-3-um"));
+  EXPECT_THAT(names("[sweep]\n'stages.\"HB.1\".cells' = [10, 20]\n"), ElementsAre("cells-10", "cells-20"));
+}
+
 TEST_F(SweepDeck, KeepsTheOverridesOfAllTasksApart) {
   const auto file = directory.written("deck.toml", deck + "[sweep]\n\"tests.volumetric\" = [\"standard\"]\n");
   const auto sweep = read_sweep(file, {"tests.points_per_decade=5"}, {});
