@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/campaign/resume.hpp"
 #include "breccia/error.hpp"
@@ -72,6 +73,12 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions
   refuse_failures(sweep, result);
 }
 
+/// Names the options that PETSc has not used: those of another solver, or misspelt ones.
+void note_unused_petsc_options(Progress& progress) {
+  const auto unused = parallel::unused_petsc_options();
+  if (!unused.empty()) progress.print(fmt::format("note: PETSc has not used {}", fmt::join(unused, ", ")));
+}
+
 }  // namespace
 
 void add_run(CLI::App& application) {
@@ -112,6 +119,7 @@ void add_run(CLI::App& application) {
     } else {
       run_all(sweep, *arguments, options, progress);
     }
+    if (!arguments->petsc_options.empty()) note_unused_petsc_options(progress);
   });
 }
 

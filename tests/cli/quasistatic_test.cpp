@@ -221,5 +221,15 @@ TEST(QuasistaticRun, OptionsOfPetscReachIt) {
   EXPECT_THAT(run.errors, HasSubstr("setting up the linear solver"));
 }
 
+TEST(QuasistaticRun, OptionsOfPetscThatAreNoneAreToldOf) {
+  const StudyDirectory study(model_deck);
+  const auto words = study.breccia("run", with({"--petsc", "ksp_monitor"}));
+  EXPECT_EQ(words.exit_code, 2);
+  EXPECT_THAT(words.errors, HasSubstr(R"(PETSc options: expected "-name value -name value ...", got "ksp_monitor")"));
+  const auto misspelt = study.breccia("run", with({"--petsc", "-quasistatic_ksp_monitr"}));
+  EXPECT_EQ(misspelt.exit_code, 0) << misspelt.errors;
+  EXPECT_THAT(misspelt.output, HasSubstr("note: PETSc has not used -quasistatic_ksp_monitr\n"));
+}
+
 }  // namespace
 }  // namespace breccia::test
