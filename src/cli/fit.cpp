@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
@@ -155,8 +156,8 @@ std::string shifts(const FitResult& result) {
 std::string describe(const FitResult& result) {
   const auto& series = result.modulus;
   const auto kind = result.kind == ModulusKind::unspecified ? "" : fmt::format("{}, ", name(result.kind));
-  return fmt::format("{}{} terms; {} relaxing to {}", kind, series.terms().size(), pressure(series.unrelaxed()),
-                     pressure(series.equilibrium()));
+  return fmt::format("{}{}; {} relaxing to {}", kind, display_count(series.terms().size(), "term"),
+                     pressure(series.unrelaxed()), pressure(series.equilibrium()));
 }
 
 std::string quality(const FitResult& result) {

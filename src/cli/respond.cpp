@@ -176,9 +176,8 @@ std::vector<std::string> warnings_on(const std::map<std::string, Material>& matr
   std::vector<std::string> warnings;
   for (const auto& [original, material] : matrices) {
     if (!material.bulk.is_elastic() || !material.shear.is_elastic()) continue;
-    warnings.push_back(
-        fmt::format("{} is elastic: its moduli do not depend on the temperature here, so they are those of the run",
-                    original));
+    warnings.push_back(fmt::format(
+        "{} is elastic: its moduli do not depend on the temperature here, so they are those of the run", original));
   }
   return warnings;
 }

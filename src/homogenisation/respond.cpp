@@ -122,7 +122,8 @@ void refuse_equal_stages(const std::vector<StoredResponses>& stored) {
     if (std::find_if(stored.begin(), one, [&](const auto& earlier) { return earlier.stage == one->stage; }) == one) {
       continue;
     }
-    throw InputError(fmt::format("the responses of stage {} are given twice; give those of each stage once", one->stage));
+    throw InputError(
+        fmt::format("the responses of stage {} are given twice; give those of each stage once", one->stage));
   }
 }
 

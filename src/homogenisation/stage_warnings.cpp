@@ -59,11 +59,11 @@ std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Te
 std::optional<std::string> warning_of_other_times(const Measurement& measurement, const TimeWindow& tests) {
   if (measurement.known_within(tests)) return std::nullopt;
   const auto known = measurement.known_within({0.0, std::numeric_limits<double>::infinity()});
-  const auto reason =
-      known ? fmt::format("it is known from {} to {}, and tests.times go from {} to {}",
-                          readable(known->begin, Dimension::time), readable(known->end, Dimension::time),
-                          readable(tests.begin, Dimension::time), readable(tests.end, Dimension::time))
-            : "none of its own times is within measurements.times";
+  const auto reason = known
+                          ? fmt::format("it is known from {} to {}, and tests.times go from {} to {}",
+                                        readable(known->begin, Dimension::time), readable(known->end, Dimension::time),
+                                        readable(tests.begin, Dimension::time), readable(tests.end, Dimension::time))
+                          : "none of its own times is within measurements.times";
   return fmt::format("the measurement \"{}\" is not compared: {}", measurement.label, reason);
 }
 

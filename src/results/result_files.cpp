@@ -30,9 +30,8 @@ bool is_file_of_a_stage(std::string_view name) {
 }
 
 void remove_partial_study_files(const fs::path& directory) {
-  remove_partial_files(directory, [](std::string_view name) {
-    return is_among(files_of_a_study(), name) || is_replacement_list(name);
-  });
+  remove_partial_files(
+      directory, [](std::string_view name) { return is_among(files_of_a_study(), name) || is_replacement_list(name); });
 }
 
 void remove_partial_stage_files(const fs::path& directory) {

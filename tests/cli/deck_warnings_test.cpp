@@ -57,8 +57,9 @@ stage = "A"
 shear = { curve = "G.csv" }
 )");
   study.write("G.csv", "time_s,modulus_Pa\n10,2e5\n100,1e5\n");
-  const auto line = HasSubstr(R"(warning: A: the measurement "rheometer" is not compared: it is known from 10 s to 100 s,)"
-                              " and tests.times go from 1 ms to 50 ms\n");
+  const auto line =
+      HasSubstr(R"(warning: A: the measurement "rheometer" is not compared: it is known from 10 s to 100 s,)"
+                " and tests.times go from 1 ms to 50 ms\n");
   EXPECT_THAT(study.breccia("check").output, line);
   const auto run = study.breccia("run");
   EXPECT_EQ(run.exit_code, 0) << run.errors;

@@ -169,6 +169,7 @@ TEST_F(Quasistatic, RespondRefusesBadArguments) {
       {{"out/A", "--material", "stiff.toml"}, "no stage with a response.h5"},
       {{"out", "--material", "stiff.toml", "--stage", "B"}, R"(no response of a stage "B")"},
       {{"out", "--material", "stiff.toml", "--times", "1 s", "1 ms"}, "expected two rising times"},
+      {{"out", "--material", "nofile.toml"}, "nofile.toml: no such file"},
       {{"out"}, "--material"}};
   for (auto [arguments, message] : mistakes) {
     arguments.insert(arguments.begin(), "respond");

@@ -265,9 +265,8 @@ TEST(SweepOverTemperatures, IsOneRun) {
 
 TEST(SweepOverTemperatures, RunsEachTaskOfADeckThatListsTimesOfFields) {
   const StudyDirectory study(chain);
-  const auto sweep = study.breccia(
-      "run", {"--set", R"(tests.fields=["1 s"])", "--set", "stages.*.cells=6", "--sweep",
-              R"(materials.binder.temperature_shift.temperature=["20 degC", "60 degC"])"});
+  const auto sweep = study.breccia("run", {"--set", R"(tests.fields=["1 s"])", "--set", "stages.*.cells=6", "--sweep",
+                                           R"(materials.binder.temperature_shift.temperature=["20 degC", "60 degC"])"});
   ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
   for (const auto* task : {"temperature-20-degC", "temperature-60-degC"}) {
     EXPECT_TRUE(std::filesystem::exists(study.result(std::string(task) + "/fine/fields.vtkhdf"))) << task;
@@ -295,7 +294,8 @@ TEST(RespondWithoutLaw, WarnsThatAnElasticMatrixIsTheSameAtAllTemperatures) {
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto outcome = run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("warning: binder is elastic: its moduli do not depend on the temperature here"));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("warning: binder is elastic: its moduli do not depend on the temperature here"));
 }
 
 TEST(RespondWithoutLaw, AsksForAMaterial) {

@@ -113,8 +113,9 @@ TEST_F(Resume, AnotherDataFileIsRefusedWithItsName) {
     return std::string("relaxation_time_s,modulus_Pa\n0.01,") + modulus + "\n";
   };
   study_.write("p.csv", terms("5e5"));
-  const auto deck = test::replaced(std::string(test::model_deck),
-                                   R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })", R"({ prony = "p.csv" })");
+  const auto deck =
+      test::replaced(std::string(test::model_deck), R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })",
+                     R"({ prony = "p.csv" })");
   study_.write("deck.toml", deck);
   interrupt();
   study_.write("p.csv", terms("6e5"));

@@ -132,7 +132,7 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),
-              HasSubstr("tests.fields: expected times within those of the"));
+              HasSubstr("tests.fields: expected times within those of the tests, 10 ns to 10 ms, got 3600 s"));
   EXPECT_THAT(with_times("fields = [\"1 m\"]"), HasSubstr("tests.fields: expected a time, got \"1 m\""));
   EXPECT_THAT(mistakes("fields = [\"1 ms\"]"), ::testing::Not(HasSubstr("fields")));
   EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));

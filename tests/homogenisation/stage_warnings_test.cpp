@@ -64,12 +64,13 @@ TEST(StageWarnings, OfMeasurementsAtOtherTimes) {
                         {"cut", "A", PronySeries(1.0), TimeWindow{100.0, 200.0}},
                         {"empty", "A", Curve{{10.0, 2.0}, {100.0, 1.0}}, TimeWindow{200.0, 300.0}},
                         {"of another stage", "B", Curve{{10.0, 2.0}, {100.0, 1.0}}}};
-  EXPECT_THAT(warnings(stage, study),
-              ElementsAre("A: the measurement \"late\" is not compared: it is known from 10 s to 100 s, and tests.times "
-                          "go from 1 us to 10 ms",
-                          HasSubstr("\"cut\" is not compared: it is known from 100 s to 200 s"),
-                          "A: the measurement \"empty\" is not compared: none of its own times is within "
-                          "measurements.times"));
+  EXPECT_THAT(
+      warnings(stage, study),
+      ElementsAre("A: the measurement \"late\" is not compared: it is known from 10 s to 100 s, and tests.times "
+                  "go from 1 us to 10 ms",
+                  HasSubstr("\"cut\" is not compared: it is known from 100 s to 200 s"),
+                  "A: the measurement \"empty\" is not compared: none of its own times is within "
+                  "measurements.times"));
 }
 
 TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace breccia {
+
+/// The longest name of a directory of results: file systems allow 255 bytes.
+inline constexpr std::size_t longest_name = 200;
 
 /// Whether the name can be that of a stage, and so of a directory on all operating systems: letters, digits, "-", "_"
 /// and ".", beginning with a letter or a digit.

@@ -50,8 +50,8 @@ void refuse_to_replace(const std::filesystem::path& directory, std::span<const s
 /// Removes the named files from a directory; missing ones are ignored. Throws FileError.
 void remove_files(const std::filesystem::path& directory, std::span<const std::string> names);
 
-/// Removes the temporary files that killed processes have left in a directory (is_partial_name) of the files whose names
-/// are known. Throws FileError.
+/// Removes the temporary files that killed processes have left in a directory (is_partial_name) of the files whose
+/// names are known. Throws FileError.
 void remove_partial_files(const std::filesystem::path& directory,
                           const std::function<bool(std::string_view)>& is_known);
 

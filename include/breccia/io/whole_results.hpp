@@ -38,9 +38,9 @@ struct ResultsOrigin {
 /// during the lifetime of this object.
 class WholeResults {
  public:
-  /// Throws ForeignResults where the directory holds the results of a study or a sweep, or is in `unfinished`, files of these names that
-  /// Breccia did not write, or results from another source that are not to be overwritten, and DirectoryInUse where
-  /// another process writes to it. Throws FileError.
+  /// Throws ForeignResults where the directory holds the results of a study or a sweep, or is in `unfinished`, files of
+  /// these names that Breccia did not write, or results from another source that are not to be overwritten, and
+  /// DirectoryInUse where another process writes to it. Throws FileError.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;
   WholeResults& operator=(const WholeResults&) = delete;
