@@ -17,8 +17,12 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Remedy = ForeignResults::Remedy;
+using Remedy = Objection::Remedy;
 using Json = nlohmann::ordered_json;
+
+ForeignResults refusal(const std::string& problem, Remedy remedy) {
+  return ForeignResults(std::vector{Objection{problem, remedy}});
+}
 
 bool is_of_breccia(const Json& record) {
   return record.is_object() && record.value("program", Json()) == "breccia";
@@ -29,19 +33,13 @@ bool is_of_breccia(const Json& record) {
 const fs::path& outside_of_unfinished(const fs::path& directory) {
   const auto results = results_with_unfinished(directory);
   if (!results) return directory;
-  throw ForeignResults(fmt::format("{}: the results in {} are not finished, and other files there would prevent their "
-                                   "run from being resumed",
-                                   directory.string(), (*results / unfinished_directory).string()),
-                       Remedy::another_directory);
+  throw refusal(fmt::format("{}: the results in {} are not finished, and other files there would prevent their "
+                            "run from being resumed",
+                            directory.string(), (*results / unfinished_directory).string()),
+                Remedy::another_directory);
 }
 
 }  // namespace
-
-ForeignResults::ForeignResults(const std::string& problem, Remedy remedy)
-    : InputError(problem + (remedy == Remedy::overwriting ? "; replace it or take another directory"
-                                                          : "; take another directory")),
-      problem_(problem),
-      remedy_(remedy) {}
 
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
     : lock_(outside_of_unfinished(directory)),
@@ -74,7 +72,7 @@ WholeResults::~WholeResults() {
 void WholeResults::refuse_others() const {
   for (const auto* record : {"study.json", "sweep.json"}) {
     if (!fs::exists(directory_ / record)) continue;
-    throw ForeignResults(
+    throw refusal(
         fmt::format("{}: here are the results of a {}", directory_.string(), fs::path(record).stem().string()),
         Remedy::another_directory);
   }
@@ -85,11 +83,11 @@ void WholeResults::refuse_others() const {
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
       const auto before = json.value("source", Json());
-      throw ForeignResults(
+      throw refusal(
           fmt::format("{}: here is what `breccia {}` made of {}{}", directory_.string(), origin_.command, before.dump(),
                       before == origin_.source ? ", whose content was another then"
                                                : fmt::format(", not of {}", Json(origin_.source).dump())),
-          Remedy::overwriting);
+          Remedy::replacing_it);
     }
   }
   std::vector<std::string> foreign;
@@ -98,9 +96,9 @@ void WholeResults::refuse_others() const {
   }
   if (fs::exists(record)) foreign.push_back(record_name());
   if (foreign.empty()) return;
-  throw ForeignResults(fmt::format("{}: the results would replace {}, which `breccia {}` did not write",
-                                   directory_.string(), fmt::join(foreign, ", "), origin_.command),
-                       Remedy::another_directory);
+  throw refusal(fmt::format("{}: the results would replace {}, which `breccia {}` did not write", directory_.string(),
+                            fmt::join(foreign, ", "), origin_.command),
+                Remedy::another_directory);
 }
 
 void WholeResults::refuse_directories() const {
@@ -108,7 +106,7 @@ void WholeResults::refuse_directories() const {
   names.push_back(record_name());
   std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
   if (names.empty()) return;
-  throw ForeignResults(
+  throw refusal(
       fmt::format("{}: directories are where the results are to be, {}", directory_.string(), fmt::join(names, ", ")),
       Remedy::another_directory);
 }

@@ -104,15 +104,15 @@ TEST_F(SweepDirectory, IsRefusedForAllTasksAtOnce) {
 TEST_F(SweepDirectory, OfASingleStudyIsRefused) {
   test::leave(results, other, test::tested_result());
   EXPECT_THAT(refusal({.overwrite = true}),
-              HasSubstr("results: here are the results of a single study; take another directory (--out " +
-                        results.string() + "-sweep)"));
+              HasSubstr("results: here are the results of a single study; take another directory such as " +
+                        results.string() + "-sweep"));
 }
 
 TEST_F(SweepDirectory, OfAnotherSweepIsReplacedOnRequestAlone) {
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::done, TaskState::waiting});
   EXPECT_THAT(refusal({}),
-              HasSubstr("results: here are the results of another sweep; replace them (--overwrite), add to "
-                        "them (--resume) or take another directory"));
+              HasSubstr("results: here are the results of another sweep; replace them, add to them or take another "
+                        "directory"));
   EXPECT_NO_THROW(refuse_objections(sweep, results, {.resume = true}));
   EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::waiting, TaskState::failed});
