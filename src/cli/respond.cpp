@@ -172,7 +172,7 @@ std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& m
 }
 
 /// A warning on each matrix that is the same at all temperatures.
-std::vector<std::string> warnings_on(const std::map<std::string, Material>& matrices) {
+std::vector<std::string> warnings_on_matrices(const std::map<std::string, Material>& matrices) {
   std::vector<std::string> warnings;
   for (const auto& [original, material] : matrices) {
     if (!material.bulk.is_elastic() || !material.shear.is_elastic()) continue;
@@ -225,7 +225,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
-                         study.deck_hash, respond(stored, matrices, window), warnings_on(matrices)});
+                         study.deck_hash, respond(stored, matrices, window), warnings_on_matrices(matrices)});
     });
   }
   refuse(mistakes);
