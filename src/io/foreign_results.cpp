@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace breccia {
 namespace {
@@ -31,9 +32,9 @@ std::string in_words(const Objection& objection) {
 }
 
 std::string in_words(const std::vector<Objection>& objections) {
-  std::string lines;
-  for (const auto& objection : objections) lines += (lines.empty() ? "" : "\n") + in_words(objection);
-  return lines;
+  std::vector<std::string> lines;
+  for (const auto& objection : objections) lines.push_back(in_words(objection));
+  return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 }  // namespace
