@@ -287,8 +287,8 @@ TEST_F(DeckStages, MistakesInThePacking) {
               HasSubstr("expected a positive diameter"));
   directory.write("discs.csv", "x_mm,y_mm,diameter_um\n1,2,-8\n7,2,8\n");
   EXPECT_THAT(mistakes("gap = \"1 um\"", "\"explicit\", discs = \"discs.csv\""),
-              AllOf(HasSubstr("discs.csv:2: expected a positive diameter, got \"-8\""),
-                    HasSubstr("discs.csv:3: expected a centre in the box, 0 to 6 mm, got \"(7, 2)\"")))
+              AllOf(HasSubstr("discs.csv:2: expected a positive diameter, got -8\n"),
+                    HasSubstr("discs.csv:3: expected a centre in the box, 0 to 6 mm, got (7, 2)")))
       << "numbers as they are in the file";
 }
 
