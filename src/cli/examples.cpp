@@ -58,10 +58,14 @@ constexpr auto pages = R"(  README.md               an overview of all pages
 void print_examples() {
   const auto examples = installed(BRECCIA_EXAMPLES_FROM_PROGRAM);
   const auto documentation = installed(BRECCIA_DOCUMENTATION_FROM_PROGRAM);
-  fmt::print("Decks in {} (copy one, or run it by its path):\n", examples.string());
+  fmt::print("Decks in {} (run one by its path, or copy it):\n", examples.string());
   for (const auto& deck : decks_below(examples)) {
     fmt::print("  {:<30}  {}\n", deck.string(), title_of(read_text(examples / deck)));
   }
+  fmt::print(
+      "A copy of a deck that names files in ../data/ needs a copy of {}\n"
+      "beside the folder of the deck; without it the deck is refused.\n",
+      (examples.parent_path() / "data").string());
   fmt::print("\nDocumentation in {}:\n", (documentation / "docs").string());
   fmt::print("{}", pages);
 }

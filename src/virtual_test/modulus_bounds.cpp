@@ -15,7 +15,8 @@ ShearModulusBounds::ShearModulusBounds(const Discretisation<2>& discretisation,
 }
 
 double ShearModulusBounds::surrounded_by(double bulk, double shear, double time) const {
-  // Sum of fraction / (G + G*) = 1 / (G_eff + G*) with G* = G k / (k + 2 G) and k = K + G / 3 of the medium around.
+  // Sum of fraction / (G + G*) = 1 / (G_eff + G*) with G* = G kappa / (kappa + 2 G), kappa = K + G / 3
+  // of the medium around (theory, Eq. 15).
   const double plane_bulk = bulk + shear / 3.0;
   const double surrounding = shear * plane_bulk / (plane_bulk + 2.0 * shear);
   double sum = 0.0;

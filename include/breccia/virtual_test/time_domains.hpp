@@ -23,7 +23,7 @@ struct DomainRules {
   double longest = 100.0;               ///< largest ratio of end time to expected begin of validity of a run [-]
 
   /// Largest density factor with which a run is valid at a time when the composite's shear modulus is `modulus` [Pa]:
-  /// s = (t / 6 L)^2 G(t) / density (theory, Eq. 14).
+  /// (t / 6 L)^2 G(t) / density (theory, Eq. 14).
   [[nodiscard]] double admissible_factor(double time, double modulus) const;
   /// Time [s] that the shear wave takes through the box.
   [[nodiscard]] double transit(double density_factor, double modulus) const;
@@ -31,7 +31,7 @@ struct DomainRules {
 
 /// Chooses density factors one after the other from the curve as it is computed.
 ///
-/// A domain with factor s is valid while s is at most the admissible factor. It ends when the next factor has been
+/// A domain is valid while its factor is at most the admissible factor. It ends when the next factor has been
 /// admissible for the ratio of times `overlap`. If the composite relaxes so fast that the admissible factor falls
 /// again, the factors that the program chooses fall with it.
 class DomainSequence {
