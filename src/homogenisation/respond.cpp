@@ -118,6 +118,16 @@ void refuse_several_studies(const std::vector<StoredResponses>& stored) {
   }
 }
 
+void refuse_equal_stages(const std::vector<StoredResponses>& stored) {
+  for (auto one = stored.begin(); one != stored.end(); ++one) {
+    if (std::find_if(stored.begin(), one, [&](const auto& earlier) { return earlier.stage == one->stage; }) == one) {
+      continue;
+    }
+    throw InputError(
+        fmt::format("the responses of stage {} are given twice; give those of each stage once", one->stage));
+  }
+}
+
 /// Throws InputError if the matrices of the stages are different materials, since one material replaces only one.
 void refuse_mixtures(const std::vector<StoredResponses>& stored) {
   const StoredResponses* first = nullptr;
@@ -232,6 +242,7 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, con
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                  const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times) {
   if (stored.empty()) return {};
+  refuse_equal_stages(stored);
   refuse_several_studies(stored);
   return or_tell_covered_times(times.value_or(stored.front().times),
                                [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -72,6 +73,18 @@ std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Te
   return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
 }
 
+/// A warning on a measurement of which no time is among those of the tests; empty if there is one.
+std::optional<std::string> warning_of_other_times(const Measurement& measurement, const TimeWindow& tests) {
+  if (measurement.known_within(tests)) return std::nullopt;
+  const auto known = measurement.known_within({0.0, std::numeric_limits<double>::infinity()});
+  const auto reason = known
+                          ? fmt::format("it is known from {} to {}, and tests.times go from {} to {}",
+                                        readable(known->begin, Dimension::time), readable(known->end, Dimension::time),
+                                        readable(tests.begin, Dimension::time), readable(tests.end, Dimension::time))
+                          : "none of its own times is within measurements.times";
+  return fmt::format("the measurement \"{}\" is not compared: {}", measurement.label, reason);
+}
+
 }  // namespace
 
 std::optional<std::string> warning_of_unknown_times(const Material& matrix, const TimeWindow& times) {
@@ -96,6 +109,11 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
        {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
         warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
+    if (warning) of_stage.push_back(*warning);
+  }
+  for (const auto& measurement : study.measurements) {
+    if (measurement.stage != stage.name) continue;
+    const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});
     if (warning) of_stage.push_back(*warning);
   }
   std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));

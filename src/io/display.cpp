@@ -58,6 +58,11 @@ std::string display(double value, std::string_view unit, int digits) {
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
 
+std::string three_digits(double value) {
+  constexpr int digits = 3;
+  return fmt::format("{:g}", rounded(value, digits));
+}
+
 std::string display_time(double seconds, int digits) {
   constexpr double thousand = 1e3, million = 1e6;
   const double shown = std::isfinite(seconds) ? rounded(seconds, digits) : seconds;

@@ -74,7 +74,7 @@ std::vector<std::string> files_below(const fs::path& directory) {
   std::vector<std::string> names;
   visit_below(directory, [&](const fs::path& path, bool is_directory) {
     auto name = path.lexically_relative(directory).string();
-    if (is_directory || name == removing_list || name == moving_list || is_partial_name(name)) return;
+    if (is_directory || is_replacement_list(name) || is_partial_name(name)) return;
     names.push_back(std::move(name));
   });
   std::ranges::sort(names);
@@ -114,7 +114,7 @@ void remove_old(const fs::path& directory) {
 void move_new(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   const auto record = names_in(unfinished / moving_list).front();
-  remove_partial_files(unfinished);
+  remove_partial_files(unfinished, is_replacement_list);
   auto names = files_below(unfinished);
   std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
   for (const auto& name : names) {
@@ -151,6 +151,21 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   }
   write_text(unfinished / removing_list, list);
   finish_replacement(directory);
+}
+
+std::optional<fs::path> results_with_unfinished(const fs::path& directory) {
+  auto within = fs::absolute(directory).lexically_normal();
+  for (; within.has_relative_path(); within = within.parent_path()) {
+    if (within.filename() != unfinished_directory) continue;
+    auto results = within.parent_path();
+    if (!fs::exists(status_of(results / "study.json")) && !fs::exists(status_of(results / "sweep.json"))) continue;
+    return directory.is_absolute() ? results : results.lexically_proximate(fs::current_path());
+  }
+  return std::nullopt;
+}
+
+bool is_replacement_list(std::string_view name) {
+  return name == removing_list || name == moving_list;
 }
 
 bool is_being_replaced(const fs::path& directory) {

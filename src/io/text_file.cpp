@@ -115,13 +115,15 @@ void remove_files(const std::filesystem::path& directory, std::span<const std::s
   }
 }
 
-void remove_partial_files(const std::filesystem::path& directory) {
+void remove_partial_files(const std::filesystem::path& directory,
+                          const std::function<bool(std::string_view)>& is_known) {
   std::error_code is_missing;
   std::vector<std::string> names;
   std::filesystem::directory_iterator entry(directory, is_missing);
   for (; !is_missing && entry != std::filesystem::directory_iterator(); entry.increment(is_missing)) {
     auto name = entry->path().filename().string();
-    if (!is_partial_name(name)) continue;
+    const auto whole = whole_name(name);
+    if (whole.empty() || !is_known(whole)) continue;
     if (std::filesystem::is_regular_file(status_of(entry->path()))) names.push_back(std::move(name));
   }
   remove_files(directory, names);

@@ -138,10 +138,25 @@ bool is_under_mpirun() noexcept {
 
 void set_petsc_options(const std::string& options) {
   start();
+  const auto begin = options.find_first_not_of(" \t");
+  if (begin == std::string::npos || options[begin] != '-') {
+    throw InputError(fmt::format(R"(PETSc options: expected "-name value -name value ...", got "{}")", options));
+  }
   if (PetscOptionsInsertString(nullptr, options.c_str()) != 0) {
     throw InputError(
         fmt::format(R"(PETSc options: cannot read "{}"; expected "-name value -name value ...")", options));
   }
+}
+
+std::vector<std::string> unused_petsc_options() {
+  PetscInt count = 0;
+  char** names = nullptr;
+  char** values = nullptr;
+  check(PetscOptionsLeftGet(nullptr, &count, &names, &values), "looking for unused options of PETSc");
+  std::vector<std::string> unused;
+  for (PetscInt i = 0; i < count; ++i) unused.push_back(fmt::format("-{}", names[i]));
+  check(PetscOptionsLeftRestore(nullptr, &count, &names, &values), "looking for unused options of PETSc");
+  return unused;
 }
 
 void stop() noexcept {

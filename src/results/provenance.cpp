@@ -236,6 +236,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
   return json;
 }
 
+Json json_of(const std::vector<FileHash>& files) {
+  Json hashes = Json::object();
+  for (const auto& [name, hash] : files) hashes[name] = hash;
+  return hashes;
+}
+
 /// The present time in UTC as ISO 8601: "2026-01-31T12:00:00Z".
 std::string date_of_now() {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -269,6 +275,8 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"deck", provenance.deck.string()},
                      {"overrides", provenance.overrides},
                      {"hash", provenance.hash},
+                     {"deck_content_hash", provenance.deck_content_hash},
+                     {"file_hashes", json_of(provenance.file_hashes)},
                      {"complete", result.seconds.has_value()},
                      {"date", result.seconds ? Json(date_of_now()) : Json()},
                      {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},

@@ -37,6 +37,9 @@ std::vector<std::string> mistakes_of_name(const std::string& name, std::span<con
     mistakes.push_back(
         fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", printable(name)));
   }
+  if (name.size() > longest_name) {
+    mistakes.push_back(fmt::format("expected a name of at most {} letters, got {}", longest_name, name.size()));
+  }
   const auto reserved = reserved_names();
   if (std::ranges::find(reserved, lower_case(name)) != reserved.end()) {
     mistakes.push_back(fmt::format("\"{}\" is the name of a file of results", name));

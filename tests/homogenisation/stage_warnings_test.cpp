@@ -71,6 +71,23 @@ TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   EXPECT_THAT(warnings(stage, within(1.0, 100.0)), IsEmpty()) << "a model with one term";
 }
 
+TEST(StageWarnings, OfMeasurementsAtOtherTimes) {
+  const auto stage = two_discs(0.15e-3);
+  auto study = within(1e-6, 1e-2);
+  study.measurements = {{"early", "A", Curve{{1e-3, 2.0}, {1.0, 1.0}}},
+                        {"late", "A", Curve{{10.0, 2.0}, {100.0, 1.0}}},
+                        {"cut", "A", PronySeries(1.0), TimeWindow{100.0, 200.0}},
+                        {"empty", "A", Curve{{10.0, 2.0}, {100.0, 1.0}}, TimeWindow{200.0, 300.0}},
+                        {"of another stage", "B", Curve{{10.0, 2.0}, {100.0, 1.0}}}};
+  EXPECT_THAT(
+      warnings(stage, study),
+      ElementsAre("A: the measurement \"late\" is not compared: it is known from 10 s to 100 s, and tests.times "
+                  "go from 1 us to 10 ms",
+                  HasSubstr("\"cut\" is not compared: it is known from 100 s to 200 s"),
+                  "A: the measurement \"empty\" is not compared: none of its own times is within "
+                  "measurements.times"));
+}
+
 TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
   auto study = within(1.0, 100.0);
   study.stages = {two_discs(1e-3)};

@@ -66,6 +66,13 @@ TEST(Display, TimesOfCalculationsAreInMinutesAndHours) {
   EXPECT_EQ(display_duration(10.0 * 86400.0), "10 d");
 }
 
+TEST(Display, ThreeDigitsOfANumber) {
+  EXPECT_EQ(three_digits(1000.0), "1000");
+  EXPECT_EQ(three_digits(123456.0), "123000");
+  EXPECT_EQ(three_digits(-0.0123456), "-0.0123");
+  EXPECT_EQ(three_digits(1.0), "1");
+}
+
 TEST(Display, OneIsSingular) {
   EXPECT_EQ(display_count(1, "term"), "1 term");
   EXPECT_EQ(display_count(0, "term"), "0 terms");

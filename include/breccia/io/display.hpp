@@ -21,6 +21,9 @@ PrefixedNumber with_prefix(double value, int digits = 3);
 /// The unit of the value must be one that can have a prefix ("m", "s", "Pa").
 std::string display(double value, std::string_view unit, int digits = 3);
 
+/// A number rounded to three digits, in the shortest form: "1000", "0.0123", "1e+06".
+std::string three_digits(double value);
+
 /// A time [s] in a test as text, without kilo- and larger prefixes: "10 ms", "1000 s", "2.5e6 s".
 std::string display_time(double seconds, int digits = 3);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,13 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Completes a replacement that was interrupted; does nothing if there is none. The caller must hold the DirectoryLock.
 /// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
+
+/// The directory of results whose `unfinished` is this directory or has it in it; nothing for all others. Its
+/// DirectoryLock covers `unfinished`, too.
+std::optional<std::filesystem::path> results_with_unfinished(const std::filesystem::path& directory);
+
+/// Whether this is the name of a list that a replacement leaves in `unfinished`.
+bool is_replacement_list(std::string_view name);
 
 /// Whether the directory has a replacement that was begun and is not complete. Throws FileError.
 bool is_being_replaced(const std::filesystem::path& directory);

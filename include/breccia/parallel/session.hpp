@@ -17,6 +17,9 @@ bool is_under_mpirun() noexcept;
 /// Throws InputError when PETSc cannot read them.
 void set_petsc_options(const std::string& options);
 
+/// The names of the options of PETSc that nothing has asked for so far, such as "-ksp_monitr". PETSc must have started.
+std::vector<std::string> unused_petsc_options();
+
 /// Divides the processes that mpirun started into groups of `processes_each`. From then on each group works
 /// independently: solvers and reductions involve only the processes of one group. Must be called once, before anything
 /// is solved. Throws InputError when the number of processes is not a multiple of `processes_each`, when they are
