@@ -32,8 +32,8 @@ file(WRITE "${OUTPUT}" "#include \"page_templates.hpp\"
 namespace breccia {
 
 std::string_view ${FUNCTION}() {
-  static constexpr char page[] = R\"breccia(${page})breccia\";
-  return {page, sizeof page - 1};
+  static constexpr std::string_view page = R\"breccia(${page})breccia\";
+  return page;
 }
 
 }  // namespace breccia

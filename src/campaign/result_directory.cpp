@@ -131,7 +131,7 @@ void remove_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
   auto names = unfinished_files(directory);
   std::erase_if(names, [&](const std::string& name) { return !may_be_ours(unfinished, name); });
-  std::ranges::stable_partition(names, [](const std::string& name) { return name == "study.json"; });
+  std::stable_partition(names.begin(), names.end(), [](const std::string& name) { return name == "study.json"; });
   remove_files(unfinished, names);
   std::vector<std::string> stages;
   std::error_code is_missing;
@@ -183,7 +183,7 @@ void refuse_objections(const Study& study, const fs::path& directory, const RunO
 /// The directory in which a run resumes: `unfinished` if only that has results of this study, else the given directory.
 fs::path directory_to_resume_in(const Study& study, const fs::path& directory) {
   const auto record = read_study_record(directory);
-  const auto unfinished = unfinished_in(directory);
+  auto unfinished = unfinished_in(directory);
   if (!record.is_of(study) && read_study_record(unfinished).is_of(study)) {
     remove_partial_files(study, unfinished);
     return unfinished;

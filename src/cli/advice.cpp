@@ -33,7 +33,7 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times() && has(command, "--times")) {
     const auto& times = *not_covered->times();
-    return fmt::format(": --times \"{}\" \"{}\"", display(times.begin, "s", 3), display(times.end, "s", 3));
+    return fmt::format(R"(: --times "{}" "{}")", display(times.begin, "s", 3), display(times.end, "s", 3));
   }
   return {};
 }

@@ -32,7 +32,8 @@ std::string poisson_ratios(const Material& material, const Tests& tests) {
   const auto ratio_at = [&](double instant) {
     return fmt::format("{:.5g}", poisson_ratio(material.bulk.at(instant), material.shear.at(instant)));
   };
-  const auto first = ratio_at(tests.first_time), last = ratio_at(tests.last_time);
+  auto first = ratio_at(tests.first_time);
+  const auto last = ratio_at(tests.last_time);
   if (first == last) return first;
   return fmt::format("{} at {}, {} at {}", first, time(tests.first_time), last, time(tests.last_time));
 }

@@ -68,8 +68,8 @@ class Classical final : public DynamicSolver<dim> {
   };
   /// A material over half a step.
   struct MaterialHalfStep {
-    double bulk;
-    double shear;
+    double bulk = 0.0;
+    double shear = 0.0;
     std::vector<TermStep> bulk_terms;
     std::vector<TermStep> shear_terms;
   };

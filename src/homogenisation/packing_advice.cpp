@@ -80,8 +80,7 @@ std::string particles_of(const Stage& stage, const PackingRequest& request) {
 
 std::string in_words(const PackingAdvice& advice) {
   const auto cells = advice.cells ? fmt::format(" (cells = {} or more)", *advice.cells) : "";
-  const auto gap =
-      advice.gap ? fmt::format("a gap of {} or less{} should pack", display(*advice.gap, "m", 2), cells) : "";
+  auto gap = advice.gap ? fmt::format("a gap of {} or less{} should pack", display(*advice.gap, "m", 2), cells) : "";
   const auto fraction = advice.fraction ? fmt::format("a fraction of {:.3g} or less", *advice.fraction) : "";
   if (advice.gap && advice.fraction) return fmt::format("{}, and so should {} with this gap", gap, fraction);
   if (advice.gap) return gap;

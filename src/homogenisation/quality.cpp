@@ -80,9 +80,8 @@ std::string words_on_bounds(const StageQuality& quality) {
   const auto& times = quality.loads.front().times;
   const auto first = times.front().distance(), last = times.back().distance();
   if (!first || !last) {
-    return fmt::format(
-        "bounds: only the {} one, distance unknown (tests.boundaries = [\"displacement\", \"traction\"])",
-        times.front().upper ? "upper" : "lower");
+    return fmt::format(R"(bounds: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
+                       times.front().upper ? "upper" : "lower");
   }
   const auto text = words_of(std::abs(*first)), later = words_of(std::abs(*last));
   return fmt::format("bounds {}{} at {}, {} at {}", text, text.starts_with('a') ? "" : " apart",

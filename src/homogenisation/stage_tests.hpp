@@ -13,10 +13,10 @@ namespace breccia {
 
 /// A microstructure on a grid, ready to be tested.
 struct StageGrid {
-  const Study* study;
-  const Stage* stage;
+  const Study* study = nullptr;
+  const Stage* stage = nullptr;
   Discretisation<2> discretisation;
-  int threads;
+  int threads = 0;  ///< 0: all cores
 };
 
 /// Runs all loads under one boundary by the quasi-static method, with a matrix and its moduli [Pa] over its whole

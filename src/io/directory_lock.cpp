@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -66,7 +67,7 @@ bool is_made(const fs::path& directory) {
 
 }  // namespace
 
-DirectoryLock::DirectoryLock(const fs::path& directory) : directory_(directory), descriptor_(-1) {
+DirectoryLock::DirectoryLock(fs::path directory) : directory_(std::move(directory)) {
   while (descriptor_ < 0) {
     if (is_made(directory_)) descriptor_ = locked(directory_);
   }

@@ -116,7 +116,7 @@ void move_new(const fs::path& directory) {
   const auto record = names_in(unfinished / moving_list).front();
   remove_partial_files(unfinished, is_replacement_list);
   auto names = files_below(unfinished);
-  std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
+  std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name != record; });
   for (const auto& name : names) {
     if (!stays_within(name)) throw FileError(fmt::format("{}: cannot move it", (unfinished / name).string()));
     make_directory((directory / name).parent_path());

@@ -69,7 +69,7 @@ template <int dim>
 std::vector<std::string> overlaps(const Microstructure<dim>& microstructure) {
   struct Overlap {
     std::pair<std::uint32_t, std::uint32_t> pair;
-    double depth;
+    double depth = 0.0;
   };
   const auto& balls = microstructure.particles;
   std::vector<Overlap> found;

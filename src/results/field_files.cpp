@@ -96,6 +96,7 @@ std::vector<FieldRecord> field_records(const Study& study, const TestId& test, c
   const bool is_first = test.boundary == tests.boundaries.front() && test.method == tests.methods.front();
   const auto name = is_first ? "fields" : fmt::format("fields-{}-{}", name_of(test.boundary), name_of(test.method));
   std::vector<FieldRecord> records;
+  records.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto numbered = i + 1 == times.size() ? name : fmt::format("{}-{}", name, i + 1);
     records.push_back({times[i], numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"});

@@ -10,7 +10,11 @@
 
 namespace breccia {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 PageData read_page_data(const std::filesystem::path& record, const std::function<Json(Json)>& data_of) {
   auto json = Json::parse(read_text(record), nullptr, false);

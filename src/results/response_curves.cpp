@@ -16,6 +16,7 @@ namespace {
 /// The origin of the curves in words: "aged: A, B from 1 ms to 1 s, study 0123456789abcdef".
 std::string source_of(const ResponseDestination& destination, const std::vector<StageResult>& stages) {
   std::vector<std::string> names;
+  names.reserve(stages.size());
   for (const auto& stage : stages) names.push_back(stage.name);
   const auto& curve = stages.front().tests.front().modulus;
   return fmt::format("{}: {} from {} to {}, study {}", destination.matrix, fmt::join(names, ", "),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
@@ -49,7 +51,7 @@ std::vector<std::string> study_files_in(const fs::path& directory, const std::ve
     std::error_code is_missing;
     for (const auto& entry : fs::directory_iterator(directory / stage, is_missing)) {
       const auto name = entry.path().filename().string();
-      if (entry.is_regular_file() && is_file_of_a_stage(name)) names.push_back(stage + "/" + name);
+      if (entry.is_regular_file() && is_file_of_a_stage(name)) names.push_back(fmt::format("{}/{}", stage, name));
     }
   }
   return names;

@@ -66,7 +66,7 @@ class Content {
   template <class... Values>
   void add(const std::variant<Values...>& value) {
     add(value.index());
-    std::visit([this](const auto& one) { add(one); }, value);
+    std::visit([this](const auto& one) { this->add(one); }, value);
   }
   void add(const std::map<std::string, TemperatureShift>& shifts) {
     add(shifts.size());

@@ -30,7 +30,7 @@ std::vector<std::string> relaxing_fillers(const Study& study) {
   for (const auto& stage : study.stages) {
     if (!stage.filler || is_elastic(stage.filler->material)) continue;
     mistakes.push_back(
-        fmt::format("the filler of stage {}, {}, relaxes: expected the solver \"{}\" or the method \"{}\"", stage.name,
+        fmt::format(R"(the filler of stage {}, {}, relaxes: expected the solver "{}" or the method "{}")", stage.name,
                     stage.filler->material.name, name_of(Solver::stepping), name_of(Method::dynamic)));
   }
   return mistakes;

@@ -19,7 +19,7 @@ class DirectoryLock {
  public:
   /// Creates the directory if it is missing. Throws DirectoryInUse when another lock holds it, FileError when it cannot
   /// be created or opened.
-  explicit DirectoryLock(const std::filesystem::path& directory);
+  explicit DirectoryLock(std::filesystem::path directory);
   DirectoryLock(const DirectoryLock&) = delete;
   DirectoryLock& operator=(const DirectoryLock&) = delete;
   DirectoryLock(DirectoryLock&&) = delete;
@@ -29,7 +29,7 @@ class DirectoryLock {
 
  private:
   std::filesystem::path directory_;
-  int descriptor_;
+  int descriptor_ = -1;
 };
 
 }  // namespace breccia

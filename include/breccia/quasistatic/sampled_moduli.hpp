@@ -16,8 +16,8 @@ struct ModuliRange {
 
 /// Whether a reduced response can be used with another matrix over a time window.
 struct Coverage {
-  ModuliRange sampled;                   ///< moduli of the matrix for which the response can be used
-  ModuliRange shown;                     ///< Carson moduli of the matrix at s = 1/t over the window
+  ModuliRange sampled = {};              ///< moduli of the matrix for which the response can be used
+  ModuliRange shown = {};                ///< Carson moduli of the matrix at s = 1/t over the window
   bool is_shear_covered = true;          ///< does the shear modulus stay within the sampled range?
   bool is_bulk_covered = true;           ///< does the bulk modulus?
   std::optional<TimeWindow> times = {};  ///< the longest part of the window in which both do [s]

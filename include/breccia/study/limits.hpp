@@ -4,10 +4,8 @@
 
 #include "breccia/io/range.hpp"
 
-namespace breccia {
-
 /// The numbers that a study may have, for the deck reader and for require_sound.
-namespace allowed {
+namespace breccia::allowed {
 
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};                ///< of a box [m]
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};           ///< per side
@@ -26,5 +24,4 @@ inline constexpr Range ramp = Range::not_negative();                    ///< [s]
 inline constexpr Range overlap = Range::above_and_up_to(1.0, 1e6);      ///< ratio of times [-]
 inline constexpr Range reduction_tolerance = Range::between(0.0, 1.0);  ///< [-]
 
-}  // namespace allowed
-}  // namespace breccia
+}  // namespace breccia::allowed
