@@ -92,7 +92,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
     }
-    const auto discretisation = discretise(stage, packed.microstructure, cells);
+    const auto discretisation = discretise(stage, packed.microstructure, cells, study.tests.mixing);
     const auto matrix = expected_matrix(study, stage);
     for (const auto load : loads_of(study, stage)) {
       plan.add(dynamic_plan(stage, make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0)));

@@ -46,11 +46,27 @@ void Discretisation<dim>::paint(const Ball<dim>& ball, PhaseIndex phase) {
 }
 
 template <int dim>
+PhaseIndex Discretisation<dim>::add_mixture(Mixture mixture, std::size_t phases) {
+  if (phases + mixtures_.size() >= no_phase) {
+    throw InputError(fmt::format("discretisation: {} phases and more than {} mixtures of them; at most {} in all",
+                                 phases, mixtures_.size(), std::size_t{no_phase}));
+  }
+  if (mixtures_.empty()) first_mixture_ = static_cast<PhaseIndex>(phases);
+  mixtures_.push_back(std::move(mixture));
+  return static_cast<PhaseIndex>(first_mixture_ + mixtures_.size() - 1);
+}
+
+template <int dim>
 std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
   std::vector<double> fractions(count, 0.0);
   for (const auto& cell : cells_) {
     for (const auto phase : cell) {
-      if (phase != no_phase) fractions.at(phase) += 1.0;
+      if (phase == no_phase) continue;
+      if (const auto* mixture = this->mixture(phase); mixture != nullptr && phase >= count) {
+        for (const auto& part : *mixture) fractions.at(part.phase) += part.fraction;
+      } else {
+        fractions.at(phase) += 1.0;
+      }
     }
   }
   for (auto& fraction : fractions) fraction /= static_cast<double>(points());
@@ -68,17 +84,8 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
   Grid<dim> grid{.cell_side = microstructure.side / cells};
   grid.cells.fill(cells);
   Discretisation<dim> discretisation(grid, matrix);
-  const int images = microstructure.walls == Walls::periodic ? 1 : 0;
-  Index<dim> first{}, end{};
-  first.fill(-images);
-  end.fill(images + 1);
-  for (std::size_t k = 0; k < count; ++k) {
-    for_each_index(first, end, [&](const Index<dim>& image) {
-      auto ball = microstructure.particles[k];
-      for (std::size_t axis = 0; axis < image.size(); ++axis) ball.centre[axis] += image[axis] * microstructure.side;
-      discretisation.paint(ball, particles[k]);
-    });
-  }
+  for_each_image(microstructure,
+                 [&](std::size_t particle, const Ball<dim>& ball) { discretisation.paint(ball, particles[particle]); });
   return discretisation;
 }
 

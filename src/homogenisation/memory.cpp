@@ -19,7 +19,7 @@ namespace {
 /// cannot be planned from estimated moduli are left out; the run itself plans with computed moduli.
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // The positions of the particles do not matter.
-  const auto discretisation = discretise(stage, {stage.side, Walls::hard, {}}, cells);
+  const auto discretisation = discretise(stage, {stage.side, Walls::hard, {}}, cells, study.tests.mixing);
   double most = 0.0;
   try {
     for (const auto boundary : study.tests.boundaries) {

@@ -129,6 +129,7 @@ void require_complete(const QuasistaticProblem& problem, std::span<const double>
   for (const auto& cell : problem.discretisation.cells()) {
     for (const auto material : cell) {
       if (material == no_phase || material < problem.materials.size()) continue;
+      if (problem.discretisation.mixture(material) != nullptr) continue;
       throw InputError(
           fmt::format("log-time stepping: a point has material {} of {}", material, problem.materials.size()));
     }
