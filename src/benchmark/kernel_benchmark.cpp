@@ -85,6 +85,8 @@ class BandwidthRun {
 
 void require_complete(const BenchmarkPlan& plan) {
   if (plan.cases.empty()) throw InputError("benchmark: there are no cases");
+  const auto is_without_thread = [](const KernelCase& one) { return one.threads < 1; };
+  if (std::ranges::any_of(plan.cases, is_without_thread)) throw InputError("benchmark: expected at least one thread");
   if (plan.rounds < 1 || !(plan.seconds > 0.0))
     throw InputError("benchmark: expected at least one round and some time");
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/text_file.hpp"
+#include "breccia/results/result_files.hpp"
 #include "breccia/study/identity.hpp"
 
 namespace breccia {
@@ -49,8 +50,8 @@ bool remove_checkpoints(const Study& study, const std::filesystem::path& directo
 }
 
 void remove_partial_files(const Study& study, const std::filesystem::path& directory) {
-  remove_partial_files(directory);
-  for (const auto& stage : study.stages) remove_partial_files(directory / stage.name);
+  remove_partial_study_files(directory);
+  for (const auto& stage : study.stages) remove_partial_stage_files(directory / stage.name);
 }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,6 +22,8 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
+using Objections = std::vector<Objection>;
+using Remedy = Objection::Remedy;
 
 fs::path unfinished_in(const fs::path& directory) {
   return directory / unfinished_directory;
@@ -38,23 +41,22 @@ std::vector<std::string> names_of_stages(const Study& study) {
 
 /// The files that Breccia has written to a directory, relative to it.
 std::vector<std::string> own_files(const fs::path& directory, const StudyRecord& record) {
-  if (record.is_ours) return result_files_in(directory, record.stages);
-  if (!holds_sweep(directory)) return {};
-  auto names = files_of_a_sweep();
-  std::erase_if(names, [&](const std::string& name) { return !fs::exists(directory / name); });
+  auto names = record.is_ours ? study_files_in(directory, record.stages) : std::vector<std::string>();
+  if (!holds_sweep(directory)) return names;
+  for (auto& name : sweep_files_in(directory)) {
+    if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+  }
   return names;
 }
 
-/// A message for each file that a run would replace and that Breccia did not write.
-std::string objection_to_foreign_files(const Study& study, const fs::path& directory, const StudyRecord& record) {
+/// An objection to each file that a run would replace and that Breccia did not write.
+Objections objections_to_foreign_files(const Study& study, const fs::path& directory, const StudyRecord& record) {
   const auto ours = own_files(directory, record);
-  std::string foreign;
-  for (const auto& name : result_files_in(directory, names_of_stages(study))) {
+  Objections foreign;
+  for (const auto& name : study_files_in(directory, names_of_stages(study))) {
     if (std::ranges::find(ours, name) != ours.end()) continue;
-    foreign += fmt::format(
-        "{}{}: the results would replace this file, which Breccia did not write; take another "
-        "directory (--out)",
-        foreign.empty() ? "" : "\n", (directory / name).string());
+    foreign.push_back({fmt::format("{}: the results would replace this file, which Breccia did not write",
+                                   (directory / name).string())});
   }
   return foreign;
 }
@@ -72,24 +74,30 @@ bool may_be_ours(const fs::path& unfinished, const std::string& name) {
   return std::ranges::find(known, name) != known.end();
 }
 
-/// A message for each file in `unfinished` that Breccia did not write.
-std::string objection_to_foreign_unfinished(const fs::path& directory) {
+/// An objection to each file in `unfinished` that Breccia did not write.
+Objections objections_to_foreign_unfinished(const fs::path& directory) {
   const auto unfinished = unfinished_in(directory);
-  std::string foreign;
+  Objections foreign;
   for (const auto& name : unfinished_files(directory)) {
     if (may_be_ours(unfinished, name)) continue;
-    foreign += fmt::format("{}{}: in the way of unfinished results, and not written by Breccia; move it elsewhere",
-                           foreign.empty() ? "" : "\n", (unfinished / name).string());
+    foreign.push_back(
+        {fmt::format("{}: in the way of unfinished results, and not written by Breccia; move it elsewhere",
+                     (unfinished / name).string()),
+         Remedy::none});
   }
   return foreign;
 }
 
-/// A message if the results of a study would replace one of its input files.
-std::string objection_to_inputs(const Study& study, const fs::path& directory) {
+/// An objection if the results of a study would replace one of its input files.
+Objections objections_to_inputs(const Study& study, const fs::path& directory) {
+  auto names = own_files(directory, read_study_record(directory));
+  std::ranges::copy(study_files_in(directory, names_of_stages(study)), std::back_inserter(names));
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   try {
-    refuse_to_replace(directory, result_files_in(directory, names_of_stages(study)), study.provenance.inputs);
+    refuse_to_replace(directory, names, study.provenance.inputs);
   } catch (const InputError& error) {
-    return error.what();
+    return {{error.what(), Remedy::none}};
   }
   return {};
 }
@@ -101,10 +109,10 @@ void remove_results(const fs::path& directory, std::vector<std::string> names, c
   const bool has_record = std::erase(names, record.front()) > 0;
   remove_files(directory, names);
   for (const auto& stage : stages) {
-    remove_partial_files(directory / stage);
+    remove_partial_stage_files(directory / stage);
     remove_if_empty(directory / stage);
   }
-  remove_partial_files(directory);
+  remove_partial_study_files(directory);
   if (has_record) remove_files(directory, record);
 }
 
@@ -113,7 +121,7 @@ fs::path cleared(const fs::path& directory) {
   const auto record = read_study_record(directory);
   if (record.is_ours) remove_results(directory, own_files(directory, record), record.stages);
   make_directory(directory);
-  remove_partial_files(directory);
+  remove_partial_study_files(directory);
   return directory;
 }
 
@@ -134,24 +142,20 @@ void remove_unfinished(const fs::path& directory) {
   remove_if_empty(unfinished);
 }
 
-std::string objection_to_sweep(const fs::path& directory) {
+Objections objections_to_sweep(const fs::path& directory) {
   if (!holds_sweep(directory)) return {};
-  return fmt::format(
-      "{}: here are the results of a sweep; replace them (--overwrite) or take another directory (--out)",
-      directory.string());
+  return {{fmt::format("{}: here are the results of a sweep", directory.string()), Remedy::replacing}};
 }
 
-std::string objection_to_resuming(const Study& study, const fs::path& directory) {
+Objections objections_to_resuming(const Study& study, const fs::path& directory) {
   const auto record = read_study_record(directory);
   if (record.is_of(study) || read_study_record(unfinished_in(directory)).is_of(study)) return {};
   if (!record.is_ours) {
-    auto objection = objection_to_foreign_files(study, directory, record);
-    return objection.empty() ? objection_to_sweep(directory) : objection;
+    auto objections = objections_to_foreign_files(study, directory, record);
+    return objections.empty() ? objections_to_sweep(directory) : objections;
   }
-  return fmt::format(
-      "{}: cannot resume from these results: {}; take another directory (--out), or run with --overwrite "
-      "instead of --resume, which starts anew and replaces them when the new ones are complete",
-      directory.string(), difference(record, study));
+  return {{fmt::format("{}: cannot resume from these results: {}", directory.string(), difference(record, study)),
+           Remedy::not_resuming}};
 }
 
 /// Whether the results of a record may be replaced.
@@ -161,19 +165,19 @@ bool may_be_replaced(const fs::path& record, const RunOptions& options) {
          std::ranges::find(options.replaceable, content_hash(read_text(record))) != options.replaceable.end();
 }
 
-std::string objection_to_replacing(const Study& study, const fs::path& directory, const RunOptions& options) {
+Objections objections_to_replacing(const Study& study, const fs::path& directory, const RunOptions& options) {
   for (const auto& place : {directory, unfinished_in(directory)}) {
     const auto record = read_study_record(place);
     if (!record.has_tests || record.is_of(study) || may_be_replaced(place / "study.json", options)) continue;
-    return fmt::format(
-        "{}: here are {}results of another study: {}; replace them (--overwrite) or take another directory (--out)",
-        place.string(), record.is_complete ? "complete " : "", difference(record, study));
+    return {{fmt::format("{}: here are {}results of another study: {}", place.string(),
+                         record.is_complete ? "complete " : "", difference(record, study)),
+             Remedy::replacing}};
   }
-  return may_be_replaced(directory / "sweep.json", options) ? "" : objection_to_sweep(directory);
+  return may_be_replaced(directory / "sweep.json", options) ? Objections() : objections_to_sweep(directory);
 }
 
 void refuse_objections(const Study& study, const fs::path& directory, const RunOptions& options) {
-  if (const auto objection = objection_to(study, directory, options); !objection.empty()) throw InputError(objection);
+  if (auto all = objections_to(study, directory, options); !all.empty()) throw ForeignResults(std::move(all));
 }
 
 /// The directory in which a run resumes: `unfinished` if only that has results of this study, else the given directory.
@@ -227,24 +231,24 @@ std::vector<std::string> hashes_of_records_in(const fs::path& directory) {
   return hashes;
 }
 
-std::string objection_to(const Study& study, const fs::path& directory, const RunOptions& options) {
-  for (auto objection : {objection_to_inputs(study, directory), objection_to_foreign_unfinished(directory)}) {
-    if (!objection.empty()) return objection;
+Objections objections_to(const Study& study, const fs::path& directory, const RunOptions& options) {
+  for (auto objections : {objections_to_inputs(study, directory), objections_to_foreign_unfinished(directory)}) {
+    if (!objections.empty()) return objections;
   }
   if (options.resume) {
-    auto objection = objection_to_resuming(study, directory);
+    auto objections = objections_to_resuming(study, directory);
     const bool begins_anew =
         may_be_replaced(directory / "study.json", options) || may_be_replaced(directory / "sweep.json", options);
-    if (objection.empty() || !begins_anew) return objection;
+    if (objections.empty() || !begins_anew) return objections;
   }
-  auto objection = objection_to_foreign_files(study, directory, read_study_record(directory));
-  return objection.empty() ? objection_to_replacing(study, directory, options) : objection;
+  auto objections = objections_to_foreign_files(study, directory, read_study_record(directory));
+  return objections.empty() ? objections_to_replacing(study, directory, options) : objections;
 }
 
 fs::path directory_to_run_in(const Study& study, const fs::path& directory, const RunOptions& options) {
   finish_interrupted_replacement(study, directory);
   refuse_objections(study, directory, options);
-  if (options.resume && objection_to_resuming(study, directory).empty()) {
+  if (options.resume && objections_to_resuming(study, directory).empty()) {
     return directory_to_resume_in(study, directory);
   }
   return directory_to_begin_in(directory);

@@ -5,19 +5,19 @@
 #include <vector>
 
 #include "breccia/campaign/run.hpp"
+#include "breccia/io/foreign_results.hpp"
 
 namespace breccia {
 
 /// The directory to which a run writes until its results are complete: the directory of the results, or its
 /// subdirectory `unfinished` if earlier results are kept until then. Completes an interrupted replacement first; a run
-/// that starts anew also removes the files of an earlier run that has finished nothing. Throws InputError with the
-/// message of objection_to(), or if files would be replaced that Breccia did not write. The caller must hold the
-/// DirectoryLock.
+/// that starts anew also removes the files of an earlier run that has finished nothing. Throws ForeignResults with
+/// the objections_to() it. The caller must hold the DirectoryLock.
 std::filesystem::path directory_to_run_in(const Study& study, const std::filesystem::path& directory,
                                           const RunOptions& options);
 
 /// The same for packing without tests, which never removes finished tests: it resumes if they are of the same study,
-/// and throws InputError if they are of another study.
+/// and throws ForeignResults if they are of another study.
 std::filesystem::path directory_to_pack_in(const Study& study, const std::filesystem::path& directory,
                                            const RunOptions& options);
 
@@ -37,7 +37,8 @@ void lock_and_finish_interrupted_replacement(const Study& study, const std::file
 /// them (RunOptions::replaceable).
 std::vector<std::string> hashes_of_records_in(const std::filesystem::path& directory);
 
-/// The reason why a run must neither resume the results in a directory nor replace them; empty if it may.
-std::string objection_to(const Study& study, const std::filesystem::path& directory, const RunOptions& options);
+/// The reasons why a run must neither resume the results in a directory nor replace them; none if it may.
+std::vector<Objection> objections_to(const Study& study, const std::filesystem::path& directory,
+                                     const RunOptions& options);
 
 }  // namespace breccia

@@ -2,8 +2,12 @@
 
 #include <string>
 #include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/io/foreign_results.hpp"
 #include "breccia/results/provenance.hpp"
 
 #include "first_process.hpp"
@@ -15,11 +19,32 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The first letter of the text that the first process sends to the others: a directory, or the kind of an error.
-constexpr char is_chosen = '+', is_in_use = '!', is_bad_input = 'i', is_numerical = 'n', is_of_files = 'f';
+constexpr char is_chosen = '+', is_in_use = '!', is_foreign = 'o', is_bad_input = 'i', is_numerical = 'n',
+               is_of_files = 'f';
+
+std::string as_text(const std::vector<Objection>& objections) {
+  auto json = nlohmann::json::array();
+  for (const auto& [problem, remedy, free_directory] : objections) {
+    json.push_back({problem, static_cast<int>(remedy), free_directory});
+  }
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::vector<Objection> objections_in(const std::string& text) {
+  std::vector<Objection> objections;
+  for (const auto& json : nlohmann::json::parse(text)) {
+    objections.push_back(
+        {json[0].get<std::string>(), static_cast<Objection::Remedy>(json[1].get<int>()), json[2].get<std::string>()});
+  }
+  return objections;
+}
 
 /// The kind of an error and its message.
 std::string as_text(const Error& error) {
   if (dynamic_cast<const DirectoryInUse*>(&error) != nullptr) return is_in_use + std::string(error.what());
+  if (const auto* const foreign = dynamic_cast<const ForeignResults*>(&error)) {
+    return is_foreign + as_text(foreign->objections());
+  }
   const char kind = error.exit_code() == ExitCode::bad_input           ? is_bad_input
                     : error.exit_code() == ExitCode::numerical_failure ? is_numerical
                                                                        : is_of_files;
@@ -32,6 +57,8 @@ void refuse_if_error(const std::string& answer) {
   switch (answer.front()) {
     case is_in_use:
       throw DirectoryInUse(message);
+    case is_foreign:
+      throw ForeignResults(objections_in(message));
     case is_bad_input:
       throw InputError(message);
     case is_numerical:
@@ -71,8 +98,8 @@ ResultPlace::ResultPlace(const Study& study, fs::path directory, const std::func
         lock_.emplace(directory_);
         return choose();
       })),
-      directory_if_empty_(directory_),
-      place_if_empty_(place_) {
+      directory_without_result_(directory_),
+      place_without_result_(place_) {
   // A later run needs the record to report differences, even if this one ends in its first packing.
   write_once([&] {
     if (!fs::exists(place_ / "study.json")) write_provenance(place_, study, {});

@@ -29,7 +29,7 @@ class ResultPlace {
   std::filesystem::path directory_;
   std::optional<DirectoryLock> lock_;
   std::filesystem::path place_;
-  RemoveIfEmpty directory_if_empty_, place_if_empty_;
+  RemoveWithoutResult directory_without_result_, place_without_result_;
 };
 
 }  // namespace breccia

@@ -16,6 +16,7 @@
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
+#include "breccia/results/result_files.hpp"
 #include "breccia/results/sweep_plot.hpp"
 #include "breccia/results/sweep_report.hpp"
 #include "breccia/results/sweep_tables.hpp"
@@ -76,7 +77,7 @@ class SweepRun {
   void make_way() const {
     if (!parallel::is_first()) return;
     make_directory(directory_);
-    remove_partial_files(directory_);
+    remove_partial_sweep_files(directory_);
   }
 
   /// Finds the complete tasks before any task runs, so that all processes find the same ones. Without `resume` they run

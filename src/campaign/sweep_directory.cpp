@@ -1,15 +1,17 @@
 #include "breccia/campaign/sweep_directory.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/error.hpp"
+#include "breccia/io/foreign_results.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/results/result_files.hpp"
@@ -23,6 +25,7 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
+using Remedy = Objection::Remedy;
 
 /// The parsed `sweep.json` of a directory; null if it is missing or was not written by Breccia.
 nlohmann::json sweep_record(const fs::path& directory) {
@@ -73,39 +76,37 @@ fs::path directory_beside(const fs::path& taken) {
   return (taken / ".." / (real.filename().string() + "-sweep")).lexically_normal();
 }
 
-/// The reason why the tables of a sweep must not be written to a directory; empty if they may.
-std::string objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
+/// The reason why the tables of a sweep must not be written to a directory; nothing if they may.
+std::optional<Objection> objection_to_tables(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   if (read_study_record(directory).has_tests) {
-    return fmt::format("{}: here are the results of a single study; take another directory (--out {})",
-                       directory.string(), directory_beside(directory).string());
+    return Objection{fmt::format("{}: here are the results of a single study", directory.string()),
+                     Remedy::another_directory, directory_beside(directory).string()};
   }
   const auto record = sweep_record(directory);
   if (record.is_null()) {
+    const auto of_study = read_study_record(directory).is_ours ? files_of_a_study() : std::vector<std::string>();
     for (const auto& name : files_of_a_sweep()) {
-      if (!fs::exists(directory / name) || read_study_record(directory).is_ours) continue;
-      return fmt::format(
-          "{}: the results would replace this file, which Breccia did not write; take another directory "
-          "(--out)",
-          (directory / name).string());
+      const bool is_ours = std::ranges::find(of_study, name) != of_study.end();
+      if (is_ours || !fs::exists(directory / name)) continue;
+      return Objection{fmt::format("{}: the results would replace this file, which Breccia did not write",
+                                   (directory / name).string())};
     }
   }
   if (options.resume || options.overwrite || !holds_other_tasks(sweep, record)) return {};
-  return fmt::format(
-      "{}: here are the results of another sweep; replace them (--overwrite), add to them (--resume) or "
-      "take another directory (--out)",
-      directory.string());
+  return Objection{fmt::format("{}: here are the results of another sweep", directory.string()), Remedy::adding};
 }
 
-/// A line for each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
-std::vector<std::string> objections_to_changed_tasks(const Sweep& sweep) {
-  std::vector<std::string> objections;
+/// An objection to each task that is not as the deck gives it: neither its name nor its hash would tell what it is.
+std::vector<Objection> objections_to_changed_tasks(const Sweep& sweep) {
+  std::vector<Objection> objections;
   for (const auto& task : sweep.tasks) {
     const auto& provenance = task.study.provenance;
     if (provenance.content == content_of(task.study)) continue;
     objections.push_back(
-        fmt::format("{}: this study of a sweep was changed after its deck was read; sweep a key of the deck, or run "
-                    "the study alone",
-                    task.name.empty() ? task.study.title : task.name));
+        {fmt::format("{}: this study of a sweep was changed after its deck was read; sweep a key of the deck, or run "
+                     "the study alone",
+                     task.name.empty() ? task.study.title : task.name),
+         Remedy::none});
   }
   return objections;
 }
@@ -135,14 +136,16 @@ std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const fs
 
 void refuse_objections(const Sweep& sweep, const fs::path& directory, const RunOptions& options) {
   auto objections = objections_to_changed_tasks(sweep);
-  if (!sweep.keys.empty()) objections.push_back(objection_to_tables(sweep, directory, options));
+  if (!sweep.keys.empty()) {
+    if (auto objection = objection_to_tables(sweep, directory, options)) objections.push_back(*std::move(objection));
+  }
   const auto options_of = options_of_tasks(sweep, directory, options);
   for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
     const auto& task = sweep.tasks[i];
-    objections.push_back(objection_to(task.study, task.directory_in(directory), options_of[i]));
+    std::ranges::move(objections_to(task.study, task.directory_in(directory), options_of[i]),
+                      std::back_inserter(objections));
   }
-  std::erase(objections, "");
-  if (!objections.empty()) throw InputError(fmt::format("{}", fmt::join(objections, "\n")));
+  if (!objections.empty()) throw ForeignResults(std::move(objections));
 }
 
 }  // namespace breccia

@@ -22,8 +22,8 @@ bool is_temperature(const SweptKey& key) {
 
 /// Whether reduced responses can give all results that the tests request. Fields at times given in the deck need a run.
 bool can_be_answered(const Tests& tests) {
-  const bool wants_maps =
-      tests.field_times.size() > 1 || (tests.field_times.size() == 1 && tests.field_times.front() != tests.last_time);
+  const bool wants_maps = tests.lists_field_times || tests.field_times.size() > 1 ||
+                          (tests.field_times.size() == 1 && tests.field_times.front() != tests.last_time);
   return !wants_maps && tests.methods == std::vector{Method::quasistatic} &&
          tests.quasistatic.solver == Solver::reduced && tests.quasistatic.range == SampledRange::matrix;
 }

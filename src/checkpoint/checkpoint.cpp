@@ -1,12 +1,14 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 
 #include <cstdint>
+#include <exception>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/file_status.hpp"
 #include "breccia/io/seal.hpp"
 #include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/session.hpp"
@@ -30,6 +32,21 @@ void require_owner(const std::filesystem::path& path, const StateOwner& found, c
   }
 }
 
+/// Runs an action that may fail on some processes only. All of them wait here, and if one fails, all do: a process that
+/// went on alone would wait for ever for the others.
+template <class Action>
+void do_together(const std::filesystem::path& path, const Action& action) {
+  std::exception_ptr failure;
+  try {
+    action();
+  } catch (const Error&) {
+    failure = std::current_exception();
+  }
+  const bool has_failed = parallel::largest(failure ? 1.0 : 0.0) > 0.0;
+  if (failure) std::rethrow_exception(failure);
+  if (has_failed) throw FileError(fmt::format("{}: another process cannot read or write this file", path.string()));
+}
+
 /// Renames a damaged file, so that it is not kept as the older state.
 void set_aside(const std::filesystem::path& path) {
   std::error_code is_gone;
@@ -43,24 +60,29 @@ Checkpoint::Checkpoint(std::filesystem::path path, StateOwner owner, CheckpointS
 
 std::vector<std::string> Checkpoint::look_for_earlier() {
   std::vector<std::string> problems;
+  std::vector<std::filesystem::path> damaged;
   double which = 0.0;
-  for (const auto& path : {path_, older_state(path_)}) {
-    if (!std::filesystem::exists(path)) continue;
-    try {
-      earlier_.emplace(path);
-    } catch (const DamagedFile& error) {
-      problems.emplace_back(error.what());
-      set_aside(path);
-      continue;
+  do_together(path_, [&] {
+    for (const auto& path : {path_, older_state(path_)}) {
+      if (!std::filesystem::exists(status_of(path))) continue;
+      try {
+        earlier_.emplace(path);
+      } catch (const DamagedFile& error) {
+        problems.emplace_back(error.what());
+        damaged.push_back(path);
+        continue;
+      }
+      require_owner(path, earlier_->owner(), owner_);
+      which = path == path_ ? 1.0 : 2.0;
+      break;
     }
-    require_owner(path, earlier_->owner(), owner_);
-    which = path == path_ ? 1.0 : 2.0;
-    break;
-  }
+  });
   if (parallel::largest(which) != -parallel::largest(-which)) {
     throw FileError(fmt::format(
         "{}: not all processes see the same checkpoints; results must be on a disk that all share", path_.string()));
   }
+  // By now each process has looked at every file under its name.
+  for (const auto& path : damaged) set_aside(path);
   const auto* instead = earlier_ ? "the previous checkpoint is used" : "this packing or test starts anew";
   for (auto& problem : problems) problem += fmt::format("; {}", instead);
   return problems;
@@ -84,9 +106,8 @@ void Checkpoint::put(const WriteState& write, bool is_finished) {
   StateWriter writer(path_, owner_);
   writer.write(finished_name, std::int64_t{is_finished});
   write(writer);
-  writer.commit();
-  // All processes wait here: one that ended now would end the first one while it writes.
-  static_cast<void>(parallel::largest(0.0));
+  // All processes wait: one that ended now would end the first one while it writes.
+  do_together(path_, [&] { writer.commit(); });
   last_ = Clock::now();
 }
 
@@ -97,6 +118,8 @@ void Checkpoint::save(const WriteState& write) {
 
 void Checkpoint::finish(const WriteState& write) {
   put(write, true);
+  std::error_code ignored;
+  if (parallel::rank() == 0) std::filesystem::remove(older_state(path_), ignored);
 }
 
 bool is_checkpoint_file(std::string_view name) {

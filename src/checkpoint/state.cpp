@@ -26,31 +26,47 @@ std::filesystem::path older_state(const std::filesystem::path& path) {
 
 StateWriter::StateWriter(const std::filesystem::path& path, const StateOwner& owner) : path_(path) {
   if (parallel::rank() != 0) return;
-  file_.emplace(path);
-  file_->write_attribute("/", "program", std::string("breccia"));
-  file_->write_attribute("/", "version", owner.version);
-  file_->write_attribute("/", "deck_hash", owner.deck_hash);
+  attempt([&] {
+    file_.emplace(path);
+    file_->write_attribute("/", "program", std::string("breccia"));
+    file_->write_attribute("/", "version", owner.version);
+    file_->write_attribute("/", "deck_hash", owner.deck_hash);
+  });
+}
+
+/// Keeps the failure of an action for commit(), and leaves out what would be written after it.
+template <class Action>
+void StateWriter::attempt(const Action& action) {
+  try {
+    action();
+  } catch (const FileError&) {
+    failure_ = std::current_exception();
+    file_.reset();
+  }
 }
 
 void StateWriter::write(const std::string& name, double value) {
-  if (file_) file_->write(name, std::span(&value, 1));
+  write(name, std::span<const double>(&value, 1));
 }
 
 void StateWriter::write(const std::string& name, std::int64_t value) {
-  if (file_) file_->write(name, std::span(&value, 1));
+  if (file_) attempt([&] { file_->write(name, std::span(&value, 1)); });
 }
 
 void StateWriter::write(const std::string& name, std::span<const double> values) {
-  if (file_) file_->write(name, values);
+  if (file_) attempt([&] { file_->write(name, values); });
 }
 
 void StateWriter::write(const std::string& name, const std::string& text) {
   if (!file_) return;
-  file_->create_group(name);
-  file_->write_attribute(name, "text", text);
+  attempt([&] {
+    file_->create_group(name);
+    file_->write_attribute(name, "text", text);
+  });
 }
 
 void StateWriter::commit() {
+  if (failure_) std::rethrow_exception(failure_);
   if (!file_) return;
   file_->close();
   seal(file_->temporary());

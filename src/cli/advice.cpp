@@ -1,12 +1,16 @@
 #include "advice.hpp"
 
+#include <string>
+#include <vector>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/io/directory_lock.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/io/whole_results.hpp"
+#include "breccia/io/foreign_results.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -34,16 +38,39 @@ std::string advice_on(const Error& error, const CLI::App& command) {
   return {};
 }
 
+/// The options of the command that help against an objection.
+std::string advice_on(const Objection& objection, const CLI::App& command) {
+  using Remedy = Objection::Remedy;
+  const auto remedy = objection.remedy;
+  if (remedy == Remedy::none) return {};
+  const bool can_replace = has(command, "--overwrite");
+  std::vector<std::string> ways;
+  if (can_replace && remedy == Remedy::replacing_it) ways.emplace_back("replace it (--overwrite)");
+  if (can_replace && (remedy == Remedy::replacing || remedy == Remedy::adding)) {
+    ways.emplace_back("replace them (--overwrite)");
+  }
+  if (remedy == Remedy::adding && has(command, "--resume")) ways.emplace_back("add to them (--resume)");
+  ways.push_back(objection.free_directory.empty()
+                     ? "take another directory (--out)"
+                     : fmt::format("take another directory (--out {})", objection.free_directory));
+  if (can_replace && remedy == Remedy::not_resuming) {
+    ways.emplace_back(
+        "run with --overwrite instead of --resume, which starts anew and replaces them when the new ones are complete");
+  }
+  const auto last = ways.back();
+  ways.pop_back();
+  return ways.empty() ? "; " + last : fmt::format("; {} or {}", fmt::join(ways, ", "), last);
+}
+
 }  // namespace
 
 std::string with_advice(const Error& error, const CLI::App& command) {
   const auto* const foreign = dynamic_cast<const ForeignResults*>(&error);
-  if (foreign != nullptr && has(command, "--out")) {
-    const bool may_be_overwritten = foreign->remedy() == ForeignResults::Remedy::overwriting;
-    return fmt::format("{}; {}take another directory (--out)", foreign->problem(),
-                       may_be_overwritten ? "replace it (--overwrite) or " : "");
-  }
-  return error.what() + advice_on(error, command);
+  if (foreign == nullptr || !has(command, "--out")) return error.what() + advice_on(error, command);
+  std::vector<std::string> lines;
+  for (const auto& objection : foreign->objections())
+    lines.push_back(objection.problem + advice_on(objection, command));
+  return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
 }  // namespace breccia::cli

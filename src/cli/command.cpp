@@ -15,18 +15,6 @@
 #include "interruption.hpp"
 
 namespace breccia::cli {
-namespace {
-
-/// The time [s] in the value of an option. Throws InputError with the name of the option.
-double seconds_of(const char* option, const std::string& text) {
-  try {
-    return parse_quantity(text, Dimension::time);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", option, error.what()));
-  }
-}
-
-}  // namespace
 
 Sweep DeckArguments::read() const {
   auto keys = swept;
@@ -86,6 +74,9 @@ std::filesystem::path RunArguments::results() const {
 RunOptions RunArguments::options() const {
   RunOptions options = {
       .solve = {.threads = threads, .ignore_memory = ignore_memory}, .resume = resume, .overwrite = overwrite};
+  const auto seconds_of = [](const char* option, const std::string& text) {
+    return option_quantity(option, text, Dimension::time, Range::positive());
+  };
   options.checkpoints.interval = seconds_of("--checkpoint-interval", checkpoint_interval);
   options.checkpoints.stop = interruption_requested;
   if (!time_limit.empty()) {
@@ -95,6 +86,18 @@ RunOptions RunArguments::options() const {
     };
   }
   return options;
+}
+
+double option_quantity(const std::string& option, const std::string& text, Dimension dimension, const Range& range) {
+  const auto value = [&] {
+    try {
+      return parse_quantity(text, dimension);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: {}", option, error.what()));
+    }
+  }();
+  if (accepts(range, value)) return value;
+  throw InputError(fmt::format("{}: expected {}, got \"{}\"", option, described(range, dimension), text));
 }
 
 void warn_of_missing_plots(const std::string& addition) {

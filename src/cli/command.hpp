@@ -8,6 +8,7 @@
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/campaign/sweep.hpp"
+#include "breccia/io/range.hpp"
 
 namespace breccia::cli {
 
@@ -47,6 +48,11 @@ struct RunArguments {
 /// Adds DECK, --set, --sweep, --seeds, --out, --threads, --quiet and the options for checkpoints: --resume,
 /// --time-limit and --checkpoint-interval.
 void add_run_arguments(CLI::App& command, RunArguments& arguments);
+
+/// The value of an option as a quantity in its SI unit. Throws InputError with the name of the option if it is no such
+/// quantity or out of range.
+double option_quantity(const std::string& option, const std::string& text, Dimension dimension,
+                       const Range& range = {});
 
 /// If gnuplot cannot draw, prints a warning with the reason on standard error: its plots are left out. The addition is
 /// appended with its own punctuation.

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
@@ -37,14 +38,6 @@ struct FitArguments {
   bool quiet = false;
 };
 
-double quantity(const char* option, const std::string& text, Dimension dimension) {
-  try {
-    return parse_quantity(text, dimension);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", option, error.what()));
-  }
-}
-
 /// The reference temperature: that of the sweep which the user has selected.
 double reference_temperature(const FitArguments& arguments, const std::vector<FrequencySweep>& sweeps) {
   std::vector<std::string> temperatures;
@@ -57,7 +50,8 @@ double reference_temperature(const FitArguments& arguments, const std::vector<Fr
     throw InputError(
         fmt::format("{}: several temperatures: expected --reference-temperature; {}", arguments.file.string(), known));
   }
-  const double wanted = quantity("--reference-temperature", arguments.reference_temperature, Dimension::temperature);
+  const double wanted =
+      option_quantity("--reference-temperature", arguments.reference_temperature, Dimension::temperature);
   constexpr double close = 0.5;
   for (const auto& sweep : sweeps) {
     if (std::abs(sweep.temperature - wanted) <= close) return sweep.temperature;
@@ -70,8 +64,8 @@ class Fitter {
  public:
   explicit Fitter(const FitArguments& arguments) : arguments_(arguments) {
     options_.times_per_decade = arguments.times_per_decade;
-    if (!arguments.ramp.empty()) options_.ramp = quantity("--ramp", arguments.ramp, Dimension::time);
-    if (options_.ramp < 0.0) throw InputError(fmt::format("--ramp: expected a time, got {}", arguments.ramp));
+    if (arguments.ramp.empty()) return;
+    options_.ramp = option_quantity("--ramp", arguments.ramp, Dimension::time, Range::not_negative());
   }
 
   FitResult operator()(const RelaxationData& data) const {
@@ -162,8 +156,8 @@ std::string shifts(const FitResult& result) {
 std::string describe(const FitResult& result) {
   const auto& series = result.modulus;
   const auto kind = result.kind == ModulusKind::unspecified ? "" : fmt::format("{}, ", name(result.kind));
-  return fmt::format("{}{} terms; {} relaxing to {}", kind, series.terms().size(), pressure(series.unrelaxed()),
-                     pressure(series.equilibrium()));
+  return fmt::format("{}{}; {} relaxing to {}", kind, display_count(series.terms().size(), "term"),
+                     pressure(series.unrelaxed()), pressure(series.equilibrium()));
 }
 
 std::string quality(const FitResult& result) {

@@ -6,6 +6,8 @@
 
 #include "breccia/campaign/resume.hpp"
 #include "breccia/campaign/sweep_directory.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/directory_lock.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "command.hpp"
@@ -14,6 +16,44 @@
 #include "sweep_summary.hpp"
 
 namespace breccia::cli {
+namespace {
+
+void pack(const Study& study, const std::filesystem::path& directory, const RunOptions& options, Progress& progress) {
+  if (take_over_complete_run(study, directory)) {
+    progress.print(fmt::format("The results in {} are complete", directory.string()));
+    return;
+  }
+  const auto result = pack_study(study, directory, options, narrate(progress));
+  for (const auto& stage : result.stages) {
+    progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
+  }
+}
+
+/// Packs all tasks of a sweep. If some cannot be packed, the others still are.
+void pack_all(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
+              Progress& progress) {
+  SweepResult result(sweep.tasks.size());
+  const auto fail = [&](std::size_t task, const Error& error) {
+    result[task] = {.state = TaskState::failed, .error = error.what()};
+    progress.print(fmt::format("{} has failed: {}", heading_of(sweep, task), error.what()));
+  };
+  for (std::size_t task = 0; task < sweep.tasks.size(); ++task) {
+    stop_if_interrupted();
+    progress.print(heading_of(sweep, task));
+    try {
+      pack(sweep.tasks[task].study, sweep.tasks[task].directory_in(directory), options, progress);
+    } catch (const NumericalError& error) {
+      fail(task, error);
+    } catch (const DirectoryInUse&) {
+      throw;  // another process is writing there: the task has not failed
+    } catch (const InputError& error) {
+      fail(task, error);
+    }
+  }
+  refuse_failures(sweep, result);
+}
+
+}  // namespace
 
 void add_pack(CLI::App& application) {
   auto* command =
@@ -27,18 +67,10 @@ void add_pack(CLI::App& application) {
     Progress progress(arguments->quiet || !parallel::is_first());
     const auto lock = hold_sweep_directory(sweep, arguments->results());
     if (lock) refuse_objections(sweep, arguments->results(), options);
-    for (std::size_t i = 0; i < sweep.tasks.size(); ++i) {
-      const auto& task = sweep.tasks[i];
-      if (!task.name.empty()) progress.print(heading_of(sweep, i));
-      const auto directory = task.directory_in(arguments->results());
-      if (take_over_complete_run(task.study, directory)) {
-        progress.print(fmt::format("The results in {} are complete", directory.string()));
-        continue;
-      }
-      const auto result = pack_study(task.study, directory, options, narrate(progress));
-      for (const auto& stage : result.stages) {
-        progress.print(fmt::format("  {}", (directory / stage.name / "microstructure.svg").string()));
-      }
+    if (sweep.keys.empty()) {
+      pack(sweep.tasks.front().study, arguments->results(), options, progress);
+    } else {
+      pack_all(sweep, arguments->results(), options, progress);
     }
   });
 }

@@ -47,6 +47,7 @@ struct Answer {
   fs::path out;
   std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};
+  std::vector<std::string> warnings = {};  ///< on the matrix
 };
 
 /// The names of the stages that have reduced responses, in alphabetical order.
@@ -75,21 +76,23 @@ std::vector<std::string> chosen_stages(const RespondArguments& arguments) {
 std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   if (times.empty()) return {};
   const auto time = [](const std::string& text) {
-    try {
-      return parse_quantity(text, Dimension::time);
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("--times: {}", error.what()));
-    }
+    return option_quantity("--times", text, Dimension::time, Range::positive());
   };
   const TimeWindow window = {time(times[0]), time(times[1])};
-  if (window.begin > 0.0 && window.begin < window.end) return window;
+  if (window.begin < window.end) return window;
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
 
 std::vector<StoredResponses> responses_of(const RespondArguments& arguments) {
   std::vector<StoredResponses> stored;
   for (const auto& stage : chosen_stages(arguments)) {
-    stored.push_back(read_responses(arguments.results / stage / "response.h5"));
+    const auto file = arguments.results / stage / "response.h5";
+    stored.push_back(read_responses(file));
+    if (stored.back().stage == stage) continue;
+    throw InputError(
+        fmt::format("{}: the responses are of stage {}, not of one with the name of the directory, {}; move the copy "
+                    "out of {}",
+                    file.string(), stored.back().stage, stage, arguments.results.string()));
   }
   return stored;
 }
@@ -168,6 +171,17 @@ std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& m
   return matrices;
 }
 
+/// A warning on each matrix that is the same at all temperatures.
+std::vector<std::string> warnings_on_matrices(const std::map<std::string, Material>& matrices) {
+  std::vector<std::string> warnings;
+  for (const auto& [original, material] : matrices) {
+    if (!material.bulk.is_elastic() || !material.shear.is_elastic()) continue;
+    warnings.push_back(fmt::format(
+        "{} is elastic: its moduli do not depend on the temperature here, so they are those of the run", original));
+  }
+  return warnings;
+}
+
 /// The new matrix in words: "binder at 40 degC", or several if stages have different matrices.
 std::string names_of(const std::map<std::string, Material>& matrices) {
   std::vector<std::string> names;
@@ -211,7 +225,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
       const auto matrices = matrices_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
-                         study.deck_hash, respond(stored, matrices, window)});
+                         study.deck_hash, respond(stored, matrices, window), warnings_on_matrices(matrices)});
     });
   }
   refuse(mistakes);
@@ -219,6 +233,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
 }
 
 void print(const Answer& answer, const TimeWindow& times) {
+  for (const auto& warning : answer.warnings) fmt::print("warning: {}\n", warning);
   for (const auto& stage : answer.stages) {
     for (const auto& warning : stage.warnings) fmt::print("warning: {}\n", warning);
   }
@@ -254,7 +269,7 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
                                     : answers_at_temperatures(arguments, window, command);
   std::vector<fs::path> inputs;
   if (has_material) inputs.push_back(arguments.material);
-  for (const auto& [matrix, out, study, stages] : answers) {
+  for (const auto& [matrix, out, study, stages, warnings] : answers) {
     write_response_curves({out, matrix, study, inputs, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;

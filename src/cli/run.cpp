@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/campaign/resume.hpp"
 #include "breccia/error.hpp"
@@ -61,16 +62,6 @@ SweepObserver narrate(const Sweep& sweep, Progress& progress) {
   return observer;
 }
 
-/// Throws NumericalError with the names of the failed tasks, if there are any.
-void refuse_failures(const Sweep& sweep, const SweepResult& result) {
-  std::string failures;
-  for (std::size_t task = 0; task < result.size(); ++task) {
-    if (result[task].state != TaskState::failed) continue;
-    failures += fmt::format("{}{}: {}", failures.empty() ? "" : "\n", sweep.tasks[task].name, result[task].error);
-  }
-  if (!failures.empty()) throw NumericalError(failures);
-}
-
 void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
   const auto result = run_sweep(sweep, directory, options, narrate(sweep, progress));
@@ -80,6 +71,12 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions
     if (std::filesystem::exists(directory / file)) progress.print(fmt::format("  {}", (directory / file).string()));
   }
   refuse_failures(sweep, result);
+}
+
+/// Names the options that PETSc has not used: those of another solver, or misspelt ones.
+void note_unused_petsc_options(Progress& progress) {
+  const auto unused = parallel::unused_petsc_options();
+  if (!unused.empty()) progress.print(fmt::format("note: PETSc has not used {}", fmt::join(unused, ", ")));
 }
 
 }  // namespace
@@ -122,6 +119,7 @@ void add_run(CLI::App& application) {
     } else {
       run_all(sweep, *arguments, options, progress);
     }
+    if (!arguments->petsc_options.empty()) note_unused_petsc_options(progress);
   });
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,17 +30,21 @@ class OptionReader {
  public:
   double length(const std::string& option, const std::string& text) {
     try {
-      return parse_quantity(text, Dimension::length);
+      return option_quantity(option, text, Dimension::length, Range::positive());
     } catch (const InputError& error) {
-      mistakes_.push_back(fmt::format("{}: {}", option, error.what()));
+      mistakes_.emplace_back(error.what());
       return 0.0;
     }
   }
 
   double fraction(const std::string& option, const std::string& text) {
-    if (const auto share = parse_percentage(text)) return *share;
-    // A plain number, 0.94, is read as "0.94 %" and multiplied by 100.
-    if (const auto share = parse_percentage(text + "%")) return 100.0 * *share;
+    auto share = parse_percentage(text);
+    if (!share) {
+      // A plain number, 0.94, is read as "0.94 %" and multiplied by 100.
+      share = parse_percentage(text + "%");
+      if (share) *share *= 100.0;
+    }
+    if (share && accepts(Range::between(0.0, 1.0), *share)) return *share;
     mistakes_.push_back(
         fmt::format(R"({}: expected a number between 0 and 1, or per cent as in "94 %", got "{}")", option, text));
     return 0.0;
@@ -53,6 +59,14 @@ class OptionReader {
   std::vector<std::string> mistakes_;
 };
 
+/// Throws InputError if the diameters at which stages begin and end do not rise.
+void require_rising(const std::vector<double>& bounds, const StagesArguments& arguments) {
+  if (std::ranges::is_sorted(bounds, std::ranges::less_equal())) return;
+  throw InputError(fmt::format(R"(--at: expected rising diameters above {} and below {}, got "{}")",
+                               readable(bounds.front(), Dimension::length), readable(bounds.back(), Dimension::length),
+                               fmt::join(arguments.cuts, R"(" ")")));
+}
+
 void run_stages(const StagesArguments& arguments) {
   OptionReader options;
   const double fraction = options.fraction("--fraction", arguments.fraction);
@@ -64,9 +78,11 @@ void run_stages(const StagesArguments& arguments) {
   const auto table = read_size_table(arguments.sizes);
   bounds.insert(bounds.begin(), arguments.from.empty() ? table.diameters.front() : from);
   bounds.push_back(arguments.to.empty() ? table.diameters.back() : to);
+  require_rising(bounds, arguments);
   const auto sizes = SizeDistribution::tabulated(table.diameters, table.cumulative_volume_fractions);
+  const auto stages = divide_into_stages(sizes, bounds, fraction);
   fmt::print("each stage is the matrix of the next\n");
-  for (const auto& stage : divide_into_stages(sizes, bounds, fraction)) {
+  for (const auto& stage : stages) {
     fmt::print("  fraction = {:.4f}, from = \"{}\", to = \"{}\"    # {:.1f} % of the filler\n", stage.fraction,
                readable(stage.smallest, Dimension::length), readable(stage.largest, Dimension::length),
                100.0 * stage.share);

@@ -5,11 +5,13 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/results/sweep_spread.hpp"
 
@@ -170,6 +172,15 @@ std::string closing_table(const Sweep& sweep, const SweepResult& result) {
   auto rows = heading_of(sweep, columns, true);
   std::ranges::copy(moduli_of(columns), std::back_inserter(rows));
   return fmt::format("\nModulus of the last stage\n\n{}", aligned(rows));
+}
+
+void refuse_failures(const Sweep& sweep, const SweepResult& result) {
+  std::string failures;
+  for (std::size_t task = 0; task < result.size(); ++task) {
+    if (result[task].state != TaskState::failed) continue;
+    failures += fmt::format("{}{}: {}", failures.empty() ? "" : "\n", sweep.tasks[task].name, result[task].error);
+  }
+  if (!failures.empty()) throw NumericalError(failures);
 }
 
 }  // namespace breccia::cli

@@ -17,4 +17,7 @@ std::string table_of_tasks(const Sweep& sweep);
 /// task.
 std::string closing_table(const Sweep& sweep, const SweepResult& result);
 
+/// Throws NumericalError with the names of the failed tasks, if there are any.
+void refuse_failures(const Sweep& sweep, const SweepResult& result);
+
 }  // namespace breccia::cli

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/limits.hpp"
@@ -24,22 +25,25 @@ enum class MethodName { lubachevsky_stillinger, regular, listed };
 std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
   const auto table = read_measured_table(path);
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
-  const auto& x = table.column(Quantity::x).values;
-  const auto& y = table.column(Quantity::y).values;
-  const auto& diameters = table.column(Quantity::diameter).values;
+  const auto& x = table.column(Quantity::x);
+  const auto& y = table.column(Quantity::y);
+  const auto& diameters = table.column(Quantity::diameter);
+  // An unknown side is not a number here, and every centre is accepted.
+  const auto is_outside = [side](double coordinate) { return coordinate < 0.0 || coordinate > side; };
   std::vector<Disc> discs;
+  FileMistakes mistakes(path);
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (!(diameters[row] > 0.0) || !std::isfinite(diameters[row])) {
-      throw InputError(fmt::format("{}: expected a positive diameter, got {}", table.place(row), diameters[row]));
+    if (!(diameters.values[row] > 0.0) || !std::isfinite(diameters.values[row])) {
+      mistakes.add(table.place(row), "expected a positive diameter", fmt::format("{}", diameters.written[row]));
+    } else if (is_outside(x.values[row]) || is_outside(y.values[row])) {
+      mistakes.add(table.place(row),
+                   fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
+                   fmt::format("({}, {})", x.written[row], y.written[row]));
     }
-    const bool outside = x[row] < 0.0 || x[row] > side || y[row] < 0.0 || y[row] > side;
-    if (outside) {
-      throw InputError(fmt::format("{}: expected a centre in the box, 0 to {} m, got ({}, {})", table.place(row), side,
-                                   x[row], y[row]));
-    }
-    discs.push_back({{x[row], y[row]}, diameters[row]});
+    discs.push_back({{x.values[row], y.values[row]}, diameters.values[row]});
   }
-  if (discs.empty()) throw InputError(fmt::format("{}: expected at least one disc", path.string()));
+  if (discs.empty()) mistakes.add("", "expected at least one disc");
+  mistakes.refuse();
   return discs;
 }
 

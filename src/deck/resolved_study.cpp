@@ -42,15 +42,24 @@ namespace {
 
 /// A hash for each data file. A single hash of all files would not change if a row moved from the end of one file to
 /// the beginning of the next.
-std::string file_hashes_of(const Deck& document) {
+std::vector<FileHash> file_hashes_of(const Deck& document) {
+  std::vector<FileHash> hashes;
+  const auto directory = document.path().parent_path();
+  for (const auto& file : document.files()) {
+    hashes.push_back({file.lexically_proximate(directory).string(), content_hash(read_text(file))});
+  }
+  return hashes;
+}
+
+std::string joined(const std::vector<FileHash>& files) {
   std::string hashes;
-  for (const auto& file : document.files()) hashes += content_hash(read_text(file));
+  for (const auto& [name, hash] : files) hashes += hash;
   return hashes;
 }
 
 std::vector<std::string> stage_hashes_of(const Deck& document, const Study& study) {
   constexpr std::array<std::string_view, 3> left_out = {"title", "measurements", "sweep"};
-  const auto files = file_hashes_of(document);
+  const auto files = joined(study.provenance.file_hashes);
   std::vector<std::string> hashes;
   for (const auto& stage : study.stages) {
     auto content = document.content_with_first(hashes.size() + 1, "stages", left_out) + files;
@@ -65,8 +74,11 @@ std::vector<std::string> stage_hashes_of(const Deck& document, const Study& stud
 }  // namespace
 
 void add_hashes(const Deck& document, const std::vector<std::string>& overrides, Study& study) {
+  const auto deck = document.content_without("sweep");
   study.provenance.overrides = overrides;
-  study.provenance.hash = content_hash(document.content_without("sweep") + file_hashes_of(document));
+  study.provenance.deck_content_hash = content_hash(deck);
+  study.provenance.file_hashes = file_hashes_of(document);
+  study.provenance.hash = content_hash(deck + joined(study.provenance.file_hashes));
   study.provenance.stage_hashes = stage_hashes_of(document, study);
   study.provenance.content = content_of(study);
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
 
 namespace breccia {
@@ -12,30 +13,35 @@ namespace breccia {
 TabulatedSizes read_size_table(const std::filesystem::path& path) {
   const auto table = read_measured_table(path);
   table.require({Quantity::diameter, Quantity::cumulative_volume_fraction});
-  const auto& diameters = table.column(Quantity::diameter).values;
-  const auto& fractions = table.column(Quantity::cumulative_volume_fraction).values;
+  const auto& diameters = table.column(Quantity::diameter);
+  const auto& fractions = table.column(Quantity::cumulative_volume_fraction);
   if (table.rows() < 2) throw InputError(fmt::format("{}: expected at least two rows", path.string()));
+  FileMistakes mistakes(path);
+  const auto add = [&](std::size_t row, const char* expected, const MeasuredColumn& column) {
+    mistakes.add(table.place(row), expected, fmt::format("{}", column.written[row]));
+  };
+  double smaller = 0.0, least = 0.0;  // of the rows before that are right
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double below = row == 0 ? 0.0 : diameters[row - 1];
-    if (!(diameters[row] > below) || !std::isfinite(diameters[row])) {
-      throw InputError(
-          fmt::format("{}: expected rising diameters, got {} after {}", table.place(row), diameters[row], below));
+    const double diameter = diameters.values[row], fraction = fractions.values[row];
+    if (!(diameter > smaller) || !std::isfinite(diameter)) {
+      add(row, "expected rising positive diameters", diameters);
+    } else if (!(fraction >= least && fraction <= 1.0)) {
+      add(row, "expected a cumulative volume fraction that does not fall, from 0 to 1", fractions);
+    } else {
+      smaller = diameter;
+      least = fraction;
     }
-    const double least = row == 0 ? 0.0 : fractions[row - 1];
-    if (!(fractions[row] >= least && fractions[row] <= 1.0)) {
-      throw InputError(fmt::format("{}: expected a cumulative volume fraction between {} and 1, got {}",
-                                   table.place(row), least, fractions[row]));
-    }
   }
-  if (fractions.front() != 0.0) {
-    throw InputError(fmt::format("{}: expected the cumulative volume fraction to begin at 0, got {}", table.place(0),
-                                 fractions.front()));
+  const auto last = table.rows() - 1;
+  const bool is_rising = mistakes.empty();
+  if (is_rising && fractions.values.front() != 0.0) {
+    add(0, "expected the cumulative volume fraction to begin at 0", fractions);
   }
-  if (fractions.back() != 1.0) {
-    throw InputError(fmt::format("{}: expected the cumulative volume fraction to end at 1, got {}",
-                                 table.place(table.rows() - 1), fractions.back()));
+  if (is_rising && fractions.values.back() != 1.0) {
+    add(last, "expected the cumulative volume fraction to end at 1", fractions);
   }
-  return {path, diameters, fractions};
+  mistakes.refuse();
+  return {path, diameters.values, fractions.values};
 }
 
 }  // namespace breccia

@@ -47,6 +47,8 @@ std::vector<int> read_grids(const Section& section) {
   for (const auto cells : section.integers("cells", allowed::cells)) {
     grids.push_back(static_cast<int>(cells));
   }
+  // An empty list has been reported already.
+  if (grids.empty()) return {static_cast<int>(allowed::cells.lower)};
   if (!can_be_extrapolated(grids)) {
     section.report("cells", "expected an integer, or two or three rising ones to extrapolate from, such as [100, 200]");
     return {static_cast<int>(allowed::cells.lower)};

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/io/deck.hpp"
+#include "breccia/io/safe_name.hpp"
 
 #include "packing.hpp"
 #include "resolved_study.hpp"
@@ -126,6 +127,7 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
 
   Sweep sweep;
   sweep.keys = swept_keys(keys, mistakes);
+  sweep.overrides = overrides;
   std::vector<std::vector<std::string>> labels;
   for (const auto& key : keys) {
     std::vector<Scalar> values;
@@ -144,6 +146,11 @@ Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::strin
       task.labels.push_back(fmt::format("{}-{}", sweep.keys[i].label, labels[i][choice[i]]));
     }
     task.name = fmt::format("{}", fmt::join(task.labels, "_"));
+    if (task.name.size() > longest_name) {
+      mistakes.push_back({keys.front().place, fmt::format("the name of a task, {}, has {} letters; at most {} are "
+                                                          "possible, so sweep fewer keys or shorter values",
+                                                          task.name, task.name.size(), longest_name)});
+    }
     const auto mistakes_of_task = task_deck.mistakes();
     mistakes.insert(mistakes.end(), mistakes_of_task.begin(), mistakes_of_task.end());
     if (mistakes.empty()) add_hashes(task_deck, all_overrides, task.study);

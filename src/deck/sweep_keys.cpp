@@ -157,11 +157,18 @@ std::vector<PlacedScalar> read_list(const Section& section, const std::string& k
   return values;
 }
 
+/// A key as a step of a path: in quotes if it has dots or spaces, which would divide it or get lost.
+std::string step_of(const std::string& key) {
+  const bool is_one_step = key.find_first_of(". ") == std::string::npos;
+  return is_one_step ? key : fmt::format("\"{}\"", key);
+}
+
+/// Reads the keys of `[sweep]`, which are paths, and of the tables in it, where each key is a step of a path.
 void read_table(const Section& section, const std::string& parent, std::vector<KeyValues>& keys) {
   if (section.keys().empty())
     section.report("", "expected keys with values, such as \"tests.points_per_decade\" = [10, 20]");
   for (const auto& key : section.keys()) {
-    const auto path = parent.empty() ? key : fmt::format("{}.{}", parent, key);
+    const auto path = parent.empty() ? key : fmt::format("{}.{}", parent, step_of(key));
     if (section.kind(key) == Kind::array) {
       keys.push_back({path, section.place_of_key(key), read_list(section, key)});
     } else if (section.kind(key) != Kind::table) {

@@ -129,6 +129,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
     tests.last_time = times->end;
   }
   tests.field_times = read_field_times(section, times);
+  tests.lists_field_times = section.has("fields") && section.kind("fields") != Kind::text;
   tests.points_per_decade =
       static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
   tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);

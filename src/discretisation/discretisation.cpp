@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
@@ -73,6 +74,40 @@ std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
   return fractions;
 }
 
+namespace {
+
+[[noreturn]] void refuse_phase(std::string_view calculation, PhaseIndex phase, std::size_t count) {
+  throw InputError(fmt::format("{}: a point has the phase with number {}, counted from 0, but only {} {} given",
+                               calculation, phase, count, count == 1 ? "material is" : "materials are"));
+}
+
+}  // namespace
+
+template <int dim>
+void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count) {
+  for (const auto& cell : discretisation.cells()) {
+    for (const auto phase : cell) {
+      if (phase != no_phase && phase >= count) refuse_phase(calculation, phase, count);
+    }
+  }
+}
+
+template <int dim>
+void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
+                             std::size_t count) {
+  for (const auto& mixture : discretisation.mixtures()) {
+    for (const auto& part : mixture) {
+      if (part.phase >= count) refuse_phase(calculation, part.phase, count);
+    }
+  }
+  for (const auto& cell : discretisation.cells()) {
+    for (const auto phase : cell) {
+      if (phase == no_phase || phase < count || discretisation.mixture(phase) != nullptr) continue;
+      refuse_phase(calculation, phase, count);
+    }
+  }
+}
+
 template <int dim>
 Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                std::span<const PhaseIndex> particles) {
@@ -97,6 +132,10 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
 
 template class Discretisation<2>;
 template class Discretisation<3>;
+template void require_phases(std::string_view, const Discretisation<2>&, std::size_t);
+template void require_phases(std::string_view, const Discretisation<3>&, std::size_t);
+template void require_phases_in_cells(std::string_view, const Discretisation<2>&, std::size_t);
+template void require_phases_in_cells(std::string_view, const Discretisation<3>&, std::size_t);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);

@@ -63,7 +63,7 @@ Classical<dim>::Classical(DynamicProblem<dim> given, int threads)
     node_offsets_[static_cast<std::size_t>(node)] = grid.node_index(CellShape<dim>::corner(node));
   }
   mean_stress_.resize(grid.cell_count());
-  sort_points();
+  sort_points(0);
 }
 
 template <int dim>

@@ -88,7 +88,7 @@ class Classical final : public DynamicSolver<dim> {
   void update_points();
 
   void add_points(const Index<dim>& cell);
-  void sort_points();
+  void sort_points(std::int64_t step);
   void update_stress(Point& point, const Components& strain_step);
   void update_mean_stresses();
   [[nodiscard]] Components strain_step(const Point& point) const;

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 
@@ -48,11 +49,11 @@ void Classical<dim>::locate_points(std::int64_t step) {
     sorted = sorted && place == point.cell;
     point.cell = place;
   }
-  if (!sorted) sort_points();
+  if (!sorted) sort_points(step);
 }
 
 template <int dim>
-void Classical<dim>::sort_points() {
+void Classical<dim>::sort_points(std::int64_t step) {
   const auto& grid = problem().discretisation.grid();
   const auto lost = std::ranges::find(points_, -1, &Point::cell);
   if (lost != points_.end()) {
@@ -61,7 +62,7 @@ void Classical<dim>::sort_points() {
     throw NumericalError(fmt::format(
         "dynamic run: the point that started at ({:.4g}) m left the grid at step {}; likely cause: too large "
         "a time step or too large an amplitude",
-        fmt::join(start, ", "), steps_taken()));
+        fmt::join(start, ", "), step));
   }
   std::ranges::stable_sort(points_, {}, &Point::cell);
   cell_begin_.assign(grid.cell_count() + 1, 0);
@@ -71,9 +72,9 @@ void Classical<dim>::sort_points() {
 
 template void Classical<2>::bring_back(Classical<2>::Point&, std::int64_t) const;
 template void Classical<2>::locate_points(std::int64_t);
-template void Classical<2>::sort_points();
+template void Classical<2>::sort_points(std::int64_t);
 template void Classical<3>::bring_back(Classical<3>::Point&, std::int64_t) const;
 template void Classical<3>::locate_points(std::int64_t);
-template void Classical<3>::sort_points();
+template void Classical<3>::sort_points(std::int64_t);
 
 }  // namespace breccia::dynamics

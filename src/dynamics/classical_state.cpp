@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <fmt/format.h>
+
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/error.hpp"
 
@@ -24,6 +26,14 @@ void visit_numbers(Point& point, const Visit& visit) {
 }
 template <int dim>
 constexpr std::size_t numbers_per_point = 4 * dim + 2 * tensor_components<dim> + 1;
+
+/// A number of a checkpoint as an index below `end`. Throws FileError when it is none.
+std::size_t index_below(std::size_t end, double number) {
+  if (number >= 0.0 && number < static_cast<double>(end) && std::floor(number) == number) {
+    return static_cast<std::size_t>(number);
+  }
+  throw FileError(fmt::format("a checkpoint: expected a whole number from 0 to {}, got {}", end - 1, number));
+}
 
 }  // namespace
 
@@ -127,19 +137,24 @@ void Classical<dim>::restore_arrays(const StateReader& state, const std::string&
   const auto cells = state.numbers(group + "/cells", points_.size());
   history_ = state.numbers(group + "/history", history_.size());
   std::ranges::sort(points_, {}, &Point::lattice);
+  const auto& grid = problem().discretisation.grid();
+  std::vector<bool> is_taken(points_.size(), false);
   std::vector<Point> restored;
   auto number = numbers.begin();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto place = static_cast<std::size_t>(places[i]);
+    const auto place = index_below(problem().discretisation.points(), places[i]);
     const auto found = std::ranges::lower_bound(points_, place, {}, &Point::lattice);
     if (found == points_.end() || found->lattice != place) throw FileError("a checkpoint: of other points");
+    const auto index = static_cast<std::size_t>(found - points_.begin());
+    if (is_taken[index]) throw FileError("a checkpoint: the same point twice");
+    is_taken[index] = true;
     auto point = *found;
     visit_numbers(point, [&](double& value) { value = *number++; });
-    point.cell = static_cast<int>(cells[i]);
+    point.cell = static_cast<int>(index_below(grid.cell_count(), cells[i]));
     restored.push_back(point);
   }
   points_ = std::move(restored);
-  sort_points();
+  sort_points(this->steps_taken());
 }
 
 template Vector<2> Classical<2>::momentum() const;

@@ -56,14 +56,7 @@ double largest_cell_eigenvalue(const CellPhases<dim>& cell, const std::vector<Ma
 
 template <int dim>
 void require_complete(const Discretisation<dim>& discretisation, const std::vector<Material>& materials) {
-  for (const auto& cell : discretisation.cells()) {
-    for (const auto phase : cell) {
-      if (phase != no_phase && phase >= materials.size()) {
-        throw InputError(
-            fmt::format("dynamic run: a point has material {}, but only {} are given", phase, materials.size()));
-      }
-    }
-  }
+  require_phases("dynamic run", discretisation, materials.size());
   for (const auto& material : materials) {
     if (!(material.density > 0.0) || !(material.bulk.unrelaxed() + material.shear.unrelaxed() > 0.0)) {
       throw InputError(fmt::format("dynamic run: material '{}' has no density or no stiffness", material.name));
@@ -77,6 +70,9 @@ template <int dim>
 double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
                         Volumetric volumetric, double density_factor) {
   require_complete(discretisation, materials);
+  if (!(density_factor > 0.0)) {
+    throw InputError(fmt::format("dynamic run: a density factor of {} is not positive", density_factor));
+  }
   const std::set<CellPhases<dim>> kinds(discretisation.cells().begin(), discretisation.cells().end());
   double largest = 0.0;
   for (const auto& kind : kinds) {
@@ -91,7 +87,7 @@ template <int dim>
 void require_stable(const DynamicProblem<dim>& problem) {
   const double limit =
       stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
-  if (!(problem.time_step > 0.0) || problem.time_step > limit) {
+  if (!(problem.time_step > 0.0 && problem.time_step <= limit)) {
     throw InputError(
         fmt::format("dynamic run: a time step of {} s is not in (0, {}] s, the range in which it is stable",
                     problem.time_step, limit));

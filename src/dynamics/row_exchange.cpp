@@ -89,16 +89,21 @@ void RowExchange::gather_node_rows(std::span<double> values) const {
 
 void RowExchange::gather(std::span<double> values, int rows) const {
   if (ranks_ == 1) return;
-  const auto per_row = static_cast<int>(values.size()) / rows;
   std::vector<int> counts, begins;
   for (int rank = 0; rank < ranks_; ++rank) {
     // The highest row of nodes goes with the last process.
     const int end = rank + 1 < ranks_ ? first_of(rank + 1) : rows;
-    begins.push_back(first_of(rank) * per_row);
-    counts.push_back((end - first_of(rank)) * per_row);
+    begins.push_back(first_of(rank));
+    counts.push_back(end - first_of(rank));
   }
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), MPI_DOUBLE,
+  // MPI counts in 32 bits, and a list may have more values than that: it is passed in whole rows.
+  const auto per_row = values.size() / static_cast<std::size_t>(rows);
+  MPI_Datatype row = MPI_DATATYPE_NULL;
+  MPI_Type_contiguous(static_cast<int>(per_row), MPI_DOUBLE, &row);
+  MPI_Type_commit(&row);
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), row,
                  parallel::communicator());
+  MPI_Type_free(&row);
 }
 
 std::span<const double> RowExchange::collect(std::span<const double> own, std::vector<double>& all) const {

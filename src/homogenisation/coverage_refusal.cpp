@@ -21,21 +21,10 @@ std::string pascals(double modulus) {
   return display(modulus, "Pa", 3);
 }
 
-/// A positive number rounded to two significant digits, up or down.
-double rounded_up(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::ceil(value / unit * (1.0 - 1e-12)) * unit;
-}
-
-double rounded_down(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::floor(value / unit * (1.0 + 1e-12)) * unit;
-}
-
 /// Rounds those ends of a window that lie within another one, inwards; nothing if no time is left.
 std::optional<TimeWindow> rounded_within(const TimeWindow& part, const TimeWindow& window) {
-  const TimeWindow rounded = {part.begin > window.begin ? rounded_up(part.begin) : window.begin,
-                              part.end < window.end ? rounded_down(part.end) : window.end};
+  const TimeWindow rounded = {part.begin > window.begin ? rounded_up_to_two_digits(part.begin) : window.begin,
+                              part.end < window.end ? rounded_down_to_two_digits(part.end) : window.end};
   if (!(rounded.begin < rounded.end)) return std::nullopt;
   return rounded;
 }

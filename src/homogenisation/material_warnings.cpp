@@ -53,10 +53,10 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
   const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
   std::vector<std::string> warnings;
   for (const auto& material : materials_of(stage)) {
-    const bool is_known =
-        std::any_of(study.stages.begin(), end, [&](const Stage& one) { return has_material(one, material.name); });
-    const bool is_looked_at = end != study.stages.end() && is_known;
-    if (is_looked_at) continue;
+    const bool is_known = end != study.stages.end() && std::any_of(study.stages.begin(), end, [&](const Stage& one) {
+                            return has_material(one, material.name);
+                          });
+    if (is_known) continue;
     if (auto warning = warning_of_poisson_ratio(material, study.tests)) warnings.push_back(*std::move(warning));
   }
   return warnings;

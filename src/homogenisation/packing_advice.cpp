@@ -34,11 +34,6 @@ double safe_fraction(const PackingRequest& request, const PackingError& error) {
   return std::max(0.0, 0.82 - 0.4 * relative_size(request));
 }
 
-double floor_to_two_digits(double value) {
-  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  return std::floor(value / unit) * unit;
-}
-
 /// The widest gap with which the particles fill at most a fraction of the box and the largest particle fits into it.
 std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
   constexpr double roundoff = 1e-6;
@@ -53,7 +48,7 @@ std::optional<double> widest_gap(const Stage& stage, const PackingRequest& reque
     const double middle = 0.5 * (low + high);
     (fits(middle) ? low : high) = middle;
   }
-  return low > 0.0 ? std::optional(floor_to_two_digits(low)) : std::nullopt;
+  return low > 0.0 ? std::optional(rounded_down_to_two_digits(low)) : std::nullopt;
 }
 
 /// The number of cells per side for which the gap, given in material points, is not wider than another gap.
@@ -69,7 +64,7 @@ std::optional<double> largest_fraction(const Stage& stage, const PackingRequest&
   const double largest = std::ranges::max(request.diameters) / stage.side;
   const double half_a_particle = std::numbers::pi / 8.0 * largest * largest;
   const double fraction = *stage.filler->fraction * safe / inflated_fraction<2>(request) - half_a_particle;
-  return fraction > 0.0 ? std::optional(floor_to_two_digits(fraction)) : std::nullopt;
+  return fraction > 0.0 ? std::optional(rounded_down_to_two_digits(fraction)) : std::nullopt;
 }
 
 /// The particles in words: "31 particles of 120 um", "102 particles of 2.02 um to 13.4 um"; with the fraction, if the

@@ -9,31 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/pairs.hpp"
 #include "breccia/error.hpp"
 
 namespace breccia {
 namespace {
-
-void save(StateWriter& state, const std::string& name, const std::vector<Vector<2>>& vectors) {
-  std::vector<double> x, y;
-  x.reserve(vectors.size());
-  y.reserve(vectors.size());
-  for (const auto& vector : vectors) {
-    x.push_back(vector[0]);
-    y.push_back(vector[1]);
-  }
-  state.write(name + "_x", x);
-  state.write(name + "_y", y);
-}
-
-std::vector<Vector<2>> read_vectors(const StateReader& state, const std::string& name) {
-  const auto x = state.numbers(name + "_x");
-  const auto y = state.numbers(name + "_y", x.size());
-  std::vector<Vector<2>> vectors;
-  vectors.reserve(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) vectors.push_back({x[i], y[i]});
-  return vectors;
-}
 
 /// Throws FileError if a number is not the index of a particle.
 std::uint32_t particle(double number) {
@@ -57,8 +37,8 @@ void save(StateWriter& state, const PackingState<2>& packing) {
   state.write("/largest_scale", packing.largest_scale);
   state.write("/scale", packing.scale);
   state.write("/events", static_cast<std::int64_t>(packing.events));
-  save(state, "/position", packing.positions);
-  save(state, "/velocity", packing.velocities);
+  save_pairs(state, "/position_x", "/position_y", packing.positions);
+  save_pairs(state, "/velocity_x", "/velocity_y", packing.velocities);
   state.write("/queue", std::vector<double>(packing.queue.begin(), packing.queue.end()));
   state.write("/queue_time", packing.queue_times);
 }
@@ -69,8 +49,8 @@ PackingState<2> read_packing_state(const StateReader& state) {
   packing.largest_scale = state.number("/largest_scale");
   packing.scale = state.number("/scale");
   packing.events = count(state, "/events");
-  packing.positions = read_vectors(state, "/position");
-  packing.velocities = read_vectors(state, "/velocity");
+  packing.positions = read_pairs<Vector<2>>(state, "/position_x", "/position_y");
+  packing.velocities = read_pairs<Vector<2>>(state, "/velocity_x", "/velocity_y");
   for (const double number : state.numbers("/queue")) packing.queue.push_back(particle(number));
   packing.queue_times = state.numbers("/queue_time");
   return packing;

@@ -1,7 +1,9 @@
 #include "breccia/homogenisation/quality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 #include <variant>
 
 #include <fmt/format.h>
@@ -56,9 +58,25 @@ std::string words_of(double relative) {
   return ratio < 100.0 ? fmt::format("a factor of {:.2g}", ratio) : fmt::format("a factor of {:.0f}", ratio);
 }
 
+/// The time, under all loads, at which the upper bound is furthest below the lower one; nothing where it never is.
+std::optional<BoundsAtTime> worst_crossing(std::span<const LoadQuality> loads) {
+  std::optional<BoundsAtTime> worst;
+  for (const auto& load : loads) {
+    for (const auto& at : load.times) {
+      if (at.crossing() && (!worst || *at.crossing() > *worst->crossing())) worst = at;
+    }
+  }
+  return worst;
+}
+
 /// The distance of the bounds at the first and the last time.
 std::string words_on_bounds(const StageQuality& quality) {
+  if (quality.loads.empty() && quality.is_periodic) return "periodic boundary: no bounds";
   if (quality.loads.empty() || quality.loads.front().times.empty()) return "bounds: not tested";
+  if (const auto crossed = worst_crossing(quality.loads)) {
+    return fmt::format("bounds: the upper one is {} below the lower one at {}", words_of(*crossed->crossing()),
+                       display_time(crossed->time));
+  }
   const auto& times = quality.loads.front().times;
   const auto first = times.front().distance(), last = times.back().distance();
   if (!first || !last) {
@@ -72,13 +90,50 @@ std::string words_on_bounds(const StageQuality& quality) {
 }
 
 std::string words_on_grid(const StageQuality& quality) {
-  double worst = -1.0;
-  for (const auto& load : quality.loads) {
-    for (const auto& at : load.times) worst = std::max(worst, at.grid_share().value_or(-1.0));
-  }
-  if (worst >= 0.0) return fmt::format("grid: error up to {}", words_of(worst));
+  if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
+  if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   const int cells = quality.grids.back();
   return fmt::format("grid: one grid, error unknown (give cells = [{}, {}])", cells, 2 * cells);
+}
+
+/// The half band of a test over its modulus, where that is largest; nothing for a single grid.
+std::optional<double> grid_share_of(const TestResult& test) {
+  std::optional<double> largest;
+  for (const double time : logarithmic_times({test.modulus.front().time, test.modulus.back().time}, 1)) {
+    const auto band = half_band(test, time);
+    if (band) largest = std::max(largest.value_or(0.0), *band / smoothed_at(test.modulus, time));
+  }
+  return largest;
+}
+
+constexpr std::array methods = {Method::quasistatic, Method::dynamic};
+
+/// The largest share of all bounds and of all periodic tests.
+std::optional<double> largest_grid_share(const std::vector<LoadQuality>& loads, const StageResult& result) {
+  std::optional<double> largest;
+  const auto take = [&largest](std::optional<double> share) {
+    if (share) largest = std::max(largest.value_or(0.0), *share);
+  };
+  for (const auto& load : loads) {
+    for (const auto& at : load.times) take(at.grid_share());
+  }
+  for (const auto& [name, load] : words<Load>) {
+    for (const auto method : methods) {
+      const auto* test = find_preferred_test(result.tests, load, Boundary::periodic, method);
+      if (test != nullptr) take(grid_share_of(*test));
+    }
+  }
+  return largest;
+}
+
+/// The narrowest gap in cells of each grid: "3 cells", "2 and 4 cells".
+std::string words_on_gap(const StageQuality& quality) {
+  std::vector<std::string> cells;
+  for (const int grid : quality.grids) cells.push_back(fmt::format("{:.2g}", quality.gap_cells_on(grid)));
+  const auto last = cells.back();
+  cells.pop_back();
+  const auto before = cells.empty() ? "" : fmt::format("{} and ", fmt::join(cells, ", "));
+  return fmt::format("narrowest gap: {}{} {}", before, last, before.empty() && last == "1" ? "cell" : "cells");
 }
 
 }  // namespace
@@ -88,6 +143,14 @@ std::optional<double> BoundsAtTime::distance() const {
   return *upper / *lower - 1.0;
 }
 
+std::optional<double> BoundsAtTime::crossing() const {
+  // Twice the larger half band holds the sum of both; below the least share are rounding errors of equal bounds.
+  constexpr double least = 1e-3;
+  if (!upper || !lower || !(*lower - *upper > 2.0 * grid_half_band.value_or(0.0))) return std::nullopt;
+  const double share = 1.0 - *upper / *lower;
+  return share > least ? std::optional(share) : std::nullopt;
+}
+
 std::optional<double> BoundsAtTime::grid_share() const {
   if (!grid_half_band) return std::nullopt;
   return *grid_half_band / std::min(upper.value_or(lower.value_or(0.0)), lower.value_or(upper.value_or(0.0)));
@@ -95,8 +158,8 @@ std::optional<double> BoundsAtTime::grid_share() const {
 
 std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
   std::vector<LoadQuality> all;
-  for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
-    for (const auto method : {Method::quasistatic, Method::dynamic}) {
+  for (const auto& [name, load] : words<Load>) {
+    for (const auto method : methods) {
       const auto* upper = find_preferred_test(result.tests, load, Boundary::displacement, method);
       const auto* lower = find_preferred_test(result.tests, load, Boundary::traction, method);
       if (upper != nullptr || lower != nullptr) all.push_back({load, method, bounds_at_times(upper, lower)});
@@ -114,7 +177,12 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
                        .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
                        .grids = stage.grids(),
                        .is_random = false,
+                       .is_periodic = false,
+                       .grid_share = {},
                        .loads = bounds_of_tests(result)};
+  quality.is_periodic =
+      std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
+  quality.grid_share = largest_grid_share(quality.loads, result);
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   if (stage.filler) {
     quality.fraction_asked = stage.filler->fraction;
@@ -126,14 +194,33 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
 std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0) return {};
   std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
-  if (std::isfinite(quality.gap_cells)) {
-    parts.push_back(fmt::format("narrowest gap: {:.2g} cells", quality.gap_cells));
-  }
+  if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (!quality.matrix_stage.empty()) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
   if (quality.is_random) parts.emplace_back("packing: one seed, scatter unknown");
   return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
+  std::vector<std::string> warnings;
+  for (const auto& load : quality.loads) {
+    const auto crossed = worst_crossing(std::span(&load, 1));
+    if (!crossed) continue;
+    std::string gaps;
+    for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
+      gaps += fmt::format("{}{:.2g} wide with cells = {}", gaps.empty() ? ", in cells " : ", ",
+                          quality.gap_cells_on(grid), grid);
+    }
+    warnings.push_back(fmt::format(
+        "{}, {}: the upper bound is {} below the lower bound at {}; likely causes: {} too coarse for the narrowest "
+        "gap{}{}; or particles that the sides of the box cut",
+        name_of(load.load), name_of(load.method), words_of(*crossed->crossing()), display_time(crossed->time),
+        quality.grids.size() > 1 ? "grids" : "a grid", gaps,
+        load.method == Method::dynamic ? "; ringing of a run with too large a density factor or too short a ramp"
+                                       : ""));
+  }
+  return warnings;
 }
 
 std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicrostructure& packed) {

@@ -58,6 +58,7 @@ Stage stage_of(const StoredResponses& stored) {
 
 /// Throws NotCovered if one of the responses of the stage does not cover the whole window.
 StageResult respond_within(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& times) {
+  if (stored.entries.empty()) throw InputError(fmt::format("stage {} has no reduced response", stored.stage));
   require_coverage(stored, matrix, times);
   StageResult result;
   result.name = stored.stage;
@@ -114,6 +115,16 @@ void refuse_several_studies(const std::vector<StoredResponses>& stored) {
         "the responses of stages {} and {} are of different studies (deck hashes {} and {}); name a stage, or run the "
         "study anew in a directory of its own",
         stored.front().stage, one.stage, stored.front().deck_hash, one.deck_hash));
+  }
+}
+
+void refuse_equal_stages(const std::vector<StoredResponses>& stored) {
+  for (auto one = stored.begin(); one != stored.end(); ++one) {
+    if (std::find_if(stored.begin(), one, [&](const auto& earlier) { return earlier.stage == one->stage; }) == one) {
+      continue;
+    }
+    throw InputError(
+        fmt::format("the responses of stage {} are given twice; give those of each stage once", one->stage));
   }
 }
 
@@ -231,6 +242,7 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, con
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                  const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times) {
   if (stored.empty()) return {};
+  refuse_equal_stages(stored);
   refuse_several_studies(stored);
   return or_tell_covered_times(times.value_or(stored.front().times),
                                [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });

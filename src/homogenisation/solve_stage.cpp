@@ -9,6 +9,7 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/packed_stage.hpp"
+#include "breccia/homogenisation/quality.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/study/chain.hpp"
@@ -38,6 +39,9 @@ class StageSolution {
       }
     }
     for (auto& test : extrapolate_tests(stage_, done_.tests)) add(std::move(test));
+    for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
+      done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
+    }
     if (serves_as_matrix(study_, stage_)) done_.materials = materials_from(study_, stage_, result_.stages, done_);
     done_.comparisons = compare(study_, stage_, done_.tests);
     sink_.stage_finished(stage_, result_);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/virtual_test/extrapolation.hpp"
 
 #include "named_errors.hpp"
@@ -26,9 +27,19 @@ std::vector<const TestResult*> same_on_all_grids(const TestResult& one, const st
   return same;
 }
 
-/// The limit of a value at a time [s] over several grids, with an error of first order in the cell side.
+std::string pascals(double modulus) {
+  return display(modulus, "Pa");
+}
+
+std::string per_pascal(double compliance) {
+  return fmt::format("{:.3g} 1/Pa", compliance);
+}
+
+/// The limit of a value at a time [s] over several grids, with an error of first order in the cell side. `shown` writes
+/// a value with its unit.
 template <class Value>
-Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& grids, double time, const Value& value) {
+Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& grids, double time, const Value& value,
+                   std::string (*shown)(double)) {
   std::vector<double> cell_sides, values;
   for (const auto* grid : grids) {
     cell_sides.push_back(stage.side / grid->id.grid.cells().value());
@@ -37,9 +48,9 @@ Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& gri
   const auto extrapolated = extrapolate(cell_sides, values);
   if (extrapolated.value > 0.0) return extrapolated;
   throw NumericalError(
-      fmt::format("extrapolation to vanishing cells gives {:.3g} at {:.3g} s: the grids are too "
+      fmt::format("extrapolation to vanishing cells gives {} at {}: the grids are too "
                   "coarse for a law of first order; take finer ones",
-                  extrapolated.value, time));
+                  shown(extrapolated.value), display_time(time)));
 }
 
 TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResult*>& grids) {
@@ -50,12 +61,13 @@ TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResu
   for (const auto* grid : grids) record.cells.push_back(grid->id.grid.cells().value());
   for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
     const double time = finest.modulus[i].time;
-    const auto [modulus, half_band] =
-        limit(stage, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; });
+    const auto [modulus, half_band] = limit(
+        stage, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; }, pascals);
     result.modulus.push_back({time, modulus});
     record.half_bands.push_back(half_band);
     if (finest.compliance.empty()) continue;
-    const auto creep = limit(stage, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; });
+    const auto creep = limit(
+        stage, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; }, per_pascal);
     result.compliance.push_back({time, creep.value});
   }
   result.series = fitted(result.modulus);
@@ -91,7 +103,7 @@ Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<Tes
   Curve curve;
   for (const double time : times) {
     const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };
-    curve.push_back({time, grids.size() == 1 ? modulus(test) : limit(stage, grids, time, modulus).value});
+    curve.push_back({time, grids.size() == 1 ? modulus(test) : limit(stage, grids, time, modulus, pascals).value});
   }
   return curve;
 }

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/homogenisation/quality.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
 
 #include "material_warnings.hpp"
@@ -16,19 +19,35 @@
 namespace breccia {
 namespace {
 
+/// The grids in the same proportions of which the coarsest one has this many cells per side; nothing if these are more
+/// than anyone computes with.
+std::string words_on_finer_grids(const std::vector<int>& grids, double coarsest) {
+  constexpr double affordable = 20000.0;
+  std::vector<std::string> cells;
+  for (const int grid : grids) {
+    const double needed = std::ceil(coarsest * grid / grids.front());
+    if (!(needed <= affordable)) return {};
+    cells.push_back(fmt::format("{:.0f}", needed));
+  }
+  const auto list = cells.size() > 1 ? fmt::format("[{}]", fmt::join(cells, ", ")) : cells.front();
+  return fmt::format(" (cells = {} would resolve it)", list);
+}
+
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
   constexpr double cells_per_gap = 3.0;
   constexpr double rounding = 1e-9;
   const double gap = std::min(packed.gap, packed.wall_gap);
-  const double cells = gap / stage.cell_size();
+  // The coarsest grid has a part in the extrapolation, and so do its errors.
+  const auto grids = stage.grids();
+  const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
-  const double needed = std::ceil(cells_per_gap * stage.side / gap);
-  constexpr double affordable = 20000.0;
+  const auto shown = display_beside(cells, cells_per_gap);
   return fmt::format(
-      "the smallest gap between particles or to a wall, {}, is {:.2g} {} wide; below {:g} cells "
+      "the smallest gap between particles or to a wall, {}, is {} {} wide{}; below {:g} cells "
       "the modulus at long times comes out several times too high, at 1 cell tens of times{}",
-      readable(gap, Dimension::length), cells, cells == 1.0 ? "cell" : "cells", cells_per_gap,
-      needed <= affordable ? fmt::format(" (cells = {:.0f} would resolve it)", needed) : "");
+      readable(gap, Dimension::length), shown, shown == "1" ? "cell" : "cells",
+      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "", cells_per_gap,
+      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
 }
 
 bool has_particles_across_sides(const Microstructure<2>& microstructure) {
@@ -52,6 +71,18 @@ std::optional<std::string> warning_of_cut_particles(const std::vector<Boundary>&
 std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {
   const auto* matrix = std::get_if<Material>(&stage.matrix);
   return matrix == nullptr ? std::nullopt : warning_of_unknown_times(*matrix, {tests.first_time, tests.last_time});
+}
+
+/// A warning on a measurement of which no time is among those of the tests; empty if there is one.
+std::optional<std::string> warning_of_other_times(const Measurement& measurement, const TimeWindow& tests) {
+  if (measurement.known_within(tests)) return std::nullopt;
+  const auto known = measurement.known_within({0.0, std::numeric_limits<double>::infinity()});
+  const auto reason = known
+                          ? fmt::format("it is known from {} to {}, and tests.times go from {} to {}",
+                                        readable(known->begin, Dimension::time), readable(known->end, Dimension::time),
+                                        readable(tests.begin, Dimension::time), readable(tests.end, Dimension::time))
+                          : "none of its own times is within measurements.times";
+  return fmt::format("the measurement \"{}\" is not compared: {}", measurement.label, reason);
 }
 
 }  // namespace
@@ -78,6 +109,11 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
        {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
         warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
+    if (warning) of_stage.push_back(*warning);
+  }
+  for (const auto& measurement : study.measurements) {
+    if (measurement.stage != stage.name) continue;
+    const auto warning = warning_of_other_times(measurement, {study.tests.first_time, study.tests.last_time});
     if (warning) of_stage.push_back(*warning);
   }
   std::ranges::move(warnings_on_packing(stage, microstructure), std::back_inserter(of_stage));

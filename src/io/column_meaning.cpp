@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 #include <vector>
 
 #include <fmt/ranges.h>
+
+#include "breccia/io/lower_case.hpp"
 
 #include "csv_records.hpp"
 #include "trimmed.hpp"
@@ -106,11 +107,6 @@ std::vector<std::string> words_of(std::string_view stem) {
   return words;
 }
 
-std::string in_small_letters(std::string text) {
-  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
-
 const Stem* symbol_of(const std::string& word) {
   const auto* found = std::ranges::find(symbols, word, &Stem::text);
   return found == symbols.end() ? nullptr : found;
@@ -148,7 +144,7 @@ std::optional<Stem> stem_of(std::string_view text) {
   const auto* symbol = symbol_of(words.back());
   if (symbol != nullptr && words.size() == 1) return *symbol;
   if (symbol != nullptr) words.pop_back();  // as in "Storage modulus G'"
-  for (auto& word : words) word = in_small_letters(std::move(word));
+  for (auto& word : words) word = lower_case(std::move(word));
   const auto* known = std::ranges::find(stems, fmt::format("{}", fmt::join(words, " ")), &Stem::text);
   auto stem = known != stems.end() ? std::optional(*known) : modulus_in_words(words);
   if (symbol == nullptr || !stem) return stem;

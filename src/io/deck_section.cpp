@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <system_error>
 #include <type_traits>
 
@@ -117,6 +118,13 @@ Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::s
   return wrong<std::size_t>(expected_but_got(expected, value) + hint);
 }
 
+/// The value that was read, or nothing after a mistake was reported.
+template <class T>
+std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
+  if (!answer.value) section.report(key, answer.mistake);
+  return std::move(answer.value);
+}
+
 }  // namespace
 
 Section::Section(detail::DeckState& state, const DeckTable* table, std::string path)
@@ -203,17 +211,6 @@ void Section::refuse(const std::vector<std::string>& keys, const std::string& re
     if (table_ != nullptr && detail::find(*table_, key) != nullptr) report(key, reason);
   }
 }
-
-namespace {
-
-/// The value that was read, or nothing after a mistake was reported.
-template <class T>
-std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
-  if (!answer.value) section.report(key, answer.mistake);
-  return std::move(answer.value);
-}
-
-}  // namespace
 
 double Section::quantity(const std::string& key, Dimension dimension, const Range& range) const {
   if (require(key, wanted(dimension)) == nullptr) return not_a_number;

@@ -44,10 +44,6 @@ DeckTable convert(const toml::table& table) {
   return converted;
 }
 
-}  // namespace
-
-namespace {
-
 /// The first typographic quote in a line that is outside of TOML strings; empty if there is none.
 std::string_view first_typographic_quote(std::string_view text, std::uint32_t line) {
   for (; line > 1 && !text.empty(); --line) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
@@ -80,10 +76,6 @@ void refuse_endless_keys(const std::filesystem::path& path, const std::string& t
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// The message of the parser about a mistake. Typographic quotes get a message of their own, since that of the parser
 /// does not mention them.

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 namespace breccia {
-
 namespace {
 
 struct Prefix {
@@ -31,6 +30,13 @@ double rounded(double value, int digits) {
   return std::strtod(fmt::format("{:.{}e}", value, digits - 1).c_str(), nullptr);
 }
 
+/// The place value of the second significant digit of a positive number.
+double unit_of_second_digit(double value) {
+  return std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+}
+
+constexpr double rounding_error = 1e-12;
+
 }  // namespace
 
 PrefixedNumber with_prefix(double value, int digits) {
@@ -52,6 +58,11 @@ std::string display(double value, std::string_view unit, int digits) {
   return fmt::format("{:.15g} {}{}", shown, prefix, unit);
 }
 
+std::string three_digits(double value) {
+  constexpr int digits = 3;
+  return fmt::format("{:g}", rounded(value, digits));
+}
+
 std::string display_time(double seconds, int digits) {
   constexpr double thousand = 1e3, million = 1e6;
   const double shown = std::isfinite(seconds) ? rounded(seconds, digits) : seconds;
@@ -71,6 +82,23 @@ std::string display_duration(double seconds, int digits) {
     if (seconds >= 2.0 * size) return fmt::format("{:.15g} {}", rounded(seconds / size, digits), name);
   }
   return display(seconds, "s", digits);
+}
+
+std::string display_beside(double value, double other, int digits) {
+  constexpr int most_digits = 15;
+  const auto shown = [](double number, int count) { return fmt::format("{:.{}g}", number, count); };
+  while (digits < most_digits && shown(value, digits) == shown(other, digits)) ++digits;
+  return shown(value, digits);
+}
+
+double rounded_down_to_two_digits(double value) {
+  const double unit = unit_of_second_digit(value);
+  return std::floor(value / unit * (1.0 + rounding_error)) * unit;
+}
+
+double rounded_up_to_two_digits(double value) {
+  const double unit = unit_of_second_digit(value);
+  return std::ceil(value / unit * (1.0 - rounding_error)) * unit;
 }
 
 std::string display_count(std::size_t count, std::string_view noun) {

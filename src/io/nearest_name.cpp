@@ -1,22 +1,17 @@
 #include "breccia/io/nearest_name.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/io/lower_case.hpp"
+
 namespace breccia {
 
 namespace {
-
-std::string lower_case(std::string_view text) {
-  std::string lower(text);
-  for (auto& letter : lower) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return lower;
-}
 
 /// Damerau-Levenshtein distance in its restricted form (optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -44,7 +39,7 @@ std::optional<std::string> nearest_name(std::string_view mistyped, std::span<con
   std::optional<std::string> nearest;
   std::size_t smallest = 0;
   for (const auto& candidate : known) {
-    const auto distance = edit_distance(lower_case(mistyped), lower_case(candidate));
+    const auto distance = edit_distance(lower_case(std::string(mistyped)), lower_case(candidate));
     const auto tolerated = std::max<std::size_t>(1, std::max(candidate.size(), mistyped.size()) / 3);
     if (distance > tolerated || (nearest && distance >= smallest)) continue;
     nearest = candidate;

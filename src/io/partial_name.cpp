@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/io/safe_name.hpp"
+
 namespace breccia {
 namespace {
 
@@ -13,13 +15,16 @@ std::string partial_name(std::string_view name, int process) {
   return fmt::format("{}.{}{}", name, process, ending);
 }
 
-bool is_partial_name(std::string_view name) {
-  if (!name.ends_with(ending)) return false;
+std::string_view whole_name(std::string_view name) {
+  if (!name.ends_with(ending)) return {};
   name.remove_suffix(ending.size());
   const auto point = name.rfind('.');
-  if (point == std::string_view::npos || point == 0 || name[point - 1] == '/') return false;
-  const auto process = name.substr(point + 1);
-  return !process.empty() && process.find_first_not_of("0123456789") == std::string_view::npos;
+  if (point == std::string_view::npos || point == 0 || name[point - 1] == '/') return {};
+  return is_count(name.substr(point + 1)) ? name.substr(0, point) : std::string_view();
+}
+
+bool is_partial_name(std::string_view name) {
+  return !whole_name(name).empty();
 }
 
 }  // namespace breccia

@@ -13,6 +13,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/empty_directory.hpp"
+#include "breccia/io/file_status.hpp"
 #include "breccia/io/partial_name.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -53,15 +54,29 @@ void move_file(const fs::path& from, const fs::path& to) {
   if (error) throw FileError(fmt::format("{}: cannot move it to {}: {}", from.string(), to.string(), error.message()));
 }
 
-/// All files and symbolic links below a directory, relative to it, without the lists and half-written files. Links are
-/// not followed, since their targets may be anywhere.
+/// Calls visit(path, whether it is a directory) for all that is below a directory. Links are not followed, since their
+/// targets may be anywhere.
+template <class Visit>
+void visit_below(const fs::path& directory, const Visit& visit) {
+  std::error_code error;
+  fs::recursive_directory_iterator entry(directory, error);
+  while (!error && entry != fs::recursive_directory_iterator()) {
+    const auto status = fs::symlink_status(entry->path(), error);
+    if (error) break;
+    visit(entry->path(), fs::is_directory(status));
+    entry.increment(error);
+  }
+  if (error) throw FileError(fmt::format("{}: cannot be listed: {}", directory.string(), error.message()));
+}
+
+/// All files and symbolic links below a directory, relative to it, without the lists and half-written files.
 std::vector<std::string> files_below(const fs::path& directory) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    if (fs::is_directory(entry.symlink_status())) continue;
-    auto name = entry.path().lexically_relative(directory).string();
-    if (name != removing_list && name != moving_list && !is_partial_name(name)) names.push_back(std::move(name));
-  }
+  visit_below(directory, [&](const fs::path& path, bool is_directory) {
+    auto name = path.lexically_relative(directory).string();
+    if (is_directory || is_replacement_list(name) || is_partial_name(name)) return;
+    names.push_back(std::move(name));
+  });
   std::ranges::sort(names);
   return names;
 }
@@ -69,9 +84,9 @@ std::vector<std::string> files_below(const fs::path& directory) {
 /// All directories below a directory, each after its subdirectories.
 std::vector<fs::path> directories_below(const fs::path& directory) {
   std::set<fs::path, std::greater<>> found;
-  for (const auto& entry : fs::recursive_directory_iterator(directory)) {
-    if (fs::is_directory(entry.symlink_status())) found.insert(entry.path());
-  }
+  visit_below(directory, [&](const fs::path& path, bool is_directory) {
+    if (is_directory) found.insert(path);
+  });
   return {found.begin(), found.end()};
 }
 
@@ -99,7 +114,7 @@ void remove_old(const fs::path& directory) {
 void move_new(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
   const auto record = names_in(unfinished / moving_list).front();
-  remove_partial_files(unfinished);
+  remove_partial_files(unfinished, is_replacement_list);
   auto names = files_below(unfinished);
   std::ranges::stable_partition(names, [&](const std::string& name) { return name != record; });
   for (const auto& name : names) {
@@ -116,13 +131,16 @@ void move_new(const fs::path& directory) {
 
 void replace_results(const fs::path& directory, std::span<const std::string> old_files, const std::string& record) {
   const auto unfinished = directory / unfinished_directory;
-  if (!fs::is_regular_file(unfinished / record)) {
+  if (!fs::is_regular_file(status_of(unfinished / record))) {
     throw FileError(fmt::format("{}: has disappeared, so nothing is replaced", (unfinished / record).string()));
   }
   std::vector<std::string> foreign;
   for (const auto& name : files_below(unfinished)) {
-    const bool is_ours = std::ranges::find(old_files, name) != old_files.end() && !fs::is_directory(directory / name);
-    if (!is_ours && fs::exists(fs::symlink_status(directory / name))) foreign.push_back((directory / name).string());
+    const bool is_ours =
+        std::ranges::find(old_files, name) != old_files.end() && !fs::is_directory(status_of(directory / name));
+    std::error_code ignored;
+    if (!is_ours && fs::exists(fs::symlink_status(directory / name, ignored)))
+      foreign.push_back((directory / name).string());
   }
   if (!foreign.empty()) {
     throw FileError(fmt::format("{}: not written by Breccia, so it is not replaced", fmt::join(foreign, ", ")));
@@ -135,20 +153,35 @@ void replace_results(const fs::path& directory, std::span<const std::string> old
   finish_replacement(directory);
 }
 
+std::optional<fs::path> results_with_unfinished(const fs::path& directory) {
+  auto within = fs::absolute(directory).lexically_normal();
+  for (; within.has_relative_path(); within = within.parent_path()) {
+    if (within.filename() != unfinished_directory) continue;
+    auto results = within.parent_path();
+    if (!fs::exists(status_of(results / "study.json")) && !fs::exists(status_of(results / "sweep.json"))) continue;
+    return directory.is_absolute() ? results : results.lexically_proximate(fs::current_path());
+  }
+  return std::nullopt;
+}
+
+bool is_replacement_list(std::string_view name) {
+  return name == removing_list || name == moving_list;
+}
+
 bool is_being_replaced(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  return fs::exists(unfinished / removing_list) || fs::exists(unfinished / moving_list);
+  return fs::exists(status_of(unfinished / removing_list)) || fs::exists(status_of(unfinished / moving_list));
 }
 
 std::vector<std::string> unfinished_files(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  return fs::is_directory(unfinished) ? files_below(unfinished) : std::vector<std::string>();
+  return fs::is_directory(status_of(unfinished)) ? files_below(unfinished) : std::vector<std::string>();
 }
 
 void finish_replacement(const fs::path& directory) {
   const auto unfinished = directory / unfinished_directory;
-  if (fs::is_regular_file(unfinished / removing_list)) remove_old(directory);
-  if (fs::is_regular_file(unfinished / moving_list)) move_new(directory);
+  if (fs::is_regular_file(status_of(unfinished / removing_list))) remove_old(directory);
+  if (fs::is_regular_file(status_of(unfinished / moving_list))) move_new(directory);
 }
 
 }  // namespace breccia

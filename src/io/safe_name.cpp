@@ -25,4 +25,8 @@ bool stays_in_directory(std::string_view name) {
   return !name.empty() && name != "." && name != ".." && name.find_first_of(separators) == std::string_view::npos;
 }
 
+bool is_count(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 }  // namespace breccia

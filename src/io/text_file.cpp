@@ -1,7 +1,6 @@
 #include "breccia/io/text_file.hpp"
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -14,19 +13,15 @@
 #include <xxhash.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/file_status.hpp"
 #include "breccia/io/partial_name.hpp"
 
 namespace breccia {
-
 namespace {
 
 std::string last_system_error() {
   return std::generic_category().message(errno);
 }
-
-}  // namespace
-
-namespace {
 
 /// Flushes a file or directory to the disk, so that after a power cut no name exists without its content.
 void wait_for_disk(const std::filesystem::path& path) {
@@ -61,7 +56,7 @@ void AtomicFile::commit() {
 }
 
 std::string read_text(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) {
+  if (std::filesystem::is_directory(status_of(path))) {
     throw FileError(fmt::format("{}: cannot read: it is a directory", path.string()));
   }
   std::ifstream file(path, std::ios::binary);
@@ -120,12 +115,16 @@ void remove_files(const std::filesystem::path& directory, std::span<const std::s
   }
 }
 
-void remove_partial_files(const std::filesystem::path& directory) {
+void remove_partial_files(const std::filesystem::path& directory,
+                          const std::function<bool(std::string_view)>& is_known) {
   std::error_code is_missing;
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, is_missing)) {
-    auto name = entry.path().filename().string();
-    if (is_partial_name(name) && entry.is_regular_file()) names.push_back(std::move(name));
+  std::filesystem::directory_iterator entry(directory, is_missing);
+  for (; !is_missing && entry != std::filesystem::directory_iterator(); entry.increment(is_missing)) {
+    auto name = entry->path().filename().string();
+    const auto whole = whole_name(name);
+    if (whole.empty() || !is_known(whole)) continue;
+    if (std::filesystem::is_regular_file(status_of(entry->path()))) names.push_back(std::move(name));
   }
   remove_files(directory, names);
 }

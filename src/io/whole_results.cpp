@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/empty_directory.hpp"
+#include "breccia/io/file_status.hpp"
 #include "breccia/io/replacement.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -17,23 +18,32 @@ namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-using Remedy = ForeignResults::Remedy;
+using Remedy = Objection::Remedy;
 using Json = nlohmann::ordered_json;
+
+ForeignResults refusal(const std::string& problem, Remedy remedy) {
+  return ForeignResults(std::vector{Objection{problem, remedy}});
+}
 
 bool is_of_breccia(const Json& record) {
   return record.is_object() && record.value("program", Json()) == "breccia";
 }
 
+/// The directory itself. Throws ForeignResults if it is in the unfinished results of a run, which could not be resumed
+/// with other files in them.
+const fs::path& outside_of_unfinished(const fs::path& directory) {
+  const auto results = results_with_unfinished(directory);
+  if (!results) return directory;
+  throw refusal(fmt::format("{}: the results in {} are not finished, and other files there would prevent their "
+                            "run from being resumed",
+                            directory.string(), (*results / unfinished_directory).string()),
+                Remedy::another_directory);
+}
+
 }  // namespace
 
-ForeignResults::ForeignResults(const std::string& problem, Remedy remedy)
-    : InputError(problem + (remedy == Remedy::overwriting ? "; replace it or take another directory"
-                                                          : "; take another directory")),
-      problem_(problem),
-      remedy_(remedy) {}
-
 WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
-    : lock_(directory),
+    : lock_(outside_of_unfinished(directory)),
       directory_(std::move(directory)),
       origin_(std::move(origin)),
       place_(directory_ / unfinished_directory) {
@@ -42,16 +52,32 @@ WholeResults::WholeResults(fs::path directory, ResultsOrigin origin)
   refuse_directories();
   refuse_foreign_unfinished();
   make_directory(place_);
-  remove_partial_files(place_);
-  // The record is written first: it identifies the files that a killed command leaves.
-  write_record();
-  remove_files(place_, origin_.files);
+  try {
+    remove_partial_files(place_, [this](std::string_view name) {
+      return name == record_name() || is_replacement_list(name) ||
+             std::ranges::find(origin_.files, name) != origin_.files.end();
+    });
+    // The record is written first: it identifies the files that a killed command leaves.
+    write_record();
+    remove_files(place_, origin_.files);
+  } catch (const Error&) {
+    remove_place();
+    throw;
+  }
 }
 
 WholeResults::~WholeResults() {
+  try {
+    // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
+    if (is_being_replaced(directory_)) return;
+  } catch (const Error&) {
+    return;  // nothing is removed where that is unknown
+  }
+  remove_place();
+}
+
+void WholeResults::remove_place() const noexcept {
   std::error_code ignored;
-  // Once old files are being removed, the new ones must be kept: the next command completes the replacement.
-  if (fs::exists(place_, ignored) && is_being_replaced(directory_)) return;
   for (const auto& name : origin_.files) fs::remove(place_ / name, ignored);
   fs::remove(place_ / record_name(), ignored);
   remove_if_empty(place_);
@@ -59,42 +85,42 @@ WholeResults::~WholeResults() {
 
 void WholeResults::refuse_others() const {
   for (const auto* record : {"study.json", "sweep.json"}) {
-    if (!fs::exists(directory_ / record)) continue;
-    throw ForeignResults(
+    if (!fs::exists(status_of(directory_ / record))) continue;
+    throw refusal(
         fmt::format("{}: here are the results of a {}", directory_.string(), fs::path(record).stem().string()),
         Remedy::another_directory);
   }
   const auto record = directory_ / record_name();
-  if (fs::is_regular_file(record)) {
+  if (fs::is_regular_file(status_of(record))) {
     const auto json = Json::parse(read_text(record), nullptr, false);
     const bool is_ours = is_of_breccia(json);
     if (is_ours && (origin_.overwrite || json.value("identity", Json()) == origin_.identity)) return;
     if (is_ours) {
       const auto before = json.value("source", Json());
-      throw ForeignResults(
+      throw refusal(
           fmt::format("{}: here is what `breccia {}` made of {}{}", directory_.string(), origin_.command, before.dump(),
                       before == origin_.source ? ", whose content was another then"
                                                : fmt::format(", not of {}", Json(origin_.source).dump())),
-          Remedy::overwriting);
+          Remedy::replacing_it);
     }
   }
   std::vector<std::string> foreign;
   for (const auto& name : origin_.files) {
-    if (fs::exists(directory_ / name)) foreign.push_back(name);
+    if (fs::exists(status_of(directory_ / name))) foreign.push_back(name);
   }
-  if (fs::exists(record)) foreign.push_back(record_name());
+  if (fs::exists(status_of(record))) foreign.push_back(record_name());
   if (foreign.empty()) return;
-  throw ForeignResults(fmt::format("{}: the results would replace {}, which `breccia {}` did not write",
-                                   directory_.string(), fmt::join(foreign, ", "), origin_.command),
-                       Remedy::another_directory);
+  throw refusal(fmt::format("{}: the results would replace {}, which `breccia {}` did not write", directory_.string(),
+                            fmt::join(foreign, ", "), origin_.command),
+                Remedy::another_directory);
 }
 
 void WholeResults::refuse_directories() const {
   auto names = origin_.files;
   names.push_back(record_name());
-  std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(directory_ / name); });
+  std::erase_if(names, [&](const std::string& name) { return !fs::is_directory(status_of(directory_ / name)); });
   if (names.empty()) return;
-  throw ForeignResults(
+  throw refusal(
       fmt::format("{}: directories are where the results are to be, {}", directory_.string(), fmt::join(names, ", ")),
       Remedy::another_directory);
 }

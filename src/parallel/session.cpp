@@ -23,6 +23,7 @@ namespace {
 struct Division {
   int group = 0;
   int groups = 1;
+  MPI_Comm communicator = MPI_COMM_NULL;  ///< of this group; null while the processes are not divided
 };
 
 Division& division() noexcept {
@@ -104,11 +105,15 @@ void start() {
 
 void divide(int processes_each) {
   start();
+  if (!started().petsc) {
+    throw InputError("the host program has started PETSc, so its processes cannot be divided into groups");
+  }
+  if (division().communicator != MPI_COMM_NULL) throw InputError("the processes are divided into groups already");
   const int processes = ranks();
-  const char* started = std::getenv("SLURM_NTASKS");
-  if (processes == 1 && started != nullptr && std::atoi(started) > 1 && std::getenv("SLURM_PROCID") != nullptr) {
+  const char* tasks = std::getenv("SLURM_NTASKS");
+  if (processes == 1 && tasks != nullptr && std::atoi(tasks) > 1 && std::getenv("SLURM_PROCID") != nullptr) {
     throw InputError(fmt::format(
-        "{} processes were started without a connection by MPI; start them by mpirun, or by srun --mpi=pmix", started));
+        "{} processes were started without a connection by MPI; start them by mpirun, or by srun --mpi=pmix", tasks));
   }
   if (processes_each < 1 || processes % processes_each != 0) {
     throw InputError(fmt::format("{} processes cannot be divided into groups of {}", processes, processes_each));
@@ -118,7 +123,8 @@ void divide(int processes_each) {
   division() = {number / processes_each, processes / processes_each};
   // PETSc takes its communicator when it starts, so it must be restarted.
   check(PetscFinalize(), "dividing the processes");
-  MPI_Comm_split(MPI_COMM_WORLD, division().group, number, &PETSC_COMM_WORLD);
+  MPI_Comm_split(MPI_COMM_WORLD, division().group, number, &division().communicator);
+  PETSC_COMM_WORLD = division().communicator;
   start_petsc();
 }
 
@@ -132,19 +138,38 @@ bool is_under_mpirun() noexcept {
 
 void set_petsc_options(const std::string& options) {
   start();
+  const auto begin = options.find_first_not_of(" \t");
+  if (begin == std::string::npos || options[begin] != '-') {
+    throw InputError(fmt::format(R"(PETSc options: expected "-name value -name value ...", got "{}")", options));
+  }
   if (PetscOptionsInsertString(nullptr, options.c_str()) != 0) {
     throw InputError(
         fmt::format(R"(PETSc options: cannot read "{}"; expected "-name value -name value ...")", options));
   }
 }
 
+std::vector<std::string> unused_petsc_options() {
+  PetscInt count = 0;
+  char** names = nullptr;
+  char** values = nullptr;
+  check(PetscOptionsLeftGet(nullptr, &count, &names, &values), "looking for unused options of PETSc");
+  std::vector<std::string> unused;
+  for (PetscInt i = 0; i < count; ++i) unused.push_back(fmt::format("-{}", names[i]));
+  check(PetscOptionsLeftRestore(nullptr, &count, &names, &values), "looking for unused options of PETSc");
+  return unused;
+}
+
 void stop() noexcept {
   if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
+  if (division().communicator != MPI_COMM_NULL) MPI_Comm_free(&division().communicator);
+  division() = {};
   if (std::exchange(started().mpi, false)) MPI_Finalize();
 }
 
 void abort(int exit_code) noexcept {
-  MPI_Abort(MPI_COMM_WORLD, exit_code);
+  int is_initialised = 0;
+  MPI_Initialized(&is_initialised);
+  if (is_initialised != 0) MPI_Abort(MPI_COMM_WORLD, exit_code);
   std::_Exit(exit_code);
 }
 
@@ -173,6 +198,13 @@ int groups() noexcept {
 }
 
 bool is_alone() noexcept {
+  if (!is_running() && is_under_mpirun()) {
+    try {
+      start();
+    } catch (const Error&) {
+      return false;
+    }
+  }
   return ranks() * groups() == 1;
 }
 

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
 
 #include "colour_map.hpp"
+#include "markup.hpp"
 
 namespace breccia {
 namespace {
@@ -83,10 +85,6 @@ class Colours {
 };
 
 /// A number with three digits and without an exponent: "3970", not "3.97e+03".
-std::string three_digits(double value) {
-  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
-}
-
 std::string base64(const std::string& bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
@@ -118,20 +116,6 @@ std::string encoded_bar() {
   std::vector<std::uint8_t> pixels(256);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(255 - i);
   return base64(encode_png(1, pixels, perceptual_colours()));
-}
-
-std::string as_xml(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '&') {
-      escaped += "&amp;";
-    } else if (c == '<') {
-      escaped += "&lt;";
-    } else {
-      escaped += c;
-    }
-  }
-  return escaped;
 }
 
 void require_square(const FieldPicture& picture) {
@@ -168,7 +152,7 @@ std::string field_picture(const FieldPicture& picture) {
 <image x="1030" width="40" height="1000" preserveAspectRatio="none" href="data:image/png;base64,{2}"/>
 <rect x="1030" width="40" height="1000" fill="none" stroke="#222" stroke-width="2"/>
 )svg",
-      as_xml(picture.title), encoded_map(raster, colours), encoded_bar());
+      as_markup(picture.title), encoded_map(raster, colours), encoded_bar());
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     const double y = 1000.0 * (1.0 - share);
     fmt::format_to(out, R"svg(<path d="M1070 {0}h10" stroke="#222" stroke-width="2"/>
@@ -179,7 +163,7 @@ std::string field_picture(const FieldPicture& picture) {
   fmt::format_to(out, R"svg(<text y="1046" font-size="30" fill="#222">{}; it goes from {} to {}</text>
 </svg>
 )svg",
-                 as_xml(picture.quantity), written(lowest), written(highest));
+                 as_markup(picture.quantity), written(lowest), written(highest));
   return svg;
 }
 

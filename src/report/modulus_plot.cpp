@@ -20,6 +20,10 @@ namespace breccia {
 
 namespace {
 
+/// Dashes of lines, and of those for lower bounds, in each round of the colours.
+constexpr std::array<std::string_view, 4> line_dashes{"solid", "(9,3,2,3)", "(9,3,2,3,2,3)", "(20,3)"};
+constexpr std::array<std::string_view, 4> lower_dashes{"(12,7)", "(5,7)", "(12,7,3,7)", "(12,7,3,7,3,7)"};
+
 /// Colours that remain distinct to the colour-blind (Okabe and Ito, 2008), without the yellow, which is lost on white.
 constexpr std::array<std::string_view, 7> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                                   "#e69f00", "#56b4e9", "#000000"};
@@ -106,17 +110,18 @@ std::string bands(const std::vector<PlotWindow>& windows, const LogAxis& time) {
 
 std::string drawing(const PlotCurve& curve, std::size_t position) {
   const std::size_t colour = curve.colour.value_or(position);
-  const bool second_round = colour >= palette.size();
+  // Each round of the colours has its own dashes.
+  const auto round = colour / palette.size();
   const auto with_line = [&](std::string_view what, std::string_view dashes) {
     return fmt::format("with {} linewidth 2 dashtype {} pointtype 6 pointsize 0.7 linecolor rgb '{}'", what, dashes,
                        palette[colour % palette.size()]);
   };
-  const std::string_view plain = second_round ? "(9,3,2,3)" : "solid";
+  const auto plain = line_dashes[round % line_dashes.size()];
   switch (curve.style) {
     case PlotStyle::line:
       return with_line("lines", plain);
     case PlotStyle::dashed:
-      return with_line("lines", "(12,7)");
+      return with_line("lines", lower_dashes[round % lower_dashes.size()]);
     case PlotStyle::dotted:
       return with_line("lines", "(3,4)");
     case PlotStyle::points:

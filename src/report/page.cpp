@@ -6,6 +6,7 @@
 
 #include "breccia/error.hpp"
 
+#include "markup.hpp"
 #include "page_templates.hpp"
 
 namespace breccia {
@@ -28,10 +29,6 @@ std::string as_script(std::string_view json) {
   return replaced(json, '<', "\\u003c");
 }
 
-std::string as_html(std::string_view text) {
-  return replaced(replaced(text, '&', "&amp;"), '<', "&lt;");
-}
-
 /// The parts of a text before and after a marker.
 std::pair<std::string_view, std::string_view> split_at(std::string_view text, std::string_view marker) {
   const auto at = text.find(marker);
@@ -42,7 +39,7 @@ std::pair<std::string_view, std::string_view> split_at(std::string_view text, st
 std::string filled(std::string_view page, std::string_view title, std::string_view data) {
   const auto [before_title, after_title] = split_at(page, "<!--TITLE-->");
   const auto [before_data, after_data] = split_at(after_title, "<!--DATA-->");
-  return fmt::format("{}{}{}{}{}", before_title, as_html(title), before_data, as_script(data), after_data);
+  return fmt::format("{}{}{}{}{}", before_title, as_markup(title), before_data, as_script(data), after_data);
 }
 
 }  // namespace

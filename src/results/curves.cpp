@@ -11,21 +11,10 @@
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/csv.hpp"
 
+#include "test_columns.hpp"
+
 namespace breccia {
 namespace {
-
-/// The columns that identify tests.
-struct TestColumns {
-  std::vector<std::string> stages, loads, boundaries, methods, cells;
-
-  void add(const StageResult& stage, const TestResult& test) {
-    stages.push_back(stage.name);
-    loads.push_back(name_of(test.id.load));
-    boundaries.push_back(name_of(test.id.boundary));
-    methods.push_back(name_of(test.id.method));
-    cells.push_back(name_of(test.id.grid));
-  }
-};
 
 /// Writes a table of the samples of all tests, one row per time; no file if there are no rows.
 template <class Samples, class Value>
@@ -36,20 +25,17 @@ void write_samples(const std::filesystem::path& file, const StudyResult& result,
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
       for (const auto& sample : samples_of(test)) {
-        tests.add(stage, test);
+        tests.add(stage.name, test.id);
         times.push_back(sample.time);
         values.push_back(value_of(sample));
       }
     }
   }
   if (times.empty()) return;
-  write_csv(file, {{"stage", tests.stages},
-                   {"load", tests.loads},
-                   {"boundary", tests.boundaries},
-                   {"method", tests.methods},
-                   {"cells", tests.cells},
-                   {"time_s", times},
-                   {column, values}});
+  std::vector<CsvColumn> table;
+  tests.append_to(table);
+  table.insert(table.end(), {{"time_s", times}, {column, values}});
+  write_csv(file, table);
 }
 
 void write_extrapolations(const std::filesystem::path& file, const StudyResult& result) {
@@ -60,7 +46,7 @@ void write_extrapolations(const std::filesystem::path& file, const StudyResult& 
       const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
       if (record == nullptr) continue;
       for (std::size_t i = 0; i < test.modulus.size(); ++i) {
-        tests.add(stage, test);
+        tests.add(stage.name, test.id);
         times.push_back(test.modulus[i].time);
         moduli.push_back(test.modulus[i].modulus);
         half_bands.push_back(record->half_bands[i]);
@@ -88,7 +74,7 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
       });
       if (!is_best) continue;
       const auto add = [&](double time, double modulus) {
-        tests.add(stage, test);
+        tests.add(stage.name, test.id);
         times.push_back(time);
         moduli.push_back(modulus);
       };

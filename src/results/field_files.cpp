@@ -1,5 +1,7 @@
 #include "breccia/results/field_files.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -80,6 +82,13 @@ FieldPicture strain_map(const PointFields<2>& fields, Load load) {
   return map;
 }
 
+/// Whether a name is this stem, alone or with a dash and a number.
+bool is_numbered(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem)) return false;
+  name.remove_prefix(stem.size());
+  return name.empty() || (name.front() == '-' && is_count(name.substr(1)));
+}
+
 }  // namespace
 
 std::vector<FieldRecord> field_records(const Study& study, const TestId& test, const std::vector<double>& times) {
@@ -127,8 +136,17 @@ void copy_fields(const fs::path& from, const fs::path& to, const StageRecord& st
 }
 
 bool is_of_fields(std::string_view name) {
-  return stays_in_directory(name) && name.starts_with("fields") &&
-         (name.ends_with(".vtkhdf") || name.ends_with("-stress.svg") || name.ends_with("-strain.svg"));
+  constexpr std::array<std::string_view, 3> endings = {".vtkhdf", "-stress.svg", "-strain.svg"};
+  const auto* const ending = std::ranges::find_if(endings, [&](auto one) { return name.ends_with(one); });
+  if (ending == endings.end()) return false;
+  name.remove_suffix(ending->size());
+  if (is_numbered(name, "fields")) return true;
+  for (const auto& [boundary, is_boundary] : words<Boundary>) {
+    for (const auto& [method, is_method] : words<Method>) {
+      if (is_numbered(name, fmt::format("fields-{}-{}", boundary, method))) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace breccia

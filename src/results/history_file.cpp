@@ -9,6 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
+#include "breccia/io/safe_name.hpp"
 #include "breccia/study/identity.hpp"
 
 namespace breccia {
@@ -31,7 +32,19 @@ std::string history_file(std::string_view load, std::string_view boundary, int c
 }
 
 bool is_history(std::string_view name) {
-  return name.find("-dynamic-") != std::string_view::npos && name.ends_with(".h5");
+  constexpr std::string_view method = "-dynamic-", ending = ".h5";
+  const auto middle = name.find(method);
+  if (middle == std::string_view::npos || !name.ends_with(ending)) return false;
+  const auto test = name.substr(0, middle);
+  auto numbers = name.substr(middle + method.size());
+  numbers.remove_suffix(std::min(ending.size(), numbers.size()));
+  const auto dash = numbers.find('-');
+  if (dash == std::string_view::npos || !is_count(numbers.substr(0, dash)) || !is_count(numbers.substr(dash + 1))) {
+    return false;
+  }
+  const auto before_boundary = test.rfind('-');
+  return before_boundary != std::string_view::npos && value_named<Load>(test.substr(0, before_boundary)) &&
+         value_named<Boundary>(test.substr(before_boundary + 1));
 }
 
 void write_history(const std::filesystem::path& directory, const Study& study, const Stage& stage, const TestId& test,

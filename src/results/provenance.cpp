@@ -166,10 +166,16 @@ Json json_of(const StageQuality& quality) {
                       {"first", json_of(load.times.front())},
                       {"last", json_of(load.times.back())}});
   }
+  Json gaps;
+  for (const int grid : std::isfinite(quality.gap_cells) ? quality.grids : std::vector<int>()) {
+    gaps.push_back(quality.gap_cells_on(grid));
+  }
   return {{"summary", summary_of(quality)},
           {"fraction_asked", json_of(quality.fraction_asked)},
           {"narrowest_gap_cells", finite_or_null(quality.gap_cells)},
+          {"narrowest_gap_cells_by_grid", std::move(gaps)},
           {"grids", quality.grids.size()},
+          {"grid_error", json_of(quality.grid_share)},
           {"seeds", quality.is_random ? Json(1) : Json()},
           {"bounds", std::move(bounds)}};
 }
@@ -230,6 +236,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
   return json;
 }
 
+Json json_of(const std::vector<FileHash>& files) {
+  Json hashes = Json::object();
+  for (const auto& [name, hash] : files) hashes[name] = hash;
+  return hashes;
+}
+
 /// The present time in UTC as ISO 8601: "2026-01-31T12:00:00Z".
 std::string date_of_now() {
   const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
@@ -263,6 +275,8 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
                      {"deck", provenance.deck.string()},
                      {"overrides", provenance.overrides},
                      {"hash", provenance.hash},
+                     {"deck_content_hash", provenance.deck_content_hash},
+                     {"file_hashes", json_of(provenance.file_hashes)},
                      {"complete", result.seconds.has_value()},
                      {"date", result.seconds ? Json(date_of_now()) : Json()},
                      {"wall_time_s", result.seconds ? Json(*result.seconds) : Json()},

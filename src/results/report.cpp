@@ -1,20 +1,29 @@
 #include "breccia/results/report.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/io/replacement.hpp"
+#include "breccia/results/study_record.hpp"
 #include "breccia/results/study_report.hpp"
 #include "breccia/results/sweep_report.hpp"
 
 namespace breccia {
 
 void write_report(const std::filesystem::path& directory) {
-  const bool is_sweep = std::filesystem::is_regular_file(directory / "sweep.json");
-  if (!is_sweep && !std::filesystem::is_regular_file(directory / "study.json")) {
+  const bool has_study = std::filesystem::is_regular_file(directory / "study.json");
+  const auto sweep = directory / "sweep.json";
+  // Beside the results of a study it may be a file of their user.
+  const bool is_sweep = has_study ? is_record_of_breccia(sweep) : std::filesystem::is_regular_file(sweep);
+  if (!is_sweep && !has_study) {
     throw InputError(fmt::format("{}: no study.json or sweep.json, which `breccia run` leaves with its results",
                                  directory.string()));
   }
+  std::optional<DirectoryLock> lock_of_run;
+  if (const auto results = results_with_unfinished(directory)) lock_of_run.emplace(*results);
   const DirectoryLock lock(directory);
   if (is_sweep) {
     write_sweep_report(directory);

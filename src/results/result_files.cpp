@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 #include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/io/replacement.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/results/field_files.hpp"
 #include "breccia/results/history_file.hpp"
 #include "breccia/study/result_names.hpp"
@@ -17,6 +18,10 @@ namespace fs = std::filesystem;
 constexpr std::array stage_files = {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg",
                                     "response.h5"};
 
+bool is_among(const std::vector<std::string>& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
 }  // namespace
 
 bool is_file_of_a_stage(std::string_view name) {
@@ -24,14 +29,22 @@ bool is_file_of_a_stage(std::string_view name) {
          is_checkpoint_file(name);
 }
 
-std::vector<std::string> result_files_in(const fs::path& directory, const std::vector<std::string>& stages) {
-  auto known = files_of_a_study();
-  std::ranges::copy(files_of_a_sweep(), std::back_inserter(known));
-  std::vector<std::string> names;
-  for (const auto& name : known) {
-    const bool is_listed = std::ranges::find(names, name) != names.end();
-    if (!is_listed && fs::exists(directory / name)) names.push_back(name);
-  }
+void remove_partial_study_files(const fs::path& directory) {
+  remove_partial_files(
+      directory, [](std::string_view name) { return is_among(files_of_a_study(), name) || is_replacement_list(name); });
+}
+
+void remove_partial_stage_files(const fs::path& directory) {
+  remove_partial_files(directory, is_file_of_a_stage);
+}
+
+void remove_partial_sweep_files(const fs::path& directory) {
+  remove_partial_files(directory, [](std::string_view name) { return is_among(files_of_a_sweep(), name); });
+}
+
+std::vector<std::string> study_files_in(const fs::path& directory, const std::vector<std::string>& stages) {
+  auto names = files_of_a_study();
+  std::erase_if(names, [&](const std::string& name) { return !fs::exists(directory / name); });
   for (const auto& stage : stages) {
     std::error_code is_missing;
     for (const auto& entry : fs::directory_iterator(directory / stage, is_missing)) {
@@ -39,6 +52,12 @@ std::vector<std::string> result_files_in(const fs::path& directory, const std::v
       if (entry.is_regular_file() && is_file_of_a_stage(name)) names.push_back(stage + "/" + name);
     }
   }
+  return names;
+}
+
+std::vector<std::string> sweep_files_in(const fs::path& directory) {
+  auto names = files_of_a_sweep();
+  std::erase_if(names, [&](const std::string& name) { return !fs::exists(directory / name); });
   return names;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/stage_materials.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/report/modulus_plot.hpp"
 
 namespace breccia {
@@ -21,10 +22,6 @@ struct ReferenceCurve {
 };
 
 /// "1030", not "1.03e+03".
-std::string three_digits(double value) {
-  return fmt::format("{:g}", std::stod(fmt::format("{:.3g}", value)));
-}
-
 /// Places in the palette: blue, red and green for the boundaries, others for the second shear test, black for what was
 /// measured.
 std::size_t colour_of(Boundary boundary, Load load) {

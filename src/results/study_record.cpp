@@ -29,6 +29,16 @@ std::vector<std::string> texts_at(const nlohmann::json& json, const char* key) {
   return texts;
 }
 
+std::vector<FileHash> file_hashes_in(const nlohmann::json& json) {
+  std::vector<FileHash> files;
+  const auto found = json.find("file_hashes");
+  if (found == json.end() || !found->is_object()) return files;
+  for (const auto& [name, hash] : found->items()) {
+    if (hash.is_string()) files.push_back({name, hash.get<std::string>()});
+  }
+  return files;
+}
+
 std::vector<std::string> safe_names(std::vector<std::string> names) {
   std::erase_if(names, [](const std::string& name) { return !is_safe_name(name); });
   return names;
@@ -61,6 +71,17 @@ std::string difference(const std::string& before, const std::string& now) {
   }
 }
 
+/// The data files that have another content than before, in words.
+std::string differing_files(const std::vector<FileHash>& before, const std::vector<FileHash>& now) {
+  std::vector<std::string> names;
+  for (const auto& file : now) {
+    if (std::ranges::find(before, file) == before.end()) names.push_back(file.name);
+  }
+  if (names.empty()) return "a data file differs";
+  return fmt::format("the data file{} {} {}", names.size() == 1 ? "" : "s", fmt::join(names, ", "),
+                     names.size() == 1 ? "differs" : "differ");
+}
+
 }  // namespace
 
 bool StudyRecord::is_of(const Study& study) const {
@@ -83,6 +104,8 @@ StudyRecord read_study_record(const std::filesystem::path& directory) {
   record.is_complete = json.contains("complete") && json["complete"] == true;
   record.hash = text_at(json, "hash");
   record.version = text_at(json, "version");
+  record.deck_content_hash = text_at(json, "deck_content_hash");
+  record.file_hashes = file_hashes_in(json);
   record.deck_text = text_at(json, "deck_text");
   record.overrides = texts_at(json, "overrides");
   if (json.contains("wall_time_s") && json["wall_time_s"].is_number()) record.wall_time = json["wall_time_s"];
@@ -99,13 +122,19 @@ std::string difference(const StudyRecord& before, const Study& now) {
     return fmt::format("their hash is {}, that of this study {}, and not both are as a deck gives them", before.hash,
                        provenance.hash);
   }
-  const auto deck = difference(before.deck_text, provenance.deck_text);
-  if (!deck.empty()) return fmt::format("{}: {}", provenance.deck.string(), deck);
-  if (before.overrides != provenance.overrides) {
-    return fmt::format("the overrides were {}, are {}", nlohmann::json(before.overrides).dump(),
-                       nlohmann::json(provenance.overrides).dump());
+  // Texts may differ in comments alone, and in the sweep.
+  if (!before.deck_content_hash.empty() && before.deck_content_hash == provenance.deck_content_hash) {
+    return differing_files(before.file_hashes, provenance.file_hashes);
   }
-  return "a data file differs";
+  std::vector<std::string> differences;
+  const auto deck = difference(before.deck_text, provenance.deck_text);
+  if (!deck.empty()) differences.push_back(fmt::format("{}: {}", provenance.deck.string(), deck));
+  if (before.overrides != provenance.overrides) {
+    differences.push_back(fmt::format("the overrides were {}, are {}", nlohmann::json(before.overrides).dump(),
+                                      nlohmann::json(provenance.overrides).dump()));
+  }
+  if (differences.empty()) return differing_files(before.file_hashes, provenance.file_hashes);
+  return fmt::format("{}", fmt::join(differences, "; "));
 }
 
 }  // namespace breccia

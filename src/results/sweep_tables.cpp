@@ -11,6 +11,8 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/sweep_spread.hpp"
 
+#include "test_columns.hpp"
+
 namespace breccia {
 
 namespace {
@@ -41,27 +43,9 @@ class KeyColumns {
   std::vector<std::vector<std::string>> columns_;
 };
 
-/// The columns that identify tests.
-struct CurveColumns {
-  std::vector<std::string> stages, loads, boundaries, methods, cells;
-
-  void add(const TaskCurve& curve) {
-    stages.push_back(curve.stage);
-    loads.push_back(name_of(curve.test.load));
-    boundaries.push_back(name_of(curve.test.boundary));
-    methods.push_back(name_of(curve.test.method));
-    cells.push_back(name_of(curve.test.grid));
-  }
-
-  void append_to(std::vector<CsvColumn>& table) const {
-    table.insert(table.end(),
-                 {{"stage", stages}, {"load", loads}, {"boundary", boundaries}, {"method", methods}, {"cells", cells}});
-  }
-};
-
 void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   KeyColumns keys(sweep, [](const SweptKey&) { return true; });
-  CurveColumns curves;
+  TestColumns curves;
   std::vector<std::string> tasks;
   std::vector<double> times, moduli;
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -69,7 +53,7 @@ void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, con
       for (const auto& [time, modulus] : curve.modulus) {
         tasks.push_back(sweep.tasks[i].name);
         keys.add(sweep.tasks[i]);
-        curves.add(curve);
+        curves.add(curve.stage, curve.test);
         times.push_back(time);
         moduli.push_back(modulus);
       }
@@ -85,12 +69,12 @@ void write_all_curves(const std::filesystem::path& file, const Sweep& sweep, con
 
 void write_spreads(const std::filesystem::path& file, const Sweep& sweep, const SweepResult& result) {
   KeyColumns keys(sweep, [](const SweptKey& key) { return !key.is_seed; });
-  CurveColumns tests;
+  TestColumns tests;
   std::vector<double> times, counts, means, deviations, smallest, largest;
   for (const auto& [task, test, spreads] : spread_over_seeds(sweep, result)) {
     for (const auto& spread : spreads) {
       keys.add(sweep.tasks[task]);
-      tests.add(test);
+      tests.add(test.stage, test.test);
       times.push_back(spread.time);
       counts.push_back(static_cast<double>(spread.tasks));
       means.push_back(spread.mean);
@@ -155,7 +139,7 @@ void write_sweep_record(const std::filesystem::path& directory, const Sweep& swe
                      {"title", study.title},
                      {"deck", provenance.deck.string()},
                      {"deck_text", provenance.deck_text},
-                     {"overrides", provenance.overrides},
+                     {"overrides", sweep.overrides},
                      {"keys", std::move(keys)},
                      {"quantities", std::move(quantities)},
                      {"tasks", std::move(tasks)}};

@@ -1,12 +1,12 @@
 #include "breccia/study/stage_rules.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
 
+#include "breccia/io/lower_case.hpp"
 #include "breccia/io/printable.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/units.hpp"
@@ -15,11 +15,6 @@
 
 namespace breccia {
 namespace {
-
-std::string lower_case(std::string text) {
-  for (auto& letter : text) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return text;
-}
 
 /// The largest particle of a filler whose particles are known one by one; 0 where they are drawn from a distribution.
 double largest_known_diameter(const Filler& filler) {
@@ -41,6 +36,9 @@ std::vector<std::string> mistakes_of_name(const std::string& name, std::span<con
   if (!is_safe_name(name)) {
     mistakes.push_back(
         fmt::format(R"(expected letters, digits, "-", "_" and "." (it names a directory), got "{}")", printable(name)));
+  }
+  if (name.size() > longest_name) {
+    mistakes.push_back(fmt::format("expected a name of at most {} letters, got {}", longest_name, name.size()));
   }
   const auto reserved = reserved_names();
   if (std::ranges::find(reserved, lower_case(name)) != reserved.end()) {

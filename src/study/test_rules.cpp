@@ -1,5 +1,6 @@
 #include "breccia/study/test_rules.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -7,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/io/units.hpp"
 #include "breccia/study/limits.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
@@ -66,7 +68,12 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
   std::vector<std::string> mistakes;
   if (!is_rising(field_times)) mistakes.emplace_back("expected rising times");
   const auto is_within = [&times](double time) { return time >= times.begin && time <= times.end; };
-  if (!std::ranges::all_of(field_times, is_within)) mistakes.emplace_back("expected times within those of the tests");
+  const auto outside = std::ranges::find_if_not(field_times, is_within);
+  if (outside != field_times.end()) {
+    mistakes.push_back(fmt::format("expected times within those of the tests, {} to {}, got {}",
+                                   readable(times.begin, Dimension::time), readable(times.end, Dimension::time),
+                                   readable(*outside, Dimension::time)));
+  }
   return mistakes;
 }
 

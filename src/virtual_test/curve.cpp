@@ -11,6 +11,7 @@
 namespace breccia {
 
 std::vector<double> logarithmic_times(const TimeWindow& window, int per_decade) {
+  if (per_decade < 1) throw InputError(fmt::format("times: expected at least one a decade, got {}", per_decade));
   constexpr double tolerance = 1e-9;
   std::vector<double> times = {window.begin};
   const double first = std::floor(std::log10(window.begin) * per_decade + tolerance) + 1.0;

@@ -37,7 +37,7 @@ class DomainRun {
   DomainRun(const DynamicTest& test, PreparedDomain prepared, std::span<const double> field_times);
 
   /// Takes some steps and returns their mean as a sample. The domain is expected to be valid from `expected_begin` [s].
-  /// Saves the fields of the first step at or after each field time.
+  /// Keeps the fields after these steps if the sample is the first one at or after a field time.
   Sample take_sample(double expected_begin);
 
   [[nodiscard]] TimeDomain& domain() noexcept { return domain_; }

@@ -4,14 +4,11 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/pairs.hpp"
+
 namespace breccia {
 
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain) {
-  std::vector<double> times, moduli;
-  for (const auto& [time, modulus] : domain.history) {
-    times.push_back(time);
-    moduli.push_back(modulus);
-  }
   state.write(group + "/density_factor", domain.density_factor);
   state.write(group + "/time_step_s", domain.time_step);
   state.write(group + "/ramp_s", domain.ramp);
@@ -21,8 +18,7 @@ void save_domain(StateWriter& state, const std::string& group, const TimeDomain&
   state.write(group + "/terms", static_cast<std::int64_t>(domain.terms));
   state.write(group + "/reduction_error", domain.reduction_error);
   state.write(group + "/seconds", domain.seconds);
-  state.write(group + "/times_s", times);
-  state.write(group + "/moduli_Pa", moduli);
+  save_pairs(state, group + "/times_s", group + "/moduli_Pa", domain.history);
 }
 
 TimeDomain read_domain(const StateReader& state, const std::string& group) {
@@ -35,9 +31,7 @@ TimeDomain read_domain(const StateReader& state, const std::string& group) {
   domain.terms = static_cast<std::size_t>(state.integer(group + "/terms"));
   domain.reduction_error = state.number(group + "/reduction_error");
   domain.seconds = state.number(group + "/seconds");
-  const auto times = state.numbers(group + "/times_s");
-  const auto moduli = state.numbers(group + "/moduli_Pa", times.size());
-  for (std::size_t i = 0; i < times.size(); ++i) domain.history.push_back({times[i], moduli[i]});
+  domain.history = read_pairs<Sample>(state, group + "/times_s", group + "/moduli_Pa");
   return domain;
 }
 

@@ -12,7 +12,7 @@ namespace breccia {
 void save_domain(StateWriter& state, const std::string& group, const TimeDomain& domain);
 TimeDomain read_domain(const StateReader& state, const std::string& group);
 
-/// Reads the finished domains.
+/// Writes the finished domains, or reads them.
 void save_domains(StateWriter& state, const std::vector<TimeDomain>& domains);
 std::vector<TimeDomain> read_domains(const StateReader& state);
 

@@ -23,23 +23,25 @@ namespace breccia {
 namespace {
 
 void require_complete(const DynamicTest& test) {
-  require_times("dynamic test", test.times, test.field_times);
+  require_times("dynamic test", test.times, test.points_per_decade, test.field_times);
+  require_phases("dynamic test", test.discretisation, test.materials.size());
   if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
     throw InputError(fmt::format("dynamic test: expected a courant number in (0, 1], got {}", test.options.courant));
   }
 }
 
-/// Approximate memory of one run [B].
-std::size_t memory_of(const DynamicTest& test, std::size_t terms) {
-  const auto points = test.discretisation.points();
-  const auto nodes = test.discretisation.grid().node_count();
+/// Approximate memory of one run on a grid [B].
+std::size_t memory_of(const DynamicTest& test, const Grid<2>& grid, std::size_t terms) {
+  const auto points = grid.cell_count() * Discretisation<2>::points_per_cell;
+  const auto nodes = grid.node_count();
   const std::size_t results = points * sizeof(double) * 9;
   if (test.options.formulation == Formulation::classical) return results + points * (180 + 24 * terms) + nodes * 72;
   return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
 }
 
 /// The window of a domain that is used. A domain that is valid earlier than expected is used from the expected time on,
-/// since the domain before it is better at earlier times; the first domain is used from the beginning.
+/// since the domain before it is better at earlier times. The first domain is used from the beginning, which may be
+/// earlier than expected where its density factor is given.
 TimeWindow window_wanted(const DomainSequence& sequence) {
   auto window = sequence.window().value_or(TimeWindow{});
   if (!sequence.is_first()) {
@@ -51,14 +53,20 @@ TimeWindow window_wanted(const DomainSequence& sequence) {
 }  // namespace
 
 double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials) {
+  require_phases("mean density", discretisation, materials.size());
   const auto fractions = discretisation.fractions(materials.size());
   double density = 0.0;
   for (std::size_t m = 0; m < materials.size(); ++m) density += fractions[m] * materials[m].density;
   return density;
 }
 
-DynamicPlan plan_dynamic_test(const DynamicTest& test) {
-  require_complete(test);
+DynamicPlan plan_dynamic_test(const DynamicTest& coarse, double refinement) {
+  require_complete(coarse);
+  // The time step is in proportion to the side of a cell.
+  auto test = coarse;
+  test.options.courant /= refinement;
+  auto grid = test.discretisation.grid();
+  for (auto& cells : grid.cells) cells = static_cast<int>(std::lround(cells * refinement));
   const auto rules = rules_of(test);
   const ShearModulusBounds bounds(test.discretisation, test.materials);
   DomainSequence sequence(rules, bounds.lower(test.times.begin));
@@ -70,7 +78,7 @@ DynamicPlan plan_dynamic_test(const DynamicTest& test) {
     while (sequence.observe(time, bounds.estimate(time))) time *= increase;
     domain.window = window_wanted(sequence);
     domain.steps = static_cast<std::int64_t>(std::ceil((time + 0.5 * domain.ramp) / domain.time_step));
-    plan.bytes = std::max(plan.bytes, memory_of(test, domain.terms));
+    plan.bytes = std::max(plan.bytes, memory_of(test, grid, domain.terms));
     plan.domains.push_back(std::move(domain));
     if (sequence.is_complete()) return plan;
     sequence.advance();

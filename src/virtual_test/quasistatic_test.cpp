@@ -158,7 +158,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
 
 QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer,
                                            Checkpoint* checkpoint) {
-  require_times("quasi-static test", test.times, test.field_times);
+  require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
   if (test.options.solver == Solver::reduced && test.matrix >= test.materials.size()) {
     throw InputError(fmt::format("quasi-static test: expected one of the {} phases as the matrix, got number {}",

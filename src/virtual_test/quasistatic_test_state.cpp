@@ -5,39 +5,30 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/pairs.hpp"
 #include "breccia/quasistatic/linear_effort_state.hpp"
 #include "breccia/quasistatic/reduced_response_state.hpp"
 
 namespace breccia {
 namespace {
 
-/// Pairs of numbers, such as times and moduli, as two lists.
+/// Pairs of numbers, such as times and moduli, in a group.
 template <class Pairs>
-void save_pairs(StateWriter& state, const std::string& name, const Pairs& pairs) {
-  std::vector<double> first, second;
-  for (const auto& [a, b] : pairs) {
-    first.push_back(a);
-    second.push_back(b);
-  }
-  state.write(name + "/first", first);
-  state.write(name + "/second", second);
+void save_group(StateWriter& state, const std::string& group, const Pairs& pairs) {
+  save_pairs(state, group + "/first", group + "/second", pairs);
 }
 
 template <class Pair>
-std::vector<Pair> read_pairs(const StateReader& state, const std::string& name) {
-  const auto first = state.numbers(name + "/first");
-  const auto second = state.numbers(name + "/second", first.size());
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < first.size(); ++i) pairs.push_back({first[i], second[i]});
-  return pairs;
+std::vector<Pair> read_group(const StateReader& state, const std::string& group) {
+  return read_pairs<Pair>(state, group + "/first", group + "/second");
 }
 
 void save_response(StateWriter& state, const std::string& group, const QuasistaticResponse& response) {
   state.write(group + "/load", static_cast<std::int64_t>(response.load));
-  save_pairs(state, group + "/modulus", response.modulus);
-  save_pairs(state, group + "/compliance", response.compliance);
+  save_group(state, group + "/modulus", response.modulus);
+  save_group(state, group + "/compliance", response.compliance);
   state.write(group + "/equilibrium_Pa", response.series.equilibrium());
-  save_pairs(state, group + "/terms", response.series.terms());
+  save_group(state, group + "/terms", response.series.terms());
   state.write(group + "/error_estimate", response.error_estimate);
   if (response.fit_error) state.write(group + "/fit_error", *response.fit_error);
   if (response.reduced) save(state, group + "/reduced", *response.reduced);
@@ -46,10 +37,10 @@ void save_response(StateWriter& state, const std::string& group, const Quasistat
 QuasistaticResponse read_response_to_load(const StateReader& state, const std::string& group) {
   QuasistaticResponse response;
   response.load = static_cast<Load>(state.integer(group + "/load"));
-  response.modulus = read_pairs<Sample>(state, group + "/modulus");
-  response.compliance = read_pairs<CreepSample>(state, group + "/compliance");
+  response.modulus = read_group<Sample>(state, group + "/modulus");
+  response.compliance = read_group<CreepSample>(state, group + "/compliance");
   response.series =
-      PronySeries(state.number(group + "/equilibrium_Pa"), read_pairs<MaxwellTerm>(state, group + "/terms"));
+      PronySeries(state.number(group + "/equilibrium_Pa"), read_group<MaxwellTerm>(state, group + "/terms"));
   response.error_estimate = state.number(group + "/error_estimate");
   if (state.has(group + "/fit_error")) response.fit_error = state.number(group + "/fit_error");
   if (state.has(group + "/reduced")) response.reduced = read_response(state, group + "/reduced");

@@ -1,6 +1,5 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>

@@ -35,6 +35,7 @@ struct SearchLimits {
 
 /// Moves x to the least sum of squares by the method of Levenberg and Marquardt. Returns whether it ended within the
 /// evaluations allowed; x is the best found in any case.
-bool search_least_squares(const NonlinearLeastSquares& problem, const SearchLimits& limits, Eigen::VectorXd& x);
+[[nodiscard]] bool search_least_squares(const NonlinearLeastSquares& problem, const SearchLimits& limits,
+                                        Eigen::VectorXd& x);
 
 }  // namespace breccia

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -50,7 +53,9 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   std::ranges::copy_if(factors, std::back_inserter(used),
                        [&](const ShiftFactor& factor) { return factor.temperature != reference_temperature; });
   const auto count = static_cast<Eigen::Index>(used.size());
-  if (count < 2) throw InputError("WLF fit: expected at least two temperatures beside the reference");
+  std::set<double> temperatures;
+  for (const auto& factor : used) temperatures.insert(factor.temperature);
+  if (temperatures.size() < 2) throw InputError("WLF fit: expected at least two temperatures beside the reference");
   Eigen::VectorXd differences(count), logarithms(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     differences[i] = used[static_cast<std::size_t>(i)].temperature - reference_temperature;
@@ -64,10 +69,13 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   Eigen::VectorXd x(2);
   x << mean_slope, 0.01 / furthest;
   const Deviations deviations(differences, logarithms);
-  search_least_squares({.values = count,
-                        .deviations = [&](const auto& at, auto& f) { deviations.set_deviations(at, f); },
-                        .jacobian = [&](const auto& at, auto& jacobian) { deviations.set_jacobian(at, jacobian); }},
-                       {.relative_step = 1e-12, .relative_decrease = 1e-14}, x);
+  const NonlinearLeastSquares problem = {
+      .values = count,
+      .deviations = [&](const auto& at, auto& f) { deviations.set_deviations(at, f); },
+      .jacobian = [&](const auto& at, auto& jacobian) { deviations.set_jacobian(at, jacobian); }};
+  if (!search_least_squares(problem, {.relative_step = 1e-12, .relative_decrease = 1e-14}, x)) {
+    throw NumericalError("WLF fit: the constants do not converge");
+  }
 
   // A smaller curvature cannot be distinguished from zero: c2 would be a thousand times the range of the data.
   constexpr double least_bend = 1e-3;
@@ -82,6 +90,7 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   fit.worst_deviation = residual.cwiseAbs().maxCoeff(&worst);
   fit.worst_at = used[static_cast<std::size_t>(worst)].temperature;
   if (count > 2) {
+    if (!variances(jacobian)) throw NumericalError("WLF fit: the shift factors do not tell c1 and c2 apart");
     const double variance = residual.squaredNorm() / static_cast<double>(count - 2);
     const Eigen::Matrix2d covariance = variance * (jacobian.transpose() * jacobian).inverse();
     const Eigen::Vector2d c1_gradient(c2, -c1 * c2);

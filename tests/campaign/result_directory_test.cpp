@@ -64,7 +64,7 @@ TEST_F(ResultDirectory, RefusesResultsOfAnotherStudy) {
   leave(results, other, test::complete_result());
   const auto in_words = HasSubstr(
       "here are complete results of another study: deck.toml: line 1 was `title = \"other\"`, "
-      "is `title = \"mine\"`; replace them (--overwrite)");
+      "is `title = \"mine\"`; replace them or take another directory");
   EXPECT_THAT(refusal(), in_words);
   EXPECT_THAT(refusal({.replaceable = {"0123456789abcdef"}}), in_words) << "these were not there when the sweep began";
   EXPECT_EQ(run_in({.overwrite = true}), unfinished);

@@ -51,6 +51,22 @@ TEST_F(ResultPlaceTest, DisappearsWithoutAResult) {
   EXPECT_FALSE(fs::exists(results)) << "a record alone is none";
 }
 
+TEST_F(ResultPlaceTest, KeepsARecordThatIsNotOfARunWithoutAResult) {
+  const auto file = results / "study.json";
+  fs::create_directories(results);
+  write_text(file, R"({"mine": 1})");
+  { const RemoveWithoutResult guard(results); }
+  EXPECT_TRUE(fs::exists(file)) << "not of Breccia";
+  write_provenance(results, study, test::packed_result());
+  { const RemoveWithoutResult guard(results); }
+  EXPECT_TRUE(fs::exists(file)) << "its packing may have been moved elsewhere";
+  { const RemoveIfEmpty guard(results); }
+  EXPECT_TRUE(fs::exists(file));
+  write_provenance(results, study, {});
+  { const RemoveWithoutResult guard(results); }
+  EXPECT_FALSE(fs::exists(results));
+}
+
 TEST_F(ResultPlaceTest, PutsWhatIsBesideIntoThePlaceOfEarlierResults) {
   const auto other = test::study_of_deck("other");
   test::leave(results, other, test::complete_result());

@@ -104,15 +104,15 @@ TEST_F(SweepDirectory, IsRefusedForAllTasksAtOnce) {
 TEST_F(SweepDirectory, OfASingleStudyIsRefused) {
   test::leave(results, other, test::tested_result());
   EXPECT_THAT(refusal({.overwrite = true}),
-              HasSubstr("results: here are the results of a single study; take another directory (--out " +
-                        results.string() + "-sweep)"));
+              HasSubstr("results: here are the results of a single study; take another directory such as " +
+                        results.string() + "-sweep"));
 }
 
 TEST_F(SweepDirectory, OfAnotherSweepIsReplacedOnRequestAlone) {
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::done, TaskState::waiting});
   EXPECT_THAT(refusal({}),
-              HasSubstr("results: here are the results of another sweep; replace them (--overwrite), add to "
-                        "them (--resume) or take another directory"));
+              HasSubstr("results: here are the results of another sweep; replace them, add to them or take another "
+                        "directory"));
   EXPECT_NO_THROW(refuse_objections(sweep, results, {.resume = true}));
   EXPECT_NO_THROW(refuse_objections(sweep, results, {.overwrite = true}));
   write_record(sweep_over("stages.0.cells", {"16", "24"}), {TaskState::waiting, TaskState::failed});
@@ -164,6 +164,9 @@ TEST(SweepTemperatures, AreNotAnsweredWhereTheTestsLeaveMoreThanResponses) {
   EXPECT_EQ(answering(), 0U) << "the usual map is left out";
   tests.field_times = {0.5 * tests.last_time};
   EXPECT_EQ(answering(), std::nullopt) << "maps at a time of the deck's own take a run";
+  tests.field_times = {tests.last_time};
+  tests.lists_field_times = true;
+  EXPECT_EQ(answering(), std::nullopt) << "also where the deck lists the last time alone";
   tests = usual;
   tests.methods = {Method::quasistatic, Method::dynamic};
   EXPECT_EQ(answering(), std::nullopt);

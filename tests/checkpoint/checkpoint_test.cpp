@@ -138,6 +138,34 @@ TEST_F(CheckpointTest, AResultIsRecognised) {
   EXPECT_TRUE(other.is_finished());
 }
 
+TEST_F(CheckpointTest, AFinishedCalculationKeepsItsResultAlone) {
+  auto checkpoint = opened();
+  checkpoint.save(state(1.0));
+  checkpoint.save(state(2.0));
+  ASSERT_TRUE(std::filesystem::exists(older_state(path_)));
+  checkpoint.finish(state(3.0));
+  EXPECT_FALSE(std::filesystem::exists(older_state(path_)));
+  EXPECT_EQ(found(), 3.0);
+}
+
+// On several processes none may stop between two parts that they gather together.
+TEST_F(CheckpointTest, AStateThatCannotBeWrittenFailsAtItsEnd) {
+  Checkpoint checkpoint(directory_.path() / "missing" / "a.checkpoint.h5", owner_, {});
+  bool is_at_end = false;
+  EXPECT_THROW(checkpoint.save([&](StateWriter& writer) {
+    writer.write("/number", 1.0);
+    is_at_end = true;
+  }),
+               FileError);
+  EXPECT_TRUE(is_at_end);
+}
+
+TEST_F(CheckpointTest, WhatCannotBeLookedAtIsAFileError) {
+  std::filesystem::create_symlink(path_.filename(), path_);
+  auto checkpoint = opened();
+  EXPECT_THROW(static_cast<void>(checkpoint.look_for_earlier()), FileError);
+}
+
 TEST_F(CheckpointTest, IsDueAfterTheInterval) {
   EXPECT_FALSE(opened(owner_, {.interval = 1e6}).is_due());
   EXPECT_TRUE(opened(owner_, {.interval = 0.0}).is_due());

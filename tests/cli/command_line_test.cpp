@@ -122,6 +122,10 @@ TEST_F(CommandLine, MistypedCommands) {
        2,
        "unknown option \"--ref\", did you mean \"--reference-temperature\"?\nunknown option \"--tou\", did you mean "
        "\"--to\"?"},
+      {{"run", "deck.toml", "--time-limit", "-1 h"}, 2, R"(--time-limit: expected a positive time, got "-1 h")"},
+      {{"run", "deck.toml", "--checkpoint-interval", "-1 min"},
+       2,
+       R"(--checkpoint-interval: expected a positive time, got "-1 min")"},
       {{"check", "deck.toml", "--set"}, 2, "--set"},
       {{"check", "none.toml"}, 2, "none.toml: no such deck"},
       {{"check", "."}, 2, "expected a deck, got a directory"},

@@ -49,6 +49,23 @@ TEST(DeckWarnings, ReachCheckAndRunAndTheRecordAndTheReport) {
   EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("B: its smallest particles, 2 mm"));
 }
 
+TEST(DeckWarnings, NameAMeasurementThatIsNotCompared) {
+  const StudyDirectory study(two_stages() + R"(
+[[measurements]]
+name  = "rheometer"
+stage = "A"
+shear = { curve = "G.csv" }
+)");
+  study.write("G.csv", "time_s,modulus_Pa\n10,2e5\n100,1e5\n");
+  const auto line =
+      HasSubstr(R"(warning: A: the measurement "rheometer" is not compared: it is known from 10 s to 100 s,)"
+                " and tests.times go from 1 ms to 50 ms\n");
+  EXPECT_THAT(study.breccia("check").output, line);
+  const auto run = study.breccia("run");
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, line);
+}
+
 // Four discs of 2 mm in 36 mm^2 fill pi / 9, and one in the rest pi / 36; densities of 1.5 and 1 g/cm^3.
 TEST(DeckWarnings, ThePlanShowsTheFillerOfTheWhole) {
   const StudyDirectory study(two_stages());
@@ -84,7 +101,20 @@ TEST(StagesCommand, DividesATableOfSizes) {
                                 HasSubstr("--at: expected a length, got \"10 s\"")));
   const auto outside = run_breccia(directory.path(), {"stages", "sizes.csv", "--fraction", "0.8", "--at", "1 mm"});
   EXPECT_EQ(outside.exit_code, 2);
-  EXPECT_THAT(outside.errors, HasSubstr("stages: expected two or more rising diameters"));
+  EXPECT_EQ(outside.errors, "--at: expected rising diameters above 1 um and below 100 um, got \"1 mm\"\n");
+  const auto refusal = [&](std::vector<std::string> options) {
+    options.insert(options.begin(), {"stages", "sizes.csv"});
+    const auto outcome = run_breccia(directory.path(), options);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.output;
+    EXPECT_EQ(outcome.output, "");
+    return outcome.errors;
+  };
+  EXPECT_EQ(refusal({"--fraction", "94", "--at", "10 um"}),
+            "--fraction: expected a number between 0 and 1, or per cent as in \"94 %\", got \"94\"\n");
+  EXPECT_EQ(refusal({"--fraction", "0.8", "--at", "10 um", "--from", "-2 um", "--to", "0 um"}),
+            "--from: expected a positive length, got \"-2 um\"\n--to: expected a positive length, got \"0 um\"\n");
+  EXPECT_EQ(refusal({"--fraction", "0.8", "--at", "200 um", "--from", "150 um", "--to", "300 um"}),
+            "stages: there are no particles from 150 um to 200 um\n");
 }
 
 TEST(DeckWarnings, TheGapIsShownWithItsSource) {

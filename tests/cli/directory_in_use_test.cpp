@@ -89,6 +89,30 @@ TEST_F(DirectoryOfAnotherProcess, IsLeftAloneByReports) {
       << "a report has no other directory";
 }
 
+TEST_F(DirectoryOfAnotherProcess, HasUnfinishedResultsThatAreLeftAloneToo) {
+  ASSERT_EQ(study_.breccia("run").exit_code, 0);
+  fs::rename(study_.result(""), study_.path() / "whole");
+  ASSERT_EQ(study_.breccia("run", {"--set", "stages.A.cells=10"}).exit_code, 0);
+  fs::rename(study_.path() / "whole", study_.result("unfinished"));
+  fs::remove(study_.result("unfinished/report.html"));
+  for (const auto* directory : {"out/unfinished", "out/unfinished/", "./out/../out/unfinished"}) {
+    expect_refusal_in("", {"report", directory});
+  }
+  EXPECT_EQ(test::run_breccia(study_.path(), {"report", "out/unfinished"}).exit_code, 0);
+
+  study_.write("aged.toml", "density = \"1.48 g/cm^3\"\nbulk = \"3.6 GPa\"\nshear = \"0.5 MPa\"\n");
+  Words respond = {"respond", "out/unfinished", "--material", "aged.toml"};
+  const auto before = contents();
+  const auto outcome = test::run_breccia(study_.path(), respond);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.errors,
+            "out/unfinished/respond-aged: the results in out/unfinished are not finished, and other files there would "
+            "prevent their run from being resumed; take another directory (--out)\n");
+  EXPECT_EQ(contents(), before);
+  respond.insert(respond.end(), {"--out", "aged"});
+  EXPECT_EQ(test::run_breccia(study_.path(), respond).exit_code, 0);
+}
+
 TEST_F(DirectoryOfAnotherProcess, EndsASweepAndIsNoFailureOfATask) {
   ASSERT_EQ(study_.breccia("run", seeds_).exit_code, 0);
   write_unfinished("seed-2");

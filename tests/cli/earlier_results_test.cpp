@@ -22,6 +22,7 @@ using test::StudyDirectory;
 using testing::AllOf;
 using testing::AnyOf;
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -57,7 +58,9 @@ TEST_F(EarlierResults, OfAnotherStudyAreNotReplacedUnasked) {
     EXPECT_EQ(outcome.exit_code, 2) << command;
     EXPECT_THAT(outcome.errors, AllOf(StartsWith("out: here are complete results of another study: the overrides were "
                                                  R"([], are ["stages.A.cells=10"])"),
-                                      HasSubstr("--overwrite"), HasSubstr("--out")))
+                                      EndsWith(command == std::string("run")
+                                                   ? "; replace them (--overwrite) or take another directory (--out)\n"
+                                                   : "; take another directory (--out)\n")))
         << command;
     expect_nothing_lost();
   }
@@ -100,6 +103,19 @@ TEST_F(EarlierResults, OfRemovedStagesAreReplacedToo) {
   EXPECT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(study_.results(), AllOf(Contains("B/microstructure.csv"), Not(Contains(StartsWith("A/"))),
                                       Not(Contains(StartsWith("unfinished")))));
+}
+
+TEST_F(EarlierResults, AreReplacedWithoutTheFilesOfTheirUser) {
+  const Words mine = {"sweep.csv", "spread.csv", "sweep.svg", "A/fields-mine-stress.svg", "A/my-dynamic-data.h5"};
+  for (const auto& name : mine) study_.write("out/" + name, "mine");
+  study_.write("out/sweep.json", "{\"mine\": 1}");
+  const auto run = study_.breccia("run", other_instead_);
+  EXPECT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_NE(read_text(study_.result("study.json")), before_["study.json"]);
+  for (const auto& name : mine) EXPECT_EQ(read_text(study_.result(name)), "mine") << name;
+  EXPECT_EQ(read_text(study_.result("sweep.json")), "{\"mine\": 1}");
+  const auto report = test::run_breccia(study_.path(), {"report", "out"});
+  EXPECT_EQ(report.exit_code, 0) << report.errors;
 }
 
 TEST_F(EarlierResults, OfTheSameStudyAreMadeOnceMore) {
@@ -194,6 +210,30 @@ TEST(ForeignFiles, MayBeARecordOfSomethingElse) {
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_THAT(outcome.errors, HasSubstr("out/study.json: the results would replace this file"));
     EXPECT_EQ(read_text(study.result("study.json")), "{\"patients\": 12}");
+  }
+}
+
+TEST(ForeignFiles, InTheDirectoryOfAStageThatIsNotPackedAreKept) {
+  const StudyDirectory study(test::good_deck);
+  fs::create_directories(study.result("A"));
+  study.write("out/A/study.json", "{\"mine\": 1}");
+  for (const auto* command : {"run", "pack"}) {
+    EXPECT_EQ(study.breccia(command, {"--set", "stages.A.filler.fraction=0.9"}).exit_code, 3) << command;
+    EXPECT_EQ(read_text(study.result("A/study.json")), "{\"mine\": 1}");
+  }
+}
+
+TEST(ForeignFiles, MayEndLikeHalfWrittenFiles) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  fs::create_directories(study.result("A"));
+  const Words mine = {"data.12.partial", "A/data.12.partial"};
+  const Words left = {"curves.csv.12.partial", "A/response.h5.12.partial"};
+  for (const auto& name : mine) study.write("out/" + name, "mine");
+  for (const auto& name : left) study.write("out/" + name, "half");
+  for (const Words& options : {Words{"--resume"}, {}, {"--overwrite", "--set", "stages.A.cells=10"}}) {
+    ASSERT_EQ(study.breccia("run", options).exit_code, 0);
+    for (const auto& name : mine) EXPECT_EQ(read_text(study.result(name)), "mine") << name;
+    for (const auto& name : left) EXPECT_FALSE(fs::exists(study.result(name))) << name;
   }
 }
 

@@ -47,6 +47,22 @@ TEST(EarlierSweeps, OfOtherTasksAreNotReplacedUnasked) {
   EXPECT_EQ(study.breccia("run", seeds).exit_code, 2);
 }
 
+// The record of a packing says nothing of the tables of a sweep.
+TEST(EarlierSweeps, DoNotReplaceTablesOfOthersBesideAPacking) {
+  const StudyDirectory study(test::replaced(std::string(test::good_deck), "cells   = 60", "cells   = 12"));
+  for (const std::string name : {"sweep.csv", "spread.csv", "sweep.svg"}) {
+    ASSERT_EQ(study.breccia("pack").exit_code, 0);
+    study.write("out/" + name, "mine");
+    const auto run = study.breccia("run", {"--seeds", "2"});
+    EXPECT_EQ(run.exit_code, 2) << run.output;
+    EXPECT_THAT(run.errors, StartsWith("out/" + name + ": the results would replace this file, which Breccia did not"));
+    EXPECT_EQ(read_text(study.result(name)), "mine");
+    fs::remove_all(study.result(""));
+  }
+  ASSERT_EQ(study.breccia("pack").exit_code, 0);
+  EXPECT_EQ(study.breccia("run", {"--seeds", "2"}).exit_code, 0);
+}
+
 /// A sweep over two seeds with complete results in `out`, and another one that is to replace them.
 class ReplacedSweep : public testing::Test {
  protected:

@@ -249,7 +249,7 @@ TEST_F(Fit, RefusesBadOptions) {
       {{"g.csv", "--modulus", "tensile"}, "--modulus"},
       {{"g.csv", "--times-per-decade", "0"}, "--times-per-decade"},
       {{"g.csv", "--ramp", "1 um"}, "--ramp: expected a time, got \"1 um\""},
-      {{"g.csv", "--ramp=-1 s"}, "--ramp: expected a time, got -1 s"},
+      {{"g.csv", "--ramp=-1 s"}, "--ramp: expected a non-negative time, got \"-1 s\""},
       {{"g.csv", "--reference-temperature", "19 degC"}, "expected dynamic moduli at several temperatures"},
       {{"maxwell.csv", "--ramp", "1 s"}, "--ramp: expected data against time"},
       {{dma, "--reference-temperature", "20 degC"}, "no sweep at 20 degC; the sweeps are at -41 degC, -31 degC"},

@@ -169,6 +169,7 @@ TEST_F(Quasistatic, RespondRefusesBadArguments) {
       {{"out/A", "--material", "stiff.toml"}, "no stage with a response.h5"},
       {{"out", "--material", "stiff.toml", "--stage", "B"}, R"(no response of a stage "B")"},
       {{"out", "--material", "stiff.toml", "--times", "1 s", "1 ms"}, "expected two rising times"},
+      {{"out", "--material", "nofile.toml"}, "nofile.toml: no such file"},
       {{"out"}, "--material"}};
   for (auto [arguments, message] : mistakes) {
     arguments.insert(arguments.begin(), "respond");
@@ -219,6 +220,16 @@ TEST(QuasistaticRun, OptionsOfPetscReachIt) {
   const auto run = study.breccia("run", with({"--petsc", "-quasistatic_pc_type nonsense"}));
   EXPECT_EQ(run.exit_code, 3);
   EXPECT_THAT(run.errors, HasSubstr("setting up the linear solver"));
+}
+
+TEST(QuasistaticRun, OptionsOfPetscThatAreNoneAreToldOf) {
+  const StudyDirectory study(model_deck);
+  const auto words = study.breccia("run", with({"--petsc", "ksp_monitor"}));
+  EXPECT_EQ(words.exit_code, 2);
+  EXPECT_THAT(words.errors, HasSubstr(R"(PETSc options: expected "-name value -name value ...", got "ksp_monitor")"));
+  const auto misspelt = study.breccia("run", with({"--petsc", "-quasistatic_ksp_monitr"}));
+  EXPECT_EQ(misspelt.exit_code, 0) << misspelt.errors;
+  EXPECT_THAT(misspelt.output, HasSubstr("note: PETSc has not used -quasistatic_ksp_monitr\n"));
 }
 
 }  // namespace

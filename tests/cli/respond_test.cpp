@@ -201,6 +201,19 @@ shear   = { equilibrium = "1 MPa", terms = [{ time = "1 ms", modulus = "20 MPa" 
   }
 }
 
+TEST_F(Respond, RefusesACopyOfAStage) {
+  study->write("aged.toml", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
+  std::filesystem::copy(study->result("fine"), study->result("fine-old"));
+  for (const std::vector<std::string>& asked :
+       {std::vector<std::string>{"--material", "aged.toml"}, {"--temperature", "40 degC"}}) {
+    const auto outcome = respond(asked);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("out/fine-old/response.h5: the responses are of stage fine, not of one with "
+                                          "the name of the directory, fine-old"));
+  }
+  std::filesystem::remove_all(study->result("fine-old"));
+}
+
 TEST_F(Respond, DoesNotWriteOverTheMaterialItReads) {
   study->write("curves.csv", "density = \"1 g/cm^3\"\nbulk = \"3 GPa\"\nshear = \"1 MPa\"\n");
   const auto outcome = respond({"--material", "curves.csv", "--out", "."});
@@ -250,6 +263,16 @@ TEST(SweepOverTemperatures, IsOneRun) {
   }
 }
 
+TEST(SweepOverTemperatures, RunsEachTaskOfADeckThatListsTimesOfFields) {
+  const StudyDirectory study(chain);
+  const auto sweep = study.breccia("run", {"--set", R"(tests.fields=["1 s"])", "--set", "stages.*.cells=6", "--sweep",
+                                           R"(materials.binder.temperature_shift.temperature=["20 degC", "60 degC"])"});
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
+  for (const auto* task : {"temperature-20-degC", "temperature-60-degC"}) {
+    EXPECT_TRUE(std::filesystem::exists(study.result(std::string(task) + "/fine/fields.vtkhdf"))) << task;
+  }
+}
+
 TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
   const StudyDirectory study(chain);
   const auto run = study.breccia("run", {"--set", "tests.quasistatic.range=times"});
@@ -260,6 +283,19 @@ TEST(RespondToTimes, ARunThatSampledItsTimesAloneSaysHowToCoverMore) {
   EXPECT_THAT(cold.errors, HasSubstr("tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers"));
   const auto test = Json::parse(read_text(study.result("study.json")))["stages"][0]["tests"][0];
   EXPECT_EQ(test["range"], "times");
+}
+
+TEST(RespondWithoutLaw, WarnsThatAnElasticMatrixIsTheSameAtAllTemperatures) {
+  auto deck = std::string(chain);
+  const auto shear = deck.find("shear   = { terms"), end = deck.find("[materials.particle]");
+  deck.replace(shear, end - shear, "shear   = \"1 GPa\"\n\n");
+  const StudyDirectory study(deck);
+  const auto run = study.breccia("run", {"--set", "stages.*.cells=6"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto outcome = run_breccia(study.path(), {"respond", "out", "--temperature", "40 degC"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output,
+              HasSubstr("warning: binder is elastic: its moduli do not depend on the temperature here"));
 }
 
 TEST(RespondWithoutLaw, AsksForAMaterial) {

@@ -107,6 +107,24 @@ TEST_F(Resume, AnotherDeckIsRefusedWithTheLine) {
   EXPECT_EQ(study_.results(), before) << "nothing is lost";
 }
 
+// A comment changes no result.
+TEST_F(Resume, AnotherDataFileIsRefusedWithItsName) {
+  const auto terms = [](const char* modulus) {
+    return std::string("relaxation_time_s,modulus_Pa\n0.01,") + modulus + "\n";
+  };
+  study_.write("p.csv", terms("5e5"));
+  const auto deck =
+      test::replaced(std::string(test::model_deck), R"({ terms = [{ time = "10 ms", modulus = "0.5 MPa" }] })",
+                     R"({ prony = "p.csv" })");
+  study_.write("deck.toml", deck);
+  interrupt();
+  study_.write("p.csv", terms("6e5"));
+  study_.write("deck.toml", "# a comment\n" + deck);
+  const auto refused = study_.breccia("run", {"--resume"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("out: cannot resume from these results: the data file p.csv differs; "));
+}
+
 TEST_F(Resume, OtherOverridesAreRefused) {
   interrupt();
   const auto refused = study_.breccia("run", {"--resume", "--set", "stages.A.cells=12"});

@@ -82,6 +82,16 @@ TEST(Sweep, ThatWillNotFitIsRefusedBeforeAnyTaskRuns) {
   EXPECT_THAT(study.results(), testing::IsEmpty());
 }
 
+TEST(Sweep, PacksTheOtherTasksWhereOneCannotBePacked) {
+  const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
+  const auto pack = study.breccia("pack", {"--sweep", "stages.A.filler.fraction=[0.3, 0.85, 0.35]", "--quiet"});
+  EXPECT_EQ(pack.exit_code, 3);
+  EXPECT_THAT(pack.errors, AllOf(testing::StartsWith("fraction-0.85: A: "), Not(HasSubstr("fraction-0.3"))));
+  EXPECT_TRUE(std::filesystem::exists(study.result("fraction-0.3/A/microstructure.csv")));
+  EXPECT_FALSE(std::filesystem::exists(study.result("fraction-0.85")));
+  EXPECT_TRUE(std::filesystem::exists(study.result("fraction-0.35/A/microstructure.csv")));
+}
+
 TEST(Sweep, CanBeNarrowedOnTheCommandLine) {
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--set", R"(sweep."stages.*.packing.seed"=[2])"});

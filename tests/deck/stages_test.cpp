@@ -285,6 +285,11 @@ TEST_F(DeckStages, MistakesInThePacking) {
               HasSubstr("filler.fraction: the discs"));
   EXPECT_THAT(mistakes("fraction = 0.5", "\"explicit\", discs = \"discs.csv\""),
               HasSubstr("expected a positive diameter"));
+  directory.write("discs.csv", "x_mm,y_mm,diameter_um\n1,2,-8\n7,2,8\n");
+  EXPECT_THAT(mistakes("gap = \"1 um\"", "\"explicit\", discs = \"discs.csv\""),
+              AllOf(HasSubstr("discs.csv:2: expected a positive diameter, got -8\n"),
+                    HasSubstr("discs.csv:3: expected a centre in the box, 0 to 6 mm, got (7, 2)")))
+      << "numbers as they are in the file";
 }
 
 TEST_F(DeckStages, MistakesInTheAmount) {
@@ -331,15 +336,24 @@ TEST_F(DeckStages, MistakesInTheSizes) {
               HasSubstr("a particle of 7 mm does not fit into a box of 6 mm"));
 }
 
+TEST_F(DeckStages, ReportsAnEmptyListOfCellsOnce) {
+  const auto message = mistakes("cells = []\n");
+  EXPECT_THAT(message, HasSubstr("cells: expected at least one, got an empty array"));
+  EXPECT_EQ(message.find("cells: "), message.rfind("cells: ")) << message;
+}
+
 TEST_F(DeckStages, MistakesInATableOfSizes) {
   const auto mistake_of = [&](std::string_view rows, std::string_view keys = "") {
     directory.write("sizes.csv", test::join("diameter_m,cumulative_volume_fraction\n", rows));
     return mistakes(test::join("fraction = 0.5, sizes = \"sizes.csv\"", keys), random_packing);
   };
   EXPECT_THAT(mistake_of("1e-4,0\n"), HasSubstr("sizes.csv: expected at least two rows"));
-  EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"), HasSubstr("sizes.csv:3: expected rising diameters"));
+  EXPECT_THAT(mistake_of("2e-4,0\n1e-4,1\n"), HasSubstr("sizes.csv:3: expected rising positive diameters"));
   EXPECT_THAT(mistake_of("1e-4,0.5\n2e-4,0.2\n"),
-              HasSubstr("sizes.csv:3: expected a cumulative volume fraction between"));
+              HasSubstr("sizes.csv:3: expected a cumulative volume fraction that does not fall, from 0 to 1"));
+  EXPECT_THAT(mistake_of("1e-4,0\n0,0.2\n2e-4,0.1\n-3e-4,1\n4e-4,1\n"),
+              AllOf(HasSubstr("sizes.csv:3: expected rising positive diameters"), HasSubstr("sizes.csv:5: expected")))
+      << "all of them";
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,0.9\n"),
               HasSubstr("sizes.csv:3: expected the cumulative volume fraction to end"));
   EXPECT_THAT(mistake_of("1e-4,0\n2e-4,1\n", ", from = \"1 mm\", to = \"2 mm\""),

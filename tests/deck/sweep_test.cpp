@@ -68,6 +68,30 @@ TEST_F(SweepDeck, ATaskIsTheDeckWithOverrides) {
             Volumetric::standard);
 }
 
+TEST_F(SweepDeck, TakesNamesWithDotsInTables) {
+  deck = test::replaced(deck, "\"HB-1\"", "\"HB.1\"");
+  EXPECT_THAT(names("[sweep.stages.\"HB.1\"]\ncells = [10, 20]\n"), ElementsAre("cells-10", "cells-20"));
+  EXPECT_THAT(names("[sweep]\nstages.\"HB.1\".filler.from = [\"2 um\", \"3 um\"]\n"),
+              ElementsAre("from-2-um", "from-3-um"));
+  EXPECT_THAT(names("[sweep]\n'stages.\"HB.1\".cells' = [10, 20]\n"), ElementsAre("cells-10", "cells-20"));
+}
+
+TEST_F(SweepDeck, NamesNoTaskTooLongForADirectory) {
+  std::string sweep = "[sweep]\n";
+  for (const auto* key : {"title", "b", "c", "d", "e"})
+    sweep += std::string(key) + " = [\"" + std::string(40, 'x') + "\"]\n";
+  EXPECT_THAT(mistakes(sweep), HasSubstr("deck.toml:22:1: the name of a task, title-xxx"));
+  EXPECT_THAT(mistakes(sweep), HasSubstr("has 218 letters; at most 200 are possible"));
+}
+
+TEST_F(SweepDeck, KeepsTheOverridesOfAllTasksApart) {
+  const auto file = directory.written("deck.toml", deck + "[sweep]\n\"tests.volumetric\" = [\"standard\"]\n");
+  const auto sweep = read_sweep(file, {"tests.points_per_decade=5"}, {});
+  EXPECT_THAT(sweep.overrides, ElementsAre("tests.points_per_decade=5"));
+  EXPECT_THAT(sweep.tasks.at(0).study.provenance.overrides,
+              ElementsAre("tests.points_per_decade=5", "tests.volumetric=\"standard\""));
+}
+
 TEST_F(SweepDeck, TakesKeysInTablesAndFromTheCommandLine) {
   EXPECT_THAT(names("[sweep]\nstages.HB-1.filler.from = [\"2 um\", \"3 um\"]\n"),
               ElementsAre("from-2-um", "from-3-um"));

@@ -54,6 +54,8 @@ TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());
+  EXPECT_FALSE(tests(test::join(times, "fields = \"last\"")).lists_field_times);
+  EXPECT_TRUE(tests(test::join(times, "fields = [\"10 ms\"]")).lists_field_times);
   EXPECT_THAT(tests(test::join(times, "fields = [\"1 us\", \"10 ms\"]")).field_times, ElementsAre(1e-6, 1e-2));
 }
 
@@ -130,7 +132,7 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 us\"]"), HasSubstr("tests.fields: expected rising times"));
   EXPECT_THAT(with_times("fields = [\"1 ms\", \"1 h\"]"),
-              HasSubstr("tests.fields: expected times within those of the"));
+              HasSubstr("tests.fields: expected times within those of the tests, 10 ns to 10 ms, got 3600 s"));
   EXPECT_THAT(with_times("fields = [\"1 m\"]"), HasSubstr("tests.fields: expected a time, got \"1 m\""));
   EXPECT_THAT(mistakes("fields = [\"1 ms\"]"), ::testing::Not(HasSubstr("fields")));
   EXPECT_THAT(with_times("method = [\"dynamic\", \"dynamic\"]"), HasSubstr("tests.method: the same twice"));

@@ -8,6 +8,8 @@
 
 #include "breccia/error.hpp"
 
+#include "messages.hpp"
+
 namespace breccia {
 namespace {
 
@@ -69,6 +71,17 @@ TEST(Discretisation, EachParticleHasItsPhase) {
 TEST(Discretisation, RefusesABoxWithoutCells) {
   EXPECT_THROW(Discretisation<2>(Grid<2>{{0, 3}, 1.0}), InputError);
   EXPECT_THROW(Discretisation<2>(Grid<2>{{3, 3}, 0.0}), InputError);
+}
+
+TEST(RequirePhases, NamesThePhaseWithoutAMaterial) {
+  Discretisation<2> box(Grid<2>{{4, 4}, 0.25});
+  EXPECT_NO_THROW(require_phases("a test", box, 1));
+  box.paint({{0.5, 0.5}, 0.5}, 2);
+  EXPECT_EQ(test::message_of<InputError>([&] { require_phases("a test", box, 2); }),
+            "a test: a point has the phase with number 2, counted from 0, but only 2 materials are given");
+  EXPECT_NO_THROW(require_phases("a test", box, 3));
+  box.paint({{0.5, 0.5}, 0.5}, no_phase);
+  EXPECT_NO_THROW(require_phases("a test", box, 1)) << "empty cells";
 }
 
 }  // namespace

@@ -128,5 +128,27 @@ INSTANTIATE_TEST_SUITE_P(BothOptions, Agreement, testing::Values(Volumetric::ave
                            return std::string(chosen.param == Volumetric::averaged ? "Averaged" : "Standard");
                          });
 
+// A body that starts 8 cells from the right side leaves the grid long before 256 steps are over.
+TEST(MovingPoints, WhichLeaveTheGridAreReportedAtTheirStep) {
+  const auto leaving = [] { return travelling_body([](const Vector<2>&) { return Vector<2>{400.0, 0.0}; }); };
+  int steps = 0;
+  const auto one_by_one = leaving();
+  std::string expected, found;
+  std::vector<Averages<2>> averages;
+  try {
+    for (; steps < 256; ++steps) one_by_one->advance(1, averages);
+  } catch (const NumericalError& error) {
+    expected = error.what();
+  }
+  ASSERT_GT(steps, 0);
+  try {
+    leaving()->advance(256, averages);
+  } catch (const NumericalError& error) {
+    found = error.what();
+  }
+  EXPECT_NE(expected.find("left the grid at step " + std::to_string(steps) + ";"), std::string::npos) << expected;
+  EXPECT_EQ(found, expected);
+}
+
 }  // namespace
 }  // namespace breccia

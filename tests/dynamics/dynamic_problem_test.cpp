@@ -3,12 +3,14 @@
 #include <cmath>
 
 #include <Eigen/Dense>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 
 #include "materials.hpp"
+#include "messages.hpp"
 #include "nodal_masses.hpp"
 
 namespace breccia {
@@ -108,6 +110,16 @@ TEST(DynamicProblem, RefusesATimeStepAboveTheStableOne) {
   for (const double step : {1.001 * limit, 0.0, -limit, std::nan("")}) {
     problem.time_step = step;
     EXPECT_THROW(require_stable(problem), InputError);
+  }
+}
+
+TEST(DynamicProblem, RefusesADensityFactorThatIsNotPositive) {
+  DynamicProblem<2> problem{testing_materials::disc_in_box(10), {soft, stiff}};
+  problem.time_step = 1e-9;
+  for (const double factor : {-1.0, 0.0, std::nan("")}) {
+    problem.density_factor = factor;
+    EXPECT_THAT(test::message_of<InputError>([&] { require_stable(problem); }),
+                testing::HasSubstr("density factor of"));
   }
 }
 

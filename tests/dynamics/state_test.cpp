@@ -1,6 +1,8 @@
 #include "breccia/checkpoint/state.hpp"
 
+#include <cmath>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +59,54 @@ TEST_P(DynamicState, OfAnotherGridIsRefused) {
   coarse->save(writer, "/solver");
   writer.commit();
   EXPECT_THROW(solver(1)->restore(StateReader(path_), "/solver"), FileError);
+}
+
+/// The lists of points in the state of a classical run.
+struct PointLists {
+  std::vector<double> numbers, places, cells, history;
+};
+
+void write(StateWriter& state, const PointLists& lists) {
+  state.write("/solver/points", lists.numbers);
+  state.write("/solver/places", lists.places);
+  state.write("/solver/cells", lists.cells);
+  state.write("/solver/history", lists.history);
+}
+
+TEST_P(DynamicState, OfPointsThatCannotBeIsRefused) {
+  if (std::get<Formulation>(GetParam()) != Formulation::classical) GTEST_SKIP();
+  StateWriter writer(path_, {"deck", "version"});
+  solver(1)->save(writer, "/solver");
+  writer.commit();
+  const StateReader sound(path_);
+  const auto read = [&](const char* name) { return sound.numbers(name); };
+  const PointLists lists = {read("/solver/points"), read("/solver/places"), read("/solver/cells"),
+                            read("/solver/history")};
+  const auto step = sound.integer("/solver/step");
+  const auto is_taken = [&](const PointLists& changed) {
+    const auto path = directory_.path() / "changed.h5";
+    StateWriter changing(path, {"deck", "version"});
+    changing.write("/solver/step", step);
+    write(changing, changed);
+    changing.commit();
+    try {
+      solver(1)->restore(StateReader(path), "/solver");
+    } catch (const FileError&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(is_taken(lists));
+  for (const double cell : {-1.0, 144.0, 1e12, 0.5, std::nan("")}) {
+    auto changed = lists;
+    changed.cells[3] = cell;
+    EXPECT_FALSE(is_taken(changed)) << "cell " << cell;
+  }
+  for (const double place : {lists.places[1], -1.0, 0.5, 1e18}) {
+    auto changed = lists;
+    changed.places[0] = place;
+    EXPECT_FALSE(is_taken(changed)) << "place " << place;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, DynamicState,

@@ -139,5 +139,18 @@ TEST(Memory, TooLittleIsRefusedWithTheCellsThatWouldFit) {
               testing::Not(testing::HasSubstr("would fit")));
 }
 
+// A grid of 1.7e10 cells is in no memory: the plan of its time domains does without it.
+TEST(Memory, OfTheDynamicMethodIsFoundWithoutItsGrid) {
+  EXPECT_THAT(lacking_memory(study_of(1 << 17, {Method::dynamic}), 1e9),
+              testing::ElementsAre(testing::HasSubstr("A: 131072 x 131072 cells take about ")));
+}
+
+// Density factors that are never valid have no plan, and so no estimate.
+TEST(Memory, WithoutAnEstimateNothingIsLacking) {
+  auto study = study_of(100, {Method::dynamic});
+  study.tests.dynamic.density_factors = {1e12};
+  EXPECT_THAT(lacking_memory(study, -1.0), testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace breccia

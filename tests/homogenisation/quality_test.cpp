@@ -11,6 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::StartsWith;
 
 /// A test whose modulus is constant.
 TestResult constant(Boundary boundary, TestGrid grid, double modulus, double last_time = 1.0) {
@@ -151,6 +152,64 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   regular.filler->packing = RegularPacking{};
   packed = result_of({}, 4).microstructure;
   EXPECT_THAT(warnings_on_packing(regular, packed), IsEmpty());
+}
+
+TEST(Quality, PeriodicTestsHaveAGridErrorAndNoBounds) {
+  auto stage = random_stage();
+  const auto alone = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(100), 100.0)}));
+  EXPECT_THAT(summary_of(alone), StartsWith("periodic boundary: no bounds; grid: one grid, error unknown (give cells"));
+  stage.coarser_cells = {50};
+  const auto periodic = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0),
+                                                     constant(Boundary::periodic, TestGrid(100), 105.0),
+                                                     extrapolated(Boundary::periodic, 100.0, 7.0)}));
+  EXPECT_NEAR(periodic.grid_share.value(), 0.07, 1e-12);
+  EXPECT_THAT(summary_of(periodic), StartsWith("periodic boundary: no bounds; grid: error up to 7 %; "));
+  const auto unfinished = quality_of(stage, result_of({constant(Boundary::periodic, TestGrid(50), 110.0)}));
+  EXPECT_THAT(summary_of(unfinished), HasSubstr("grid: error unknown until every grid is tested; ")) << "two grids";
+}
+
+TEST(Quality, TheGridErrorIsTheLargestOfAllTests) {
+  auto stage = random_stage();
+  stage.coarser_cells = {50};
+  const auto quality = quality_of(
+      stage, result_of({extrapolated(Boundary::displacement, 120.0, 6.0), extrapolated(Boundary::traction, 100.0, 2.0),
+                        extrapolated(Boundary::periodic, 110.0, 11.0)}));
+  EXPECT_NEAR(quality.grid_share.value(), 0.1, 1e-12);
+  EXPECT_THAT(summary_of(quality), StartsWith("bounds 20 % apart at 10 ms"));
+}
+
+TEST(Quality, GivesTheNarrowestGapOnEachGrid) {
+  auto stage = random_stage();
+  stage.coarser_cells = {50};
+  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("; narrowest gap: 1.5 and 3 cells;"));
+  stage.coarser_cells = {25, 50};
+  EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("; narrowest gap: 0.75, 1.5 and 3 cells;"));
+}
+
+// The half bands of both bounds together are at most twice the larger one.
+TEST(Quality, BoundsAreCrossedBeyondTheirBands) {
+  EXPECT_FALSE((BoundsAtTime{1.0, 90.0, 100.0, 5.0}).crossing()) << "within the error of the grids";
+  EXPECT_NEAR((BoundsAtTime{1.0, 89.0, 100.0, 5.0}).crossing().value(), 0.11, 1e-12);
+  EXPECT_FALSE((BoundsAtTime{1.0, 99.95, 100.0, std::nullopt}).crossing()) << "a rounding error";
+  EXPECT_NEAR((BoundsAtTime{1.0, 99.0, 100.0, std::nullopt}).crossing().value(), 0.01, 1e-12);
+  EXPECT_FALSE((BoundsAtTime{1.0, 100.0, 99.0, std::nullopt}).crossing());
+  EXPECT_FALSE((BoundsAtTime{1.0, std::nullopt, 99.0, std::nullopt}).crossing());
+}
+
+TEST(Quality, SaysThatBoundsAreCrossed) {
+  auto stage = random_stage();
+  stage.coarser_cells = {50};
+  auto falling = extrapolated(Boundary::displacement, 120.0, 6.0);
+  for (auto& sample : falling.modulus) sample.modulus = sample.time > 0.5 ? 80.0 : 120.0;
+  const auto quality = quality_of(stage, result_of({falling, extrapolated(Boundary::traction, 100.0, 2.0)}));
+  EXPECT_THAT(summary_of(quality), StartsWith("bounds: the upper one is 20 % below the lower one at 1 s; "));
+  EXPECT_THAT(warnings_on_bounds(quality),
+              ElementsAre("shear, quasistatic: the upper bound is 20 % below the lower bound at 1 s; likely causes: "
+                          "grids too coarse for the narrowest gap, in cells 1.5 wide with cells = 50, 3 wide with "
+                          "cells = 100; or particles that the sides of the box cut"));
+  const auto sound = quality_of(stage, result_of({extrapolated(Boundary::displacement, 120.0, 6.0),
+                                                  extrapolated(Boundary::traction, 100.0, 2.0)}));
+  EXPECT_THAT(warnings_on_bounds(sound), IsEmpty());
 }
 
 }  // namespace

@@ -80,6 +80,8 @@ TEST(Respond, RefusesStagesThatDoNotBelongTogether) {
                 "and fedcba9876543210)"));
   EXPECT_THAT(refusal_of({fine, linear_stage("other", test::glass, 3.0)}),
               HasSubstr("stages fine and other have different matrices, binder and glass"));
+  EXPECT_EQ(refusal_of({fine, linear_stage("coarse", EarlierStage{"fine"}, 3.0), fine}),
+            "the responses of stage fine are given twice; give those of each stage once");
 }
 
 TEST(Respond, TakesAMaterialForEachThatStagesHaveAsTheirMatrix) {

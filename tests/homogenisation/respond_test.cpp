@@ -99,5 +99,14 @@ TEST(Respond, ResponsesOfTwoStudiesInTheMemoryAreNotMixed) {
               HasSubstr("of different studies"));
 }
 
+TEST(Respond, AStageWithoutResponsesIsRefused) {
+  StoredResponses empty;
+  empty.stage = "A";
+  empty.matrix = test::binder;
+  empty.times = {1e-3, 1.0};
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(respond(empty, test::binder)); }),
+            "stage A has no reduced response");
+}
+
 }  // namespace
 }  // namespace breccia

@@ -44,6 +44,21 @@ TEST(StageWarnings, OfGapsBelowThreeCells) {
   EXPECT_THAT(warnings(two_discs(0.0)), ElementsAre(Not(HasSubstr("would resolve it")))) << "no number of cells does";
 }
 
+// The coarsest of several grids has a part in the extrapolation.
+TEST(StageWarnings, OfGapsBelowThreeCellsOnTheCoarsestGrid) {
+  auto stage = two_discs(0.2e-3);
+  EXPECT_THAT(warnings(stage), IsEmpty()) << "four cells";
+  stage.coarser_cells = {100};
+  EXPECT_THAT(warnings(stage),
+              ElementsAre(AllOf(HasSubstr("is 2 cells wide on the coarsest grid, of 100 cells a side;"),
+                                HasSubstr("(cells = [150, 300] would resolve it)"))));
+}
+
+TEST(StageWarnings, OfAGapOfAboutOneCell) {
+  EXPECT_THAT(warnings(two_discs(0.05e-3)), ElementsAre(HasSubstr("is 1 cell wide;")));
+  EXPECT_THAT(warnings(two_discs(0.05095e-3)), ElementsAre(HasSubstr("is 1 cell wide;"))) << "1.019 cells";
+}
+
 TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   auto stage = two_discs(0.15e-3);
   auto& shear = std::get<Material>(stage.matrix).shear;
@@ -54,6 +69,23 @@ TEST(StageWarnings, OfTimesBeyondTheSpectrum) {
   EXPECT_THAT(warnings(stage, within(1.0, 100.0)), ElementsAre(HasSubstr("times reach from 1 s to 100 s")));
   shear = PronySeries(0.0, {{1e-3, 1.0}});
   EXPECT_THAT(warnings(stage, within(1.0, 100.0)), IsEmpty()) << "a model with one term";
+}
+
+TEST(StageWarnings, OfMeasurementsAtOtherTimes) {
+  const auto stage = two_discs(0.15e-3);
+  auto study = within(1e-6, 1e-2);
+  study.measurements = {{"early", "A", Curve{{1e-3, 2.0}, {1.0, 1.0}}},
+                        {"late", "A", Curve{{10.0, 2.0}, {100.0, 1.0}}},
+                        {"cut", "A", PronySeries(1.0), TimeWindow{100.0, 200.0}},
+                        {"empty", "A", Curve{{10.0, 2.0}, {100.0, 1.0}}, TimeWindow{200.0, 300.0}},
+                        {"of another stage", "B", Curve{{10.0, 2.0}, {100.0, 1.0}}}};
+  EXPECT_THAT(
+      warnings(stage, study),
+      ElementsAre("A: the measurement \"late\" is not compared: it is known from 10 s to 100 s, and tests.times "
+                  "go from 1 us to 10 ms",
+                  HasSubstr("\"cut\" is not compared: it is known from 100 s to 200 s"),
+                  "A: the measurement \"empty\" is not compared: none of its own times is within "
+                  "measurements.times"));
 }
 
 TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {

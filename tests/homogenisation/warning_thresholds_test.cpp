@@ -54,7 +54,7 @@ std::vector<std::string> warnings_at_gap(double gap, double wall_gap = 1.0) {
 // Three cells of 50 um.
 TEST(WarningThresholds, OfGapsInCells) {
   EXPECT_THAT(warnings_at_gap(150e-6), IsEmpty());
-  EXPECT_THAT(warnings_at_gap(149.9e-6), ElementsAre(HasSubstr("149.9 um, is 3 cells wide")));
+  EXPECT_THAT(warnings_at_gap(149.9e-6), ElementsAre(HasSubstr("149.9 um, is 2.998 cells wide; below 3 cells")));
   EXPECT_THAT(warnings_at_gap(1.0, 149.9e-6), ElementsAre(HasSubstr("between particles or to a wall")));
   EXPECT_THAT(warnings_at_gap(50e-6), ElementsAre(HasSubstr("50 um, is 1 cell wide")));
 }

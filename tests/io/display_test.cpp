@@ -66,10 +66,33 @@ TEST(Display, TimesOfCalculationsAreInMinutesAndHours) {
   EXPECT_EQ(display_duration(10.0 * 86400.0), "10 d");
 }
 
+TEST(Display, ThreeDigitsOfANumber) {
+  EXPECT_EQ(three_digits(1000.0), "1000");
+  EXPECT_EQ(three_digits(123456.0), "123000");
+  EXPECT_EQ(three_digits(-0.0123456), "-0.0123");
+  EXPECT_EQ(three_digits(1.0), "1");
+}
+
 TEST(Display, OneIsSingular) {
   EXPECT_EQ(display_count(1, "term"), "1 term");
   EXPECT_EQ(display_count(0, "term"), "0 terms");
   EXPECT_EQ(display_count(12, "term"), "12 terms");
+}
+
+TEST(Display, ANumberBesideAnotherShowsThatItIsAnother) {
+  EXPECT_EQ(display_beside(2.1234, 3.0), "2.1");
+  EXPECT_EQ(display_beside(2.998, 3.0), "2.998");
+  EXPECT_EQ(display_beside(2.96, 3.0), "2.96");
+  EXPECT_EQ(display_beside(3.0, 3.0), "3") << "the same number";
+}
+
+TEST(Display, RoundsToTwoDigitsInOneDirection) {
+  EXPECT_DOUBLE_EQ(rounded_down_to_two_digits(0.2999), 0.29);
+  EXPECT_DOUBLE_EQ(rounded_up_to_two_digits(0.2901), 0.30);
+  for (const double two_digits : {0.29, 0.57, 1.1, 9.9, 1e-7, 3.6e9}) {
+    EXPECT_DOUBLE_EQ(rounded_down_to_two_digits(two_digits), two_digits);
+    EXPECT_DOUBLE_EQ(rounded_up_to_two_digits(two_digits), two_digits);
+  }
 }
 
 }  // namespace

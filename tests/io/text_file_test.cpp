@@ -41,6 +41,10 @@ TEST(TextFile, ErrorsNameTheFileAndTheReason) {
   EXPECT_EQ(read, missing.string() + ": cannot read: No such file or directory");
   const auto folder = test::message_of<FileError>([&] { static_cast<void>(read_text(directory.path())); });
   EXPECT_THAT(folder, testing::HasSubstr("is a directory"));
+  const auto loop = directory.path() / "loop";
+  std::filesystem::create_symlink("loop", loop);
+  const auto endless = test::message_of<FileError>([&] { static_cast<void>(read_text(loop)); });
+  EXPECT_THAT(endless, testing::StartsWith(loop.string() + ": cannot be looked at: "));
 }
 
 TEST(TextFile, AFullDiskIsAnErrorAndLeavesTheOldFile) {
@@ -73,18 +77,23 @@ TEST(PartialFiles, AreKnownByTheNumberOfTheirProcess) {
   EXPECT_EQ(partial_name("out/curves.csv", 17), "out/curves.csv.17.partial");
   for (const auto* name : {"curves.csv.17.partial", "A/curves.csv.17.partial"}) {
     EXPECT_TRUE(is_partial_name(name)) << name;
+    EXPECT_EQ(partial_name(whole_name(name), 17), name);
   }
   for (const auto* name : {"curves.csv", "notes.partial", "notes.v2.partial", "notes..partial", ".17.partial",
                            "A/.17.partial", "17.partial", ".partial", "curves.csv.17.partial.txt", ""}) {
     EXPECT_FALSE(is_partial_name(name)) << name;
+    EXPECT_EQ(whole_name(name), "");
   }
 }
 
 TEST(PartialFiles, OfOthersAreNotRemoved) {
   const test::TemporaryDirectory directory;
-  for (const auto* name : {"curves.csv.17.partial", "notes.partial", "curves.csv"}) directory.write(name, "text");
-  remove_partial_files(directory.path());
+  for (const auto* name : {"curves.csv.17.partial", "data.12.partial", "notes.partial", "curves.csv"}) {
+    directory.write(name, "text");
+  }
+  remove_partial_files(directory.path(), [](std::string_view name) { return name == "curves.csv"; });
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "curves.csv.17.partial"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "data.12.partial"));
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "notes.partial"));
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "curves.csv"));
 }

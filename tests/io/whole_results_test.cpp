@@ -98,5 +98,30 @@ TEST_F(WholeResultsTest, AreMadeByOneProcessAtATime) {
   EXPECT_EQ(read_text(directory() / "prony.csv"), "first");
 }
 
+// The system does not tell what is behind a link that leads to itself.
+TEST_F(WholeResultsTest, AreRefusedWhereALinkLeadsToItself) {
+  fs::create_directories(directory());
+  fs::create_symlink("prony.csv", directory() / "prony.csv");
+  EXPECT_THROW(make("a", "new"), FileError);
+  EXPECT_FALSE(fs::exists(directory() / "unfinished"));
+}
+
+TEST_F(WholeResultsTest, AreKeptWhereTheirEndCannotBeSeen) {
+  const auto list = directory() / "unfinished/removing.list";
+  {
+    WholeResults results(directory(), origin());
+    write_text(results.place() / "prony.csv", "new");
+    fs::create_symlink("removing.list", list);
+  }
+  fs::remove(list);
+  EXPECT_EQ(read_text(directory() / "unfinished/prony.csv"), "new");
+}
+
+TEST_F(WholeResultsTest, LeaveNoDirectoryWhereTheyCannotBegin) {
+  fs::create_directories(directory() / "unfinished/fit.json");
+  EXPECT_THROW(make("a", "new"), FileError) << "a directory is where the record is to be";
+  EXPECT_FALSE(fs::exists(directory() / "unfinished"));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -45,5 +45,12 @@ TEST(ApparentModuli, AMaterialThatRelaxesIsRefused) {
   EXPECT_THROW(static_cast<void>(apparent_moduli(none, loads)), InputError);
 }
 
+TEST(ApparentModuli, RefuseWhatIsIncomplete) {
+  auto problem = layers(stiff, stiff, Boundary::periodic);
+  EXPECT_THROW(static_cast<void>(apparent_moduli(problem, {})), InputError) << "no load";
+  problem.materials.pop_back();
+  EXPECT_THROW(static_cast<void>(apparent_moduli(problem, loads)), InputError) << "a phase without a material";
+}
+
 }  // namespace
 }  // namespace breccia

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -126,7 +128,11 @@ TEST(LogTimeStepping, RefusesWhatIsIncomplete) {
   auto problem = test::homogeneous(polymer, Boundary::displacement);
   const std::array loads = {Load::shear};
   EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{}), InputError);
-  EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{2.0, 1.0}), InputError);
+  for (const auto& times : std::vector<std::vector<double>>{
+           {2.0, 1.0}, {1.0, 1.0}, {1.0, std::nan(""), 2.0}, {1.0, std::numeric_limits<double>::infinity()}}) {
+    EXPECT_THROW(run_log_time_stepping(problem, loads, times), InputError);
+  }
+  EXPECT_THROW(run_log_time_stepping(problem, {}, std::vector<double>{1.0}), InputError) << "no load";
   problem.discretisation.paint([](const Vector<2>&) { return true; }, 3);
   EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector<double>{1.0}), InputError);
   problem.discretisation.paint([](const Vector<2>&) { return true; }, no_phase);

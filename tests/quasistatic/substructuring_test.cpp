@@ -63,6 +63,21 @@ INSTANTIATE_TEST_SUITE_P(Boxes, Substructuring,
                          testing::Combine(testing::ValuesIn(test::boundaries),
                                           testing::Values(Volumetric::averaged, Volumetric::standard)));
 
+// The solution for nearly the same moduli is the guess for the second system: three decades of ten are left to it.
+TEST(SubstructuringWithAGuess, TakesFewIterationsUnderEveryBoundary) {
+  constexpr std::array shear = {Load::shear};
+  const Moduli matrix = {3.6e9, 1e6}, nearly = {3.6e9, 1.0000001e6};
+  for (const auto boundary : test::boundaries) {
+    auto problem = test::random_composite(32, 10, boundary);
+    problem.linear.method = LinearMethod::iterative;
+    const auto iterations = [&](const std::vector<Moduli>& training_set) {
+      return sample_responses(problem, 0, shear, training_set, {.tolerance = 1.0}).effort.iterations;
+    };
+    const int first = iterations({matrix}), both = iterations({nearly, matrix});
+    EXPECT_LT(2 * (both - first), first) << name_of(boundary);
+  }
+}
+
 TEST(SubstructuringOnThreads, GivesTheSameBitsForAnyNumber) {
   const Moduli matrix = {3.6e9, 1e6};
   auto problem = test::random_composite(200, 3, Boundary::periodic);

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -109,6 +110,19 @@ TEST(ModulusPlot, LabelsItsAxesWithRoundNumbers) {
   }
   const auto over_many_decades = modulus_plot({"", {{"a", {1e-9, 1e-2}, {1e0, 1e9}}}});
   EXPECT_EQ(count(over_many_decades, ">10</tspan>"), 8 + 5) << "every decade of time, every second one of modulus";
+}
+
+// There are seven colours.
+TEST(ModulusPlot, TellsCurvesOfOneColourApartByTheirDashes) {
+  for (const auto style : {PlotStyle::line, PlotStyle::dashed}) {
+    const auto with_colour = [&](std::size_t colour) {
+      auto curve = relaxation("a", 1e6, style);
+      curve.colour = colour;
+      return modulus_plot({"", {curve}, {}});
+    };
+    const std::set<std::string> plots = {with_colour(2), with_colour(9), with_colour(16), with_colour(23)};
+    EXPECT_EQ(plots.size(), 4U);
+  }
 }
 
 TEST(ModulusPlot, DrawsASinglePoint) {

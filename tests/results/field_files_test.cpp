@@ -125,7 +125,9 @@ TEST_F(FieldFiles, HaveTheSameNamesWithoutTheirNumbers) {
 }
 
 TEST_F(FieldFiles, AreKnownByTheirNames) {
-  for (const auto* name : {"fields", "fields.svg", "my-fields.vtkhdf", "fields/x.vtkhdf", "../fields.vtkhdf", ""}) {
+  for (const auto* name : {"fields", "fields.svg", "my-fields.vtkhdf", "fields/x.vtkhdf", "../fields.vtkhdf", "",
+                           "fields-mine-stress.svg", "fields-2-mine.vtkhdf", "fields-traction.vtkhdf",
+                           "fields-traction-quasistatic-.vtkhdf", "fields2.vtkhdf", "-stress.svg"}) {
     EXPECT_FALSE(is_of_fields(name)) << name;
   }
 }

@@ -165,7 +165,11 @@ TEST_F(HistoryFile, IsWrittenForEachTimeDomainOfTheDynamicTests) {
 TEST_F(HistoryFile, IsKnownByItsName) {
   EXPECT_EQ(history_file("shear", "traction", 300, 2), "shear-traction-dynamic-300-2.h5");
   EXPECT_TRUE(is_history("shear-traction-dynamic-300-2.h5"));
-  for (const auto* name : {"shear-traction-quasistatic-300-2.h5", "shear-traction-dynamic-300-2.csv", "response.h5"}) {
+  EXPECT_TRUE(is_history("shear-xx-yy-periodic-dynamic-24-11.h5"));
+  for (const auto* name :
+       {"shear-traction-quasistatic-300-2.h5", "shear-traction-dynamic-300-2.csv", "response.h5", "my-dynamic-data.h5",
+        "shear-traction-dynamic-300.h5", "shear-traction-dynamic-300-last.h5", "shear-traction-dynamic-.h5",
+        "my-traction-dynamic-300-2.h5", "traction-dynamic-300-2.h5", "shear-dynamic-300-2.h5", "-dynamic-.h5"}) {
     EXPECT_FALSE(is_history(name)) << name;
   }
 }

@@ -32,7 +32,7 @@ TEST(ResultFiles, OfAStageAreKnownByTheirNames) {
   }
 }
 
-TEST(ResultFiles, InADirectoryAreThoseOfStudySweepAndItsStages) {
+TEST(ResultFiles, InADirectoryAreThoseOfAStudyAndItsStagesOrOfASweep) {
   const test::TemporaryDirectory directory;
   for (const auto* stage : {"A", "B", "other"}) std::filesystem::create_directory(directory.path() / stage);
   for (const auto* name : {"study.json", "curves.csv", "report.html", "sweep.json", "notes.txt", "A/response.h5",
@@ -40,10 +40,12 @@ TEST(ResultFiles, InADirectoryAreThoseOfStudySweepAndItsStages) {
     directory.write(name, "");
   }
   std::filesystem::create_directory(directory.path() / "B" / "modulus.svg");
-  EXPECT_THAT(result_files_in(directory.path(), {"A", "B", "missing"}),
-              UnorderedElementsAre("study.json", "curves.csv", "report.html", "sweep.json", "A/response.h5"))
-      << "each once, and a directory is no file";
-  EXPECT_THAT(result_files_in(directory.path() / "nowhere", {"A"}), IsEmpty());
+  EXPECT_THAT(study_files_in(directory.path(), {"A", "B", "missing"}),
+              UnorderedElementsAre("study.json", "curves.csv", "report.html", "A/response.h5"))
+      << "a directory is no file";
+  EXPECT_THAT(sweep_files_in(directory.path()), UnorderedElementsAre("report.html", "sweep.json"));
+  EXPECT_THAT(study_files_in(directory.path() / "nowhere", {"A"}), IsEmpty());
+  EXPECT_THAT(sweep_files_in(directory.path() / "nowhere"), IsEmpty());
 }
 
 TEST(MicrostructureFiles, TellEveryParticle) {

@@ -90,6 +90,11 @@ TEST_F(StudyRecordFile, TellsTheFirstDifferenceOfTwoStudies) {
   EXPECT_EQ(difference(record, now),
             R"(the overrides were ["stages.0.cells=12","tests.method=\"quasistatic\""], are ["stages.0.cells=13"])");
   now.provenance.deck_text = "title = \"a\"\n[tests]\ntimes = 2\n";
+  EXPECT_EQ(difference(record, now),
+            R"(deck.toml: line 3 was `times = 1`, is `times = 2`; the overrides were ["stages.0.cells=12",)"
+            R"("tests.method=\"quasistatic\""], are ["stages.0.cells=13"])")
+      << "the line may be a comment";
+  now.provenance.overrides = study.provenance.overrides;
   EXPECT_EQ(difference(record, now), "deck.toml: line 3 was `times = 1`, is `times = 2`");
   now.provenance.deck_text = "title = \"a\"\n";
   EXPECT_EQ(difference(record, now), "deck.toml: line 2 was `[tests]`, is ``") << "a line that is gone";
@@ -97,6 +102,23 @@ TEST_F(StudyRecordFile, TellsTheFirstDifferenceOfTwoStudies) {
   older.version = "0.0.1";
   EXPECT_EQ(difference(older, now),
             std::string("they are of version 0.0.1 of Breccia, this is version ") + BRECCIA_VERSION);
+}
+
+TEST_F(StudyRecordFile, TellsTheDataFileThatDiffersWhereTheDeckDiffersInACommentAlone) {
+  auto& provenance = study.provenance;
+  provenance.deck_content_hash = "00000000000000dd";
+  provenance.file_hashes = {{"p.csv", "aa"}, {"sizes.csv", "bb"}};
+  const auto record = record_of({});
+  EXPECT_EQ(record.deck_content_hash, provenance.deck_content_hash);
+  EXPECT_EQ(record.file_hashes, provenance.file_hashes);
+  auto now = study;
+  now.provenance.deck_text = "title = \"a\" # a comment\n[tests]\ntimes = 1\n";
+  now.provenance.file_hashes[0].hash = "cc";
+  EXPECT_EQ(difference(record, now), "the data file p.csv differs");
+  now.provenance.file_hashes[1].hash = "cc";
+  EXPECT_EQ(difference(record, now), "the data files p.csv, sizes.csv differ");
+  now.provenance.deck_content_hash = "00000000000000ee";
+  EXPECT_EQ(difference(record, now), "deck.toml: line 1 was `title = \"a\"`, is `title = \"a\" # a comment`");
 }
 
 TEST_F(StudyRecordFile, IsNoneWhereAnotherProgramWroteIt) {

@@ -134,6 +134,13 @@ TEST_F(SweepTables, HaveNoPlotWithoutGnuplot) {
   EXPECT_FALSE(std::filesystem::exists(file("sweep.svg")));
 }
 
+TEST_F(SweepTables, HaveTheOverridesOfAllTasksInTheirRecord) {
+  sweep.overrides = {"tests.points_per_decade=5"};
+  sweep.tasks[0].study.provenance.overrides = {"tests.points_per_decade=5", "stages.*.packing.seed=1"};
+  write_record();
+  EXPECT_EQ(json::parse(read_text(file("sweep.json"))).at("overrides"), json({"tests.points_per_decade=5"}));
+}
+
 TEST_F(SweepTables, GiveThePageItsCurves) {
   result[2] = done_with({{1e-3, 1.0 / 3.0}, {1.0, 0.1}});
   write_record();

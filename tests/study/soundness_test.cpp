@@ -121,6 +121,8 @@ TEST(RequireSound, NamesEachMistakeOfMaterials) {
 
 TEST(RequireSound, NamesEachMistakeOfStages) {
   expect_each({{[](Study& study) { study.stages[1].name = "a/b"; }, "a/b: expected letters, digits"},
+               {[](Study& study) { study.stages[1].name = std::string(201, 'a'); },
+                "expected a name of at most 200 letters, got 201"},
                {[](Study& study) { study.stages[1].name = "fine"; }, "fine: another stage is called \"fine\""},
                {[](Study& study) { study.stages[1].name = "glass"; }, "glass: a material is called \"glass\""},
                {[](Study& study) { study.stages[1].name = "Study.json"; }, "is the name of a file of results"},
@@ -244,7 +246,7 @@ TEST(RequireSound, NamesEachMistakeOfTests) {
         },
         "tests, times of fields: expected rising times"},
        {[](Study& study) { study.tests.field_times = {1.0}; },
-        "tests, times of fields: expected times within those of the tests"}},
+        "tests, times of fields: expected times within those of the tests, 1 ms to 50 ms, got 1 s"}},
       test::two_stages());
 }
 

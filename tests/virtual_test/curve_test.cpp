@@ -63,5 +63,11 @@ TEST(SmoothedAt, RefusesToExtrapolate) {
   EXPECT_THROW((void)smoothed_at(Curve{}, 1.0), InputError);
 }
 
+TEST(LogarithmicTimes, AreAtLeastOneADecade) {
+  for (const int per_decade : {0, -3}) {
+    EXPECT_THROW(static_cast<void>(logarithmic_times({1.0, 10.0}, per_decade)), InputError) << per_decade;
+  }
+}
+
 }  // namespace
 }  // namespace breccia

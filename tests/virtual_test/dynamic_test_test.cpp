@@ -187,6 +187,29 @@ TEST(RunDynamicTest, RefusesInvalidTests) {
   test.field_times = {};
   test.options.courant = 1.5;
   EXPECT_THROW(run_dynamic_test(test), InputError);
+  test.options.courant = 0.5;
+  for (const int per_decade : {0, -1}) {
+    test.points_per_decade = per_decade;
+    EXPECT_THROW(run_dynamic_test(test), InputError) << per_decade << " points per decade";
+  }
+  test.points_per_decade = 20;
+  test.materials.pop_back();
+  EXPECT_THROW(run_dynamic_test(test), InputError) << "the particles have no material";
+  EXPECT_THROW(static_cast<void>(plan_dynamic_test(test)), InputError);
+  EXPECT_THROW(static_cast<void>(mean_density(test.discretisation, test.materials)), InputError);
+}
+
+// A finer grid needs as many more steps as it has cells along an axis; the time domains are the same.
+TEST(PlanDynamicTest, OfAFinerGridIsMadeByACoarseOne) {
+  const auto coarse = relaxation(model_composite(12), {binder, binder}, {1e-3, 0.02});
+  const auto fine = relaxation(model_composite(36), {binder, binder}, {1e-3, 0.02});
+  const auto planned = plan_dynamic_test(coarse, 3.0), expected = plan_dynamic_test(fine);
+  EXPECT_EQ(planned.bytes, expected.bytes);
+  ASSERT_EQ(planned.domains.size(), expected.domains.size());
+  for (std::size_t i = 0; i < expected.domains.size(); ++i) {
+    EXPECT_NEAR(planned.domains[i].time_step / expected.domains[i].time_step, 1.0, 1e-9);
+    EXPECT_NEAR(static_cast<double>(planned.domains[i].steps), static_cast<double>(expected.domains[i].steps), 1.0);
+  }
 }
 
 TEST(PlanDynamicTest, HomogeneousPlanAgreesWithTheRun) {

@@ -50,5 +50,19 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   EXPECT_NO_THROW(static_cast<void>(run_quasistatic_test(test)));
 }
 
+TEST(RunQuasistaticTest, RefusesAnIncompleteTest) {
+  for (const auto solver : {Solver::reduced, Solver::stepping}) {
+    auto test = one_particle(0, 1);
+    test.options.solver = solver;
+    for (const int per_decade : {0, -1}) {
+      test.points_per_decade = per_decade;
+      EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError) << per_decade << " points per decade";
+    }
+    test.points_per_decade = 4;
+    test.materials.pop_back();
+    EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError) << "the particle has no material";
+  }
+}
+
 }  // namespace
 }  // namespace breccia

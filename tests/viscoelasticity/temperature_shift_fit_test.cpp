@@ -70,5 +70,10 @@ TEST(WilliamsLandelFerryFit, RefusesTooFewAndRisingFactors) {
   EXPECT_THROW(fit_williams_landel_ferry(rising, 290.0), InputError);
 }
 
+TEST(WilliamsLandelFerryFit, CountsTemperaturesAndNotFactors) {
+  const std::vector<ShiftFactor> one = {{290.0, 0.0}, {300.0, -1.0}, {300.0, -1.1}, {300.0, -0.9}};
+  EXPECT_THROW(fit_williams_landel_ferry(one, 290.0), InputError);
+}
+
 }  // namespace
 }  // namespace breccia

@@ -16,7 +16,7 @@ struct KernelCase {
   InstructionSet instructions = InstructionSet::baseline;  ///< of the total Lagrangian formulation
   int cells = 0;                                           ///< cells per side, with four material points each
   int terms = 0;                                           ///< Prony terms of the matrix's shear modulus; 0: elastic
-  int threads = 1;                                         ///< threads of each process
+  int threads = 1;                                         ///< threads of each process, at least one
 };
 
 /// The measurements of a benchmark.

@@ -21,7 +21,7 @@ std::vector<RunOptions> options_of_tasks(const Sweep& sweep, const std::filesyst
 /// of the directories, and FileError.
 std::unique_ptr<DirectoryLock> hold_sweep_directory(const Sweep& sweep, const std::filesystem::path& directory);
 
-/// Throws InputError, for all tasks at once, if a study was changed after its deck was read, and if the sweep would
+/// Throws ForeignResults, for all tasks at once, if a study was changed after its deck was read, and if the sweep would
 /// replace or resume results of another study, sweep or version without `overwrite`, or replace files that Breccia did
 /// not write.
 void refuse_objections(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options);

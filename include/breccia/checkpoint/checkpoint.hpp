@@ -26,7 +26,8 @@ class Checkpoint {
 
   /// Looks for the state that an earlier run has saved. Returns a message for each file that is damaged and had to be
   /// set aside, with what is used instead.
-  /// Throws InputError when a state belongs to another deck or version.
+  /// Throws InputError when a state belongs to another deck or version; FileError, on all processes, when one of them
+  /// cannot read it.
   std::vector<std::string> look_for_earlier();
   /// The state that was found, of the unfinished calculation or of its result; nullptr if the calculation starts anew.
   [[nodiscard]] const StateReader* earlier() const noexcept { return earlier_ ? &*earlier_ : nullptr; }
@@ -35,9 +36,9 @@ class Checkpoint {
 
   /// Whether the state should be saved now. The answer is the same on all processes, each of which must ask.
   [[nodiscard]] bool is_due();
-  /// Saves the state; then throws Interrupted if the run shall end. Throws FileError.
+  /// Saves the state; then throws Interrupted if the run shall end. Throws FileError, on all processes.
   void save(const WriteState& write);
-  /// Saves the result. Throws FileError.
+  /// Saves the result, and removes the last but one state. Throws FileError, on all processes.
   void finish(const WriteState& write);
 
  private:

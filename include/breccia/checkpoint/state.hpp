@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -20,7 +21,8 @@ struct StateOwner {
 
 /// Writes the state of a calculation, numbers under names such as "/domains/0/steps", to a file with a checksum at its
 /// end. The file gets its name only when it is complete. On several processes only the first one writes; calls on the
-/// others do nothing. All members throw FileError.
+/// others do nothing. Between these calls the processes may gather what is to be written, so that none may stop alone:
+/// what fails is thrown by commit().
 class StateWriter {
  public:
   StateWriter(const std::filesystem::path& path, const StateOwner& owner);
@@ -30,12 +32,17 @@ class StateWriter {
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, const std::string& text);
 
-  /// Gives the complete file its name. An existing file of that name is kept under older_state().
+  /// Gives the complete file its name. An existing file of that name is kept under older_state(). Throws FileError,
+  /// also for what could not be written before.
   void commit();
 
  private:
+  template <class Action>
+  void attempt(const Action& action);
+
   std::filesystem::path path_;
   std::optional<Hdf5Writer> file_;
+  std::exception_ptr failure_;  ///< the first failure to write
 };
 
 /// Reads the state of a calculation. All members throw FileError.

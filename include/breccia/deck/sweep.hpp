@@ -34,6 +34,7 @@ struct SweepTask {
 struct Sweep {
   std::vector<SweptKey> keys;
   std::vector<SweepTask> tasks;
+  std::vector<std::string> overrides = {};  ///< of all tasks, `key.path=value`, without the swept values
 };
 
 /// Reads a deck with overrides as read_study() does, with its `[sweep]` and with further swept keys

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "breccia/discretisation/grid.hpp"
@@ -62,7 +63,8 @@ class Discretisation {
   }
 
   /// Share of the box that each of the phases 0 .. count - 1 has, by points and by the fractions of mixed cells. A
-  /// mixture whose number is among them has a share of its own.
+  /// mixture whose number is among them has a share of its own. Throws std::out_of_range for another phase; see
+  /// require_phases().
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
@@ -81,6 +83,15 @@ class Discretisation {
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
 };
+
+/// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it
+/// has no material. Points of no phase need none. Instantiated for 2 and 3 dimensions.
+template <int dim>
+void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count);
+/// The same for a calculation that takes the moduli of mixed cells from those of their phases.
+template <int dim>
+void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
+                             std::size_t count);
 
 extern template class Discretisation<2>;
 extern template class Discretisation<3>;

@@ -68,8 +68,8 @@ struct DynamicProblem {
 
 /// Largest time step [s] for which central differences are stable: 2 / omega, with omega^2 the largest eigenvalue of
 /// any cell with its share of the lumped mass, an upper bound for the assembled system (Irons and Fried; theory, Eq.
-/// 12). Moduli count unrelaxed. Throws InputError when a point has no material or a material no stiffness or no
-/// density. Instantiated for 2 and 3 dimensions.
+/// 12). Moduli count unrelaxed. Throws InputError when a point has no material, a material no stiffness or no density,
+/// or the density factor is not positive. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
                                       Volumetric volumetric, double density_factor);

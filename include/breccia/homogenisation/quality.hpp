@@ -17,6 +17,9 @@ struct BoundsAtTime {
 
   /// upper / lower - 1 [-]; nothing unless both bounds were tested.
   [[nodiscard]] std::optional<double> distance() const;
+  /// 1 - upper / lower [-] where the upper bound is below the lower one by more than the half bands of both; nothing
+  /// otherwise. Bounds that are crossed are no bounds: a test is wrong.
+  [[nodiscard]] std::optional<double> crossing() const;
   /// The half band over its modulus [-]; nothing for a single grid.
   [[nodiscard]] std::optional<double> grid_share() const;
 };
@@ -37,7 +40,12 @@ struct StageQuality {
   double gap_cells = 0.0;                ///< the narrowest gap in cells of the finest grid; infinite without a gap
   std::vector<int> grids;                ///< cells per side, rising
   bool is_random = false;                ///< whether the packing depends on a seed
+  bool is_periodic = false;              ///< whether a periodic test is finished, which gives no bound
+  std::optional<double> grid_share;      ///< largest half band over its modulus, of all tests [-]; see grid_share()
   std::vector<LoadQuality> loads;        ///< of the finished tests
+
+  /// The narrowest gap in cells of one of the grids, given by its cells per side.
+  [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }
 };
 
 /// The bounds of all loads and methods that were tested.
@@ -50,6 +58,10 @@ StageQuality quality_of(const Stage& stage, const StageResult& result);
 /// [150, 300]); narrowest gap: 3 cells; packing: one seed, scatter unknown (--seeds 3)". Empty for a box without
 /// particles.
 std::string summary_of(const StageQuality& quality);
+
+/// A warning, without the name of the stage, for each load and method whose upper bound is below the lower one beyond
+/// the error of the grids, with the likely causes.
+std::vector<std::string> warnings_on_bounds(const StageQuality& quality);
 
 /// Warnings about too few particles, and about a fraction that differs from the one in the deck.
 std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicrostructure& packed);

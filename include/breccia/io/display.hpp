@@ -21,11 +21,23 @@ PrefixedNumber with_prefix(double value, int digits = 3);
 /// The unit of the value must be one that can have a prefix ("m", "s", "Pa").
 std::string display(double value, std::string_view unit, int digits = 3);
 
+/// A number rounded to three digits, in the shortest form: "1000", "0.0123", "1e+06".
+std::string three_digits(double value);
+
 /// A time [s] in a test as text, without kilo- and larger prefixes: "10 ms", "1000 s", "2.5e6 s".
 std::string display_time(double seconds, int digits = 3);
 
 /// The duration [s] of a calculation as text: "800 ms", "50 min", "3 h".
 std::string display_duration(double seconds, int digits = 2);
+
+/// A number as text with this many significant digits, or with as many more as tell it from another number: 2.998
+/// beside 3, not 3.
+std::string display_beside(double value, double other, int digits = 2);
+
+/// A positive number rounded down, or up, to two significant digits. One that has two digits but for rounding errors
+/// stays what it is.
+double rounded_down_to_two_digits(double value);
+double rounded_up_to_two_digits(double value);
 
 /// A number of things as text: "1 term", "12 terms".
 std::string display_count(std::size_t count, std::string_view noun);

@@ -9,6 +9,9 @@ namespace breccia {
 /// process (AtomicFile).
 std::string partial_name(std::string_view name, int process);
 
+/// The name that such a file gets when it is complete: `curves.csv`; empty for any other name.
+std::string_view whole_name(std::string_view partial);
+
 /// Whether this is such a name, with or without a directory.
 bool is_partial_name(std::string_view name);
 

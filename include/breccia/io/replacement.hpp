@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,7 +27,14 @@ void replace_results(const std::filesystem::path& directory, std::span<const std
 /// Throws FileError.
 void finish_replacement(const std::filesystem::path& directory);
 
-/// Whether the directory has a replacement that was begun and is not complete.
+/// The directory of results whose `unfinished` is this directory or has it in it; nothing for all others. Its
+/// DirectoryLock covers `unfinished`, too.
+std::optional<std::filesystem::path> results_with_unfinished(const std::filesystem::path& directory);
+
+/// Whether this is the name of a list that a replacement leaves in `unfinished`.
+bool is_replacement_list(std::string_view name);
+
+/// Whether the directory has a replacement that was begun and is not complete. Throws FileError.
 bool is_being_replaced(const std::filesystem::path& directory);
 
 /// The files in `unfinished`, relative to it, without the lists of a replacement and half-written files

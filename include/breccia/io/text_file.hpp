@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,8 +50,10 @@ void refuse_to_replace(const std::filesystem::path& directory, std::span<const s
 /// Removes the named files from a directory; missing ones are ignored. Throws FileError.
 void remove_files(const std::filesystem::path& directory, std::span<const std::string> names);
 
-/// Removes the temporary files that killed processes have left in a directory (is_partial_name). Throws FileError.
-void remove_partial_files(const std::filesystem::path& directory);
+/// Removes the temporary files that killed processes have left in a directory (is_partial_name) of the files whose
+/// names are known. Throws FileError.
+void remove_partial_files(const std::filesystem::path& directory,
+                          const std::function<bool(std::string_view)>& is_known);
 
 /// 64-bit xxHash of some bytes, as 16 hexadecimal digits. It distinguishes contents, but does not protect against
 /// forgery.

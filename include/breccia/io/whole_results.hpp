@@ -4,25 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "breccia/error.hpp"
 #include "breccia/io/directory_lock.hpp"
+#include "breccia/io/foreign_results.hpp"
 
 namespace breccia {
-
-/// A directory that results are to be written to holds something else. The message has the problem and what helps.
-class ForeignResults : public InputError {
- public:
-  /// What helps: another directory, or ResultsOrigin::overwrite too.
-  enum class Remedy { another_directory, overwriting };
-
-  ForeignResults(const std::string& problem, Remedy remedy);
-  [[nodiscard]] const std::string& problem() const noexcept { return problem_; }
-  [[nodiscard]] Remedy remedy() const noexcept { return remedy_; }
-
- private:
-  std::string problem_;
-  Remedy remedy_;
-};
 
 /// The command and the source of results that a single command computes at once, such as `fit`.
 struct ResultsOrigin {
@@ -38,9 +23,9 @@ struct ResultsOrigin {
 /// during the lifetime of this object.
 class WholeResults {
  public:
-  /// Throws ForeignResults where the directory holds the results of a study or a sweep, files of these names that
-  /// Breccia did not write, or results from another source that are not to be overwritten, and DirectoryInUse where
-  /// another process writes to it. Throws FileError.
+  /// Throws ForeignResults where the directory holds the results of a study or a sweep, or is in `unfinished`, files of
+  /// these names that Breccia did not write, or results from another source that are not to be overwritten, and
+  /// DirectoryInUse where another process writes to it. Throws FileError.
   WholeResults(std::filesystem::path directory, ResultsOrigin origin);
   WholeResults(const WholeResults&) = delete;
   WholeResults& operator=(const WholeResults&) = delete;
@@ -60,6 +45,8 @@ class WholeResults {
   void refuse_directories() const;
   void refuse_foreign_unfinished() const;
   void write_record() const;
+  /// Removes the files of this command, and their directory if it is empty then.
+  void remove_place() const noexcept;
 
   DirectoryLock lock_;
   std::filesystem::path directory_;

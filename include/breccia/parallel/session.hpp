@@ -17,9 +17,13 @@ bool is_under_mpirun() noexcept;
 /// Throws InputError when PETSc cannot read them.
 void set_petsc_options(const std::string& options);
 
+/// The names of the options of PETSc that nothing has asked for so far, such as "-ksp_monitr". PETSc must have started.
+std::vector<std::string> unused_petsc_options();
+
 /// Divides the processes that mpirun started into groups of `processes_each`. From then on each group works
 /// independently: solvers and reductions involve only the processes of one group. Must be called once, before anything
-/// is solved. Throws InputError when the number of processes is not a multiple of `processes_each`.
+/// is solved. Throws InputError when the number of processes is not a multiple of `processes_each`, when they are
+/// divided already, and when the host program has started PETSc, which only the host may finalise.
 void divide(int processes_each);
 
 /// Finalises MPI and PETSc if start() has started them; must be called once, as the last call. A host program finalises
@@ -39,7 +43,8 @@ int group() noexcept;
 /// Number of groups; 1 before divide().
 int groups() noexcept;
 
-/// Whether this is the only process of the run.
+/// Whether this is the only process of the run. Under mpirun the answer comes from MPI, which is started for it; where
+/// MPI does not start, the process does not count as the only one.
 bool is_alone() noexcept;
 
 /// Whether this is the first process of the first group, which writes the messages for all processes.

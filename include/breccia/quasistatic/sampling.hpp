@@ -41,8 +41,8 @@ struct SampledResponses {
 /// met. The moduli of the matrix in the problem are not used; all other materials must be elastic. With a checkpoint,
 /// the state is saved between solutions when that is due, and an earlier state is resumed, with the same bits as in one
 /// run.
-/// Throws InputError when another material relaxes, NumericalError when a system cannot be solved or the tolerance
-/// cannot be met.
+/// Throws InputError when there are no loads, a point has no material or another material relaxes, NumericalError when
+/// a system cannot be solved or the tolerance cannot be met.
 SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
                                   std::span<const Moduli> training_set, const SamplingOptions& options = {},
                                   const std::function<void(const SamplingProgress&)>& observer = {},

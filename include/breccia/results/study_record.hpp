@@ -15,6 +15,8 @@ struct StudyRecord {
   bool is_complete = false;  ///< whether all results were computed and written
   bool has_tests = false;    ///< whether at least one test is finished
   std::string hash, version;
+  std::string deck_content_hash;      ///< of the content of the deck alone
+  std::vector<FileHash> file_hashes;  ///< of the data files
   std::string deck_text;
   std::vector<std::string> overrides;
   std::vector<std::string> stages;         ///< names of all stages; invalid directory names are left out
@@ -34,7 +36,8 @@ StudyRecord read_study_record(const std::filesystem::path& directory);
 /// read.
 bool is_record_of_breccia(const std::filesystem::path& file);
 
-/// The difference between the study of a record and another one, in words: "deck.toml: line 7 was `a`, is `b`".
+/// The difference between the study of a record and another one, in words: "deck.toml: line 7 was `a`, is `b`", or
+/// "the data file sizes.csv differs" where the content of the deck is the same.
 std::string difference(const StudyRecord& before, const Study& now);
 
 }  // namespace breccia

@@ -35,7 +35,7 @@ struct LognormalSizes {
 struct TabulatedSizes {
   std::filesystem::path file;
   std::vector<double> diameters;                    ///< rising [m]
-  std::vector<double> cumulative_volume_fractions;  ///< not falling, from 0..1 up to 1 [-]
+  std::vector<double> cumulative_volume_fractions;  ///< not falling, from 0 up to 1 [-]
 };
 
 using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes>;

@@ -32,6 +32,7 @@ struct Tests {
   double last_time = 0.0;                ///< of the curves [s]
   int points_per_decade = 20;            ///< of the curves
   std::vector<double> field_times = {};  ///< rising times at which the fields of the first load are saved [s]
+  bool lists_field_times = false;        ///< whether a deck lists these times; its results are the same without it
   /// Largest relative deviation that the fit of a stage's result may have if a later stage builds on it [-].
   double fit_tolerance = 0.03;
   QuasistaticOptions quasistatic = {};

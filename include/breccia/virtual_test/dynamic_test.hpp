@@ -37,9 +37,11 @@ struct TimeDomain {
   double ramp = 0.0;            ///< duration of the ramp [s]
   TimeWindow window;            ///< times at which the run is valid [s]
   std::int64_t steps = 0;
-  std::size_t terms = 0;         ///< largest number of integrated Prony terms of a material
-  double reduction_error = 0.0;  ///< bound on the relative error of the moduli without the other Prony terms [-]
-  double seconds = 0.0;          ///< wall time [s]
+  std::size_t terms = 0;  ///< largest number of integrated Prony terms of a material
+  /// Bound on the relative error of the moduli without the other Prony terms [-], from the time on at which the run was
+  /// expected to become valid. A first run with a given density factor may be used earlier (theory, section 4).
+  double reduction_error = 0.0;
+  double seconds = 0.0;  ///< wall time [s]
   /// The modulus [Pa] from the start of the ramp on, or the reciprocal of the creep compliance, 1 / J(t), from the end
   /// of the ramp on. Each sample is a mean over a few steps.
   Curve history;
@@ -63,7 +65,8 @@ struct DynamicTestResult {
   std::optional<double> fit_error = {};
   Curve curve;       ///< stitched relaxation modulus at logarithmic times; under a traction boundary by interconversion
   Creep compliance;  ///< stitched creep compliance at the same times, under a traction boundary only
-  std::vector<TimedFields<2>> fields;  ///< at the first sample at or after each of the field times
+  /// By field time: the state after the steps whose mean is the first sample at or after that time.
+  std::vector<TimedFields<2>> fields;
 };
 
 /// Progress of a running test.
@@ -86,8 +89,9 @@ struct DynamicPlan {
   std::vector<TimeDomain> domains;  ///< without histories and wall times
   std::size_t bytes = 0;            ///< approximate memory of the largest run [B]
 };
-/// Plans the time domains of a test. Throws as run_dynamic_test().
-DynamicPlan plan_dynamic_test(const DynamicTest& test);
+/// Plans the time domains of a test. Throws as run_dynamic_test(). With a refinement the plan is that of the same test
+/// with so many times the cells along each axis; a large grid is planned by a small one in little time and memory.
+DynamicPlan plan_dynamic_test(const DynamicTest& test, double refinement = 1.0);
 
 /// Runs the time domains that the test needs and stitches their curves. With a checkpoint, the state is saved when that
 /// is due, and an earlier state is resumed, with the same bits as in one run.

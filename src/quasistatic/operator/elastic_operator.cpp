@@ -9,30 +9,26 @@
 
 #include "breccia/error.hpp"
 
+#include "operator/read_values.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
 /// Read access to the values of a local vector.
 class Values {
  public:
-  explicit Values(Vec vector) : vector_(vector) { check(VecGetArrayRead(vector_, &data_), "reading nodal values"); }
-  Values(const Values&) = delete;
-  Values& operator=(const Values&) = delete;
-  Values(Values&&) = delete;
-  Values& operator=(Values&&) = delete;
-  ~Values() { VecRestoreArrayRead(vector_, &data_); }
+  explicit Values(Vec vector) : values_(vector) {}
   /// `count` values, beginning at a place.
   template <int count>
   [[nodiscard]] Eigen::Map<const Eigen::Matrix<double, count, 1>> at(int place) const noexcept {
-    return Eigen::Map<const Eigen::Matrix<double, count, 1>>(data_ + place);
+    return Eigen::Map<const Eigen::Matrix<double, count, 1>>(values_.data() + place);
   }
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
     return {data_ + place, count};
   }
 
  private:
-  Vec vector_;
-  const double* data_ = nullptr;
+  ReadValues values_;
 };
 
 /// Write access to the values of a vector.

@@ -133,9 +133,10 @@ Displacement ReducedBasis::approximation(const Moduli& matrix) const {
   if (vectors_.empty()) return elastic_operator_->zero();
   const Eigen::VectorXd weights = response_.stiffness(response_.parameters(matrix)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
-  // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise.
+  // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise. The forces
+  // of the projection are those of the unit traction over the square root of the area.
   const bool is_strained = elastic_operator_->boundary() != Boundary::traction;
-  sum.scale(is_strained ? 1.0 / sum.macroscopic() : 1.0);
+  sum.scale(is_strained ? 1.0 / sum.macroscopic() : std::sqrt(elastic_operator_->volume()));
   return sum;
 }
 

@@ -27,7 +27,7 @@ class ReducedBasis {
   [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
 
   /// The reduced solution for a matrix of these moduli [Pa], a guess for the solver: under the prescribed strain or,
-  /// under a traction boundary, under the traction over the square root of the area. Zero for an empty basis.
+  /// under a traction boundary, under the unit traction. Zero for an empty basis.
   [[nodiscard]] Displacement approximation(const Moduli& matrix) const;
   /// Linear combination of the vectors with these weights.
   [[nodiscard]] Displacement combination(const Eigen::VectorXd& weights) const;

@@ -8,6 +8,8 @@
 
 #include "breccia/error.hpp"
 
+#include "operator/read_values.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -165,9 +167,8 @@ void SubstructuringSolver::multiply(const std::vector<double>& x, std::vector<do
 double SubstructuringSolver::correct(const Displacement& residual, double largest, Displacement& displacement) {
   constexpr const char* what = "solving for the displacements";
   constexpr int many = 2000;
-  const double* forces = nullptr;
-  check(VecGetArrayRead(residual.fluctuation(), &forces), what);
-  auto r = condense(forces);
+  const ReadValues forces(residual.fluctuation());
+  auto r = condense(forces.data());
   std::vector<double> x(r.size(), 0.0), z(r.size()), p(r.size(), 0.0), s(r.size());
   double before = 1.0, norm = std::sqrt(product(r, r));
   int iterations = 0;
@@ -187,9 +188,8 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
   count_iterations(iterations);
   double* values = nullptr;
   check(VecGetArray(displacement.fluctuation(), &values), what);
-  expand(forces, x, values);
+  expand(forces.data(), x, values);
   check(VecRestoreArray(displacement.fluctuation(), &values), what);
-  check(VecRestoreArrayRead(residual.fluctuation(), &forces), what);
   return norm;
 }
 
@@ -198,7 +198,7 @@ ElasticSolver::End SubstructuringSolver::iterate(const Forces& forces, Displacem
   constexpr int most_corrections = 4;
   displacement.set_macroscopic(0.0);
   double norm = 0.0;
-  for (int correction = 0; correction < most_corrections; ++correction) {
+  for (int correction = 0; correction <= most_corrections; ++correction) {
     // The forces have none on the strains of phases, which follow from the displacement.
     elastic_operator().recover_phase_strains(moduli(), forces, displacement);
     auto residual = elastic_operator().forces(moduli(), Load::shear, displacement);
@@ -209,7 +209,7 @@ ElasticSolver::End SubstructuringSolver::iterate(const Forces& forces, Displacem
     check(VecNorm(residual.fluctuation(), NORM_2, &norm), "reading the residual");
     if (!std::isfinite(norm)) break;
     if (is_small(norm, largest)) return {true, norm};
-    correct(residual, largest, displacement);
+    if (correction < most_corrections) correct(residual, largest, displacement);
   }
   return {false, norm};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -122,18 +123,15 @@ std::vector<double> error_estimates(const std::vector<double>& fine, const std::
   return errors;
 }
 
-void require_complete(const QuasistaticProblem& problem, std::span<const double> times) {
-  if (times.empty() || !(times.front() > 0.0) || !std::is_sorted(times.begin(), times.end())) {
+void require_complete(const QuasistaticProblem& problem, std::span<const Load> loads, std::span<const double> times) {
+  const auto is_time = [](double time) { return time > 0.0 && std::isfinite(time); };
+  const auto rises = [](double before, double after) { return before < after; };
+  if (times.empty() || !std::ranges::all_of(times, is_time) ||
+      std::ranges::adjacent_find(times, std::not_fn(rises)) != times.end()) {
     throw InputError("log-time stepping: expected rising positive times");
   }
-  for (const auto& cell : problem.discretisation.cells()) {
-    for (const auto material : cell) {
-      if (material == no_phase || material < problem.materials.size()) continue;
-      if (problem.discretisation.mixture(material) != nullptr) continue;
-      throw InputError(
-          fmt::format("log-time stepping: a point has material {} of {}", material, problem.materials.size()));
-    }
-  }
+  if (loads.empty()) throw InputError("log-time stepping: no loads");
+  require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
 }
 
 /// The run over all times, and the run over every other time, from whose difference the error is estimated.
@@ -215,7 +213,7 @@ class TwoRuns {
 SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
                                      std::span<const double> times, const ShareObserver& observer,
                                      std::span<const double> field_times, Checkpoint* checkpoint) {
-  require_complete(problem, times);
+  require_complete(problem, loads, times);
   const ElasticOperator<2> elastic_operator(problem.discretisation, problem.volumetric, problem.boundary);
   TwoRuns runs(problem, elastic_operator, loads, times);
   if (checkpoint != nullptr && checkpoint->earlier() != nullptr) runs.restore(*checkpoint->earlier());

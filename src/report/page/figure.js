@@ -6,7 +6,7 @@ import {fileName, save} from "./files.js";
 import {display, shortNumber} from "./numbers.js";
 import {followZoom, withTicks} from "./plot_ticks.js";
 import {extent} from "./sampling.js";
-import {unitFor} from "./ticks.js";
+import {unitFor, withUnit} from "./ticks.js";
 
 /// Text for a figure. Plotly would take <b> in it for bold.
 export function plotText(text) {
@@ -51,7 +51,7 @@ function valueAxis(quantity, curves) {
 
 /// A value of a quantity as text, with its unit.
 export function valueText(value, quantity) {
-  return quantity.unit === "%" ? `${shortNumber(value)} %` : display(value, quantity.unit);
+  return quantity.unit === "%" ? `${shortNumber(value)} %` : withUnit(value, quantity.unit);
 }
 
 /// The layout of a figure that shows curves of a quantity.

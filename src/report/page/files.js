@@ -23,7 +23,7 @@ function csvText(value) {
 /// Curves of a quantity as the text of a CSV file.
 export function csvOf(curves, quantity) {
   const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent"}[quantity.unit] ?? "";
-  const x = quantity.x === "time" ? "time_s" : "angular_frequency_1_per_s";
+  const x = quantity.x === "time" ? "time_s" : "angular_frequency_rad_per_s";
   const lines = curves.flatMap((curve) => curve.x.map((at, i) => `${csvText(curve.label)},${at},${curve.y[i]}`));
   return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
 }

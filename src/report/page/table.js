@@ -16,7 +16,7 @@ export function table(heads, rows) {
 export function showDeck({overrides, deck_text}) {
   const place = document.getElementById("deck-text");
   if (overrides.length > 0) {
-    place.append(element("p", {}, "Overridden on the command line:"), element("pre", {}, overrides.join("\n")));
+    place.append(element("p", {}, "With these values in place of those of the deck:"), element("pre", {}, overrides.join("\n")));
   }
   place.append(element("pre", {}, deck_text));
 }

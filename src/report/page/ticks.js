@@ -2,7 +2,7 @@
 /// fractions; on an axis of moduli all numbers have the unit that stands in the title. (The plotting library would
 /// write 1m, 400m and 10M.)
 
-import {minus, prefixes} from "./numbers.js";
+import {display, minus, prefixes, shortNumber} from "./numbers.js";
 import {extent} from "./sampling.js";
 
 /// The unit with the SI prefix that suits the values of an axis: {unit, scale}, value / scale being the number of these
@@ -20,6 +20,14 @@ export function unitFor(unit, values) {
   }
   const [scale, prefix] = fitting(unit === "s" ? 10 ** most : typical);
   return {unit: prefix + unit, scale};
+}
+
+/// A quantity with the unit that suits it, such as "2.3 1/GPa": in 1/Pa the prefix is that of the pascal.
+export function withUnit(value, unit) {
+  if (unit !== "1/Pa" || !(value > 0 && Number.isFinite(value))) return display(value, unit);
+  const rounded = Number(value.toPrecision(3));
+  const [scale, prefix] = prefixes.filter(([size]) => rounded * size >= 1 - 1e-9).at(-1) ?? prefixes[0];
+  return `${shortNumber(rounded * scale)} 1/${prefix}Pa`;
 }
 
 /// About `count` round numbers between two numbers, [{at, text}], all with the decimals that their step needs.

@@ -5,7 +5,7 @@ import {test} from "node:test";
 
 import {display, duration, minus, percent, percentOfWhole, shortNumber} from "../../../src/report/page/numbers.js";
 import {decades, extent, logarithmic, valueAt} from "../../../src/report/page/sampling.js";
-import {evenTicks, logarithmicTicks, unitFor} from "../../../src/report/page/ticks.js";
+import {evenTicks, logarithmicTicks, unitFor, withUnit} from "../../../src/report/page/ticks.js";
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 
@@ -48,6 +48,12 @@ test("units of axes", () => {
   assert.deepEqual(unitFor("s", [1e-3, 0.05]), {unit: "ms", scale: 1e-3});
   assert.deepEqual(unitFor("%", [3, 4]), {unit: "%", scale: 1});
   assert.deepEqual(unitFor("Pa", []), {unit: "Pa", scale: 1});
+});
+
+test("compliances with their unit", () => {
+  assert.deepEqual([2.3e-9, 2e-6, 0.45e-6, 0.9999e-6, 7].map((value) => withUnit(value, "1/Pa")),
+    ["2.3 1/GPa", "2 1/MPa", "450 1/GPa", "1 1/MPa", "7 1/Pa"]);
+  assert.deepEqual([withUnit(0, "1/Pa"), withUnit(NaN, "1/Pa"), withUnit(2.3e9, "Pa")], ["0 1/Pa", "–", "2.3 GPa"]);
 });
 
 test("ticks of axes", () => {

@@ -1,0 +1,37 @@
+// Under mpirun, two processes: the first question to the library finds both, and they are divided once.
+
+#include <cstdio>
+
+#include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
+
+namespace {
+
+/// Prints what is wrong unless it holds.
+bool expect(bool holds, const char* wrong) {
+  if (!holds) std::puts(wrong);
+  return holds;
+}
+
+bool is_divided_again() {
+  try {
+    breccia::parallel::divide(1);
+  } catch (const breccia::InputError&) {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main() {
+  namespace parallel = breccia::parallel;
+  bool holds = expect(!parallel::is_alone(), "a process under mpirun takes itself for the only one");
+  parallel::divide(1);
+  holds = expect(parallel::groups() == 2 && parallel::ranks() == 1, "two processes are not two groups") && holds;
+  const int group = parallel::group();
+  holds = expect(!is_divided_again(), "groups were divided again") && holds;
+  holds = expect(parallel::group() == group, "a refusal changed the group") && holds;
+  parallel::stop();
+  return holds ? 0 : 1;
+}
