@@ -144,6 +144,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
     const auto volumetric = section.choice<Volumetric>("volumetric");
     tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
   }
+  if (section.has("mixing")) tests.mixing = section.choice<Mixing>("mixing").value_or(Mixing::points);
   return tests;
 }
 

@@ -1,5 +1,7 @@
 #include "breccia/discretisation/cell_shape.hpp"
 
+#include <cmath>
+
 #include "breccia/discretisation/shape_function.hpp"
 
 namespace breccia {
@@ -62,6 +64,31 @@ typename CellShape<dim>::Stiffness CellShape<dim>::stiffness(const PointModuli& 
     stiffness += point_volume * (shear * strain.transpose() * deviatoric * strain + bulk * volume.transpose() * volume);
   }
   return stiffness;
+}
+
+template <int dim>
+typename CellShape<dim>::DeviatorMatrix CellShape<dim>::deviator_matrix() {
+  DeviatorMatrix matrix = DeviatorMatrix::Zero();
+  const double root = std::sqrt(1.0 / 3.0);
+  if constexpr (dim == 2) {
+    // The out-of-plane strain is zero.
+    matrix.template topLeftCorner<2, 2>() << root, root, 1.0, -1.0;
+  } else {
+    matrix.template topLeftCorner<2, 3>() << root, root, -2.0 * root, 1.0, -1.0, 0.0;
+  }
+  for (int shear = dim; shear < strains; ++shear) matrix(shear + deviators - strains, shear) = 1.0;
+  return matrix;
+}
+
+template <int dim>
+typename CellShape<dim>::ModeMatrix CellShape<dim>::mode_matrix() {
+  ModeMatrix matrix;
+  for (int p = 0; p < points; ++p) {
+    matrix.template middleRows<deviators>(deviators * p) =
+        std::sqrt(point_volume) * deviator_matrix() * strain_matrix(p, Volumetric::averaged);
+  }
+  matrix.template bottomRows<1>() = volumetric_strain_matrix(0, Volumetric::averaged);
+  return matrix;
 }
 
 template <int dim>

@@ -47,24 +47,63 @@ void Discretisation<dim>::paint(const Ball<dim>& ball, PhaseIndex phase) {
 }
 
 template <int dim>
+PhaseIndex Discretisation<dim>::add_mixture(Mixture mixture, std::size_t phases) {
+  if (phases + mixtures_.size() >= no_phase) {
+    throw InputError(fmt::format("discretisation: {} phases and more than {} mixtures of them; at most {} in all",
+                                 phases, mixtures_.size(), std::size_t{no_phase}));
+  }
+  if (mixtures_.empty()) first_mixture_ = static_cast<PhaseIndex>(phases);
+  mixtures_.push_back(std::move(mixture));
+  return static_cast<PhaseIndex>(first_mixture_ + mixtures_.size() - 1);
+}
+
+template <int dim>
 std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
   std::vector<double> fractions(count, 0.0);
   for (const auto& cell : cells_) {
     for (const auto phase : cell) {
-      if (phase != no_phase) fractions.at(phase) += 1.0;
+      if (phase == no_phase) continue;
+      if (const auto* mixture = this->mixture(phase); mixture != nullptr && phase >= count) {
+        for (const auto& part : *mixture) fractions.at(part.phase) += part.fraction;
+      } else {
+        fractions.at(phase) += 1.0;
+      }
     }
   }
   for (auto& fraction : fractions) fraction /= static_cast<double>(points());
   return fractions;
 }
 
+namespace {
+
+[[noreturn]] void refuse_phase(std::string_view calculation, PhaseIndex phase, std::size_t count) {
+  throw InputError(fmt::format("{}: a point has the phase with number {}, counted from 0, but only {} {} given",
+                               calculation, phase, count, count == 1 ? "material is" : "materials are"));
+}
+
+}  // namespace
+
 template <int dim>
 void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count) {
   for (const auto& cell : discretisation.cells()) {
     for (const auto phase : cell) {
-      if (phase == no_phase || phase < count) continue;
-      throw InputError(fmt::format("{}: a point has the phase with number {}, counted from 0, but only {} {} given",
-                                   calculation, phase, count, count == 1 ? "material is" : "materials are"));
+      if (phase != no_phase && phase >= count) refuse_phase(calculation, phase, count);
+    }
+  }
+}
+
+template <int dim>
+void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
+                             std::size_t count) {
+  for (const auto& mixture : discretisation.mixtures()) {
+    for (const auto& part : mixture) {
+      if (part.phase >= count) refuse_phase(calculation, part.phase, count);
+    }
+  }
+  for (const auto& cell : discretisation.cells()) {
+    for (const auto phase : cell) {
+      if (phase == no_phase || phase < count || discretisation.mixture(phase) != nullptr) continue;
+      refuse_phase(calculation, phase, count);
     }
   }
 }
@@ -80,17 +119,8 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
   Grid<dim> grid{.cell_side = microstructure.side / cells};
   grid.cells.fill(cells);
   Discretisation<dim> discretisation(grid, matrix);
-  const int images = microstructure.walls == Walls::periodic ? 1 : 0;
-  Index<dim> first{}, end{};
-  first.fill(-images);
-  end.fill(images + 1);
-  for (std::size_t k = 0; k < count; ++k) {
-    for_each_index(first, end, [&](const Index<dim>& image) {
-      auto ball = microstructure.particles[k];
-      for (std::size_t axis = 0; axis < image.size(); ++axis) ball.centre[axis] += image[axis] * microstructure.side;
-      discretisation.paint(ball, particles[k]);
-    });
-  }
+  for_each_image(microstructure,
+                 [&](std::size_t particle, const Ball<dim>& ball) { discretisation.paint(ball, particles[particle]); });
   return discretisation;
 }
 
@@ -104,6 +134,8 @@ template class Discretisation<2>;
 template class Discretisation<3>;
 template void require_phases(std::string_view, const Discretisation<2>&, std::size_t);
 template void require_phases(std::string_view, const Discretisation<3>&, std::size_t);
+template void require_phases_in_cells(std::string_view, const Discretisation<2>&, std::size_t);
+template void require_phases_in_cells(std::string_view, const Discretisation<3>&, std::size_t);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);

@@ -1,6 +1,15 @@
 #include "breccia/discretisation/point_fields.hpp"
 
+#include <algorithm>
+
 namespace breccia {
+namespace {
+
+PhaseIndex largest_part(const Mixture& mixture) {
+  return std::ranges::max_element(mixture, {}, &MixedPart::fraction)->phase;
+}
+
+}  // namespace
 
 template <int dim>
 PointFields<dim> zero_fields(const Discretisation<dim>& discretisation) {
@@ -14,7 +23,9 @@ PointFields<dim> zero_fields(const Discretisation<dim>& discretisation) {
   grid.for_each_cell([&](const Index<dim>& cell) {
     const auto& phases = discretisation.cell(cell);
     for (int p = 0; p < Discretisation<dim>::points_per_cell; ++p) {
-      fields.phase[grid.point_index(cell, p)] = phases[static_cast<std::size_t>(p)];
+      const auto phase = phases[static_cast<std::size_t>(p)];
+      const auto* mixture = discretisation.mixture(phase);
+      fields.phase[grid.point_index(cell, p)] = mixture == nullptr ? phase : largest_part(*mixture);
     }
   });
   return fields;

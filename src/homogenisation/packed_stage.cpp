@@ -13,7 +13,7 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   result.cells = stage.cells;
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
-  const auto discretisation = discretise(stage, result.microstructure.microstructure, stage.cells);
+  const auto discretisation = discretise(stage, result.microstructure.microstructure, stage.cells, study.tests.mixing);
   result.points = discretisation.points();
   if (stage.filler) {
     const auto phases = phases_of(stage);

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "breccia/discretisation/mixed_cells.hpp"
+
 namespace breccia {
 
 Phases phases_of(const Stage& stage) {
@@ -18,13 +20,15 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   return phases_of(stage).materials(by_phase);
 }
 
-Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells) {
+Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing) {
   const auto phases = phases_of(stage);
   std::vector<PhaseIndex> of_particles;
   if (!microstructure.particles.empty()) {
     of_particles.assign(microstructure.particles.size(), phases.index_of(name_of_filler_phase));
   }
-  return discretise(microstructure, cells, phases.index_of(name_of_matrix_phase), of_particles);
+  const auto matrix = phases.index_of(name_of_matrix_phase);
+  return mixing == Mixing::points ? discretise(microstructure, cells, matrix, of_particles)
+                                  : discretise_mixed(microstructure, cells, matrix, of_particles, phases.size());
 }
 
 std::size_t point_count(int cells) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/study/chain.hpp"
 
@@ -22,7 +23,7 @@ std::vector<double> field_times_of(const Study& study, const Stage& stage, const
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
                               const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads) {
   return {.discretisation = discretisation,
-          .materials = materials_of(stage, matrix),
+          .materials = with_mixtures(discretisation, materials_of(stage, matrix)),
           .boundary = boundary,
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},

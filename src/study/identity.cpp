@@ -154,9 +154,9 @@ class Content {
   }
 
   void add(const Tests& tests) {
-    const auto& [loads, boundaries, methods, first_time, last_time, points_per_decade, field_times, lists_field_times,
-                 fit_tolerance, quasistatic, dynamic] = tests;
-    add_all(loads, boundaries, methods, first_time, last_time, points_per_decade, field_times, fit_tolerance,
+    const auto& [loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times,
+                 lists_field_times, fit_tolerance, quasistatic, dynamic] = tests;
+    add_all(loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times, fit_tolerance,
             quasistatic, dynamic);
     static_cast<void>(lists_field_times);
   }

@@ -26,15 +26,20 @@ inline QuasistaticProblem model_composite(int n, Volumetric volumetric, Boundary
 /// The times [s] in which random_composite relaxes.
 inline constexpr TimeWindow relaxation_window = {1e-7, 1e-3};
 
-/// Twelve stiff discs in a binder with a spectrum like that of an elastomer, nearly incompressible where it has
-/// relaxed.
-inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary boundary) {
+/// Twelve discs in a box.
+inline Microstructure<2> random_discs(std::uint64_t seed) {
   PackingRequest request;
   request.side = 50e-6;
   request.diameters.assign(12, 11e-6);
   request.minimum_gap = 1e-6;
   request.seed = seed;
-  const Microstructure<2> box = {request.side, Walls::hard, pack<2>(request).balls};
+  return {request.side, Walls::hard, pack<2>(request).balls};
+}
+
+/// These discs, which are stiff, in a binder with a spectrum like that of an elastomer, nearly incompressible where it
+/// has relaxed.
+inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary boundary) {
+  const auto box = random_discs(seed);
   const PronySeries shear(0.2e6, {{1e-7, 300e6}, {1e-6, 80e6}, {1e-5, 20e6}, {1e-4, 4e6}, {1e-3, 1e6}});
   return {.discretisation = discretise(box, n, 0, 1),
           .materials = {{"binder", 1480.0, PronySeries(3.6e9), shear},

@@ -21,6 +21,8 @@ struct CellShape {
   static constexpr int points = 1 << dim;
   static constexpr int dofs = dim * nodes;  ///< the components of the first node, then those of the second, ...
   static constexpr int strains = tensor_components<dim>;
+  static constexpr int deviators = dim == 2 ? 3 : 5;    ///< independent components of a deviator; in plane strain 3
+  static constexpr int modes = points * deviators + 1;  ///< the deviators of all points and the volumetric strain
   static constexpr double point_volume = 1.0 / points;  ///< share of a point in the volume of the cell
 
   using Weights = std::array<double, std::size_t{1} << dim>;      ///< by node
@@ -30,6 +32,9 @@ struct CellShape {
   using StrainVector = Eigen::Matrix<double, strains, 1>;
   using StrainMatrix = Eigen::Matrix<double, strains, dofs>;
   using VolumeMatrix = Eigen::Matrix<double, 1, dofs>;
+  using DeviatorMatrix = Eigen::Matrix<double, deviators, strains>;
+  using ModeValues = Eigen::Matrix<double, modes, 1>;
+  using ModeMatrix = Eigen::Matrix<double, modes, dofs>;
 
   /// Corner of the cell where a node is, each coordinate 0 or 1.
   [[nodiscard]] static constexpr Index<dim> corner(int node) noexcept {
@@ -59,6 +64,14 @@ struct CellShape {
   /// Stiffness of a cell [Pa]: for nodal displacements [m] it gives the nodal forces [N] (in 2D per unit thickness
   /// [N/m]) divided by h^(dim-2) (theory, Eq. 5).
   [[nodiscard]] static Stiffness stiffness(const PointModuli& moduli, Volumetric volumetric);
+
+  /// The deviator L e of a strain e, scaled so that |L e|^2 is twice its energy per unit shear modulus. L' gives the
+  /// stress components of such a deviator times a modulus.
+  [[nodiscard]] static DeviatorMatrix deviator_matrix();
+  /// The strains that the energy of a cell with averaged volumetric strains depends on: the deviators of its points
+  /// times the square root of point_volume, point by point, then the mean volumetric strain. With one shear modulus G
+  /// and one bulk modulus K, twice the energy is G times the squares of all but the last plus K times that of the last.
+  [[nodiscard]] static ModeMatrix mode_matrix();
 
   /// Displacements of the nodes under a uniform strain, with node 0 at rest.
   [[nodiscard]] static Values affine_motion(const Strain<dim>& strain);

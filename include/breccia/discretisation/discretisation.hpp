@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "breccia/discretisation/grid.hpp"
+#include "breccia/discretisation/mixture.hpp"
 #include "breccia/discretisation/phase.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 
@@ -17,7 +18,8 @@ namespace breccia {
 template <int dim>
 using CellPhases = std::array<PhaseIndex, std::size_t{1} << dim>;
 
-/// A microstructure on a grid: the phase of every material point.
+/// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
+/// mixture in place of a phase.
 template <int dim>
 class Discretisation {
  public:
@@ -47,7 +49,21 @@ class Discretisation {
   /// Gives a phase to all points in a ball.
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
-  /// Share of the points that have each of the phases 0 .. count - 1. Throws std::out_of_range for another phase; see
+  /// Gives a phase, or a mixture, to all points of a cell.
+  void fill(const Index<dim>& cell, PhaseIndex phase) { cells_[grid_.cell_index(cell)].fill(phase); }
+
+  /// Adds a mixture, and returns the number that stands for it in place of that of a phase; `phases` is the number of
+  /// phases, which the numbers of the mixtures follow. Throws InputError when there is no number left.
+  PhaseIndex add_mixture(Mixture mixture, std::size_t phases);
+  [[nodiscard]] const std::vector<Mixture>& mixtures() const noexcept { return mixtures_; }
+  /// The mixture that a number stands for; null for the number of a phase and for no_phase.
+  [[nodiscard]] const Mixture* mixture(PhaseIndex number) const noexcept {
+    if (number < first_mixture_ || number == no_phase) return nullptr;
+    return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
+  }
+
+  /// Share of the box that each of the phases 0 .. count - 1 has, by points and by the fractions of mixed cells. A
+  /// mixture whose number is among them has a share of its own. Throws std::out_of_range for another phase; see
   /// require_phases().
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
@@ -64,12 +80,18 @@ class Discretisation {
 
   Grid<dim> grid_;
   std::vector<CellPhases<dim>> cells_;
+  std::vector<Mixture> mixtures_;
+  PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
 };
 
 /// Throws InputError, with the name of the calculation, when a point has none of the phases 0 .. count - 1, so that it
 /// has no material. Points of no phase need none. Instantiated for 2 and 3 dimensions.
 template <int dim>
 void require_phases(std::string_view calculation, const Discretisation<dim>& discretisation, std::size_t count);
+/// The same for a calculation that takes the moduli of mixed cells from those of their phases.
+template <int dim>
+void require_phases_in_cells(std::string_view calculation, const Discretisation<dim>& discretisation,
+                             std::size_t count);
 
 extern template class Discretisation<2>;
 extern template class Discretisation<3>;

@@ -15,7 +15,7 @@ template <int dim>
 struct PointFields {
   static constexpr std::size_t shears = dim * (dim - 1) / 2;
 
-  std::vector<PhaseIndex> phase;
+  std::vector<PhaseIndex> phase;          ///< in a mixed cell the phase with the largest share
   std::vector<Vector<dim>> displacement;  ///< [m]
   /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
   std::vector<std::array<double, dim + shears>> strain;

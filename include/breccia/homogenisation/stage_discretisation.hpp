@@ -22,8 +22,9 @@ Phases phases_of(const Stage& stage);
 std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 
 /// The material points of a stage with these particles, on `cells` cells along each side of its box. The points have
-/// the phases of the stage (phases_of). Throws InputError when there are particles and the stage has no filler.
-Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells);
+/// the phases of the stage (phases_of), and those of cells that an interface crosses are as `mixing` says. Throws
+/// InputError when there are particles and the stage has no filler.
+Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing);
 
 /// Material points of such a discretisation.
 std::size_t point_count(int cells);

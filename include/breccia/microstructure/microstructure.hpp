@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "breccia/microstructure/ball.hpp"
+#include "breccia/microstructure/index.hpp"
 
 namespace breccia {
 
@@ -20,5 +22,21 @@ struct Microstructure {
   Walls walls = Walls::hard;
   std::vector<Ball<dim>> particles;
 };
+
+/// Calls action(number, ball) for every particle and, in a periodic box, for its images in the boxes around.
+template <int dim, class Action>
+void for_each_image(const Microstructure<dim>& microstructure, Action&& action) {
+  const int images = microstructure.walls == Walls::periodic ? 1 : 0;
+  Index<dim> first{}, end{};
+  first.fill(-images);
+  end.fill(images + 1);
+  for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
+    for_each_index(first, end, [&](const Index<dim>& image) {
+      auto ball = microstructure.particles[particle];
+      for (std::size_t axis = 0; axis < image.size(); ++axis) ball.centre[axis] += image[axis] * microstructure.side;
+      action(particle, ball);
+    });
+  }
+}
 
 }  // namespace breccia

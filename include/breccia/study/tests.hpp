@@ -5,6 +5,7 @@
 
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
+#include "breccia/discretisation/mixture.hpp"
 #include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
 #include "breccia/words.hpp"
@@ -26,6 +27,7 @@ struct Tests {
   std::vector<Load> loads{Load::shear};
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
+  Mixing mixing = Mixing::points;        ///< of the cells that an interface crosses
   double first_time = 0.0;               ///< of the curves [s]
   double last_time = 0.0;                ///< of the curves [s]
   int points_per_decade = 20;            ///< of the curves

@@ -9,11 +9,10 @@
 #include "breccia/error.hpp"
 
 namespace breccia::quasistatic {
+namespace {
 
-void save(StateWriter& state, const std::string& group, const Displacement& displacement) {
+void save(StateWriter& state, const std::string& name, Vec distributed) {
   constexpr const char* what = "collecting a nodal vector";
-  state.write(group + "/affine", displacement.macroscopic());
-  Vec distributed = displacement.fluctuation();
   NodalVector whole;
   if (parallel::ranks() > 1) {
     Scatter to_first;
@@ -26,21 +25,39 @@ void save(StateWriter& state, const std::string& group, const Displacement& disp
   const double* values = nullptr;
   check(VecGetLocalSize(all, &size), what);
   check(VecGetArrayRead(all, &values), what);
-  state.write(group + "/nodes", std::span(values, static_cast<std::size_t>(size)));
+  state.write(name, std::span(values, static_cast<std::size_t>(size)));
   check(VecRestoreArrayRead(all, &values), what);
 }
 
-void restore(const StateReader& state, const std::string& group, Displacement& displacement) {
+void restore(const StateReader& state, const std::string& name, Vec distributed) {
   constexpr const char* what = "restoring a nodal vector";
-  Vec fluctuation = displacement.fluctuation();
   PetscInt size = 0, begin = 0, end = 0;
-  check(VecGetSize(fluctuation, &size), what);
-  check(VecGetOwnershipRange(fluctuation, &begin, &end), what);
-  const auto all = state.numbers(group + "/nodes", static_cast<std::size_t>(size));
+  check(VecGetSize(distributed, &size), what);
+  check(VecGetOwnershipRange(distributed, &begin, &end), what);
+  const auto all = state.numbers(name, static_cast<std::size_t>(size));
   double* values = nullptr;
-  check(VecGetArray(fluctuation, &values), what);
+  check(VecGetArray(distributed, &values), what);
   std::copy(all.begin() + begin, all.begin() + end, values);
-  check(VecRestoreArray(fluctuation, &values), what);
+  check(VecRestoreArray(distributed, &values), what);
+}
+
+bool is_empty(Vec vector) {
+  PetscInt size = 0;
+  check(VecGetSize(vector, &size), "reading the size of a vector");
+  return size == 0;
+}
+
+}  // namespace
+
+void save(StateWriter& state, const std::string& group, const Displacement& displacement) {
+  state.write(group + "/affine", displacement.macroscopic());
+  save(state, group + "/nodes", displacement.fluctuation());
+  if (!is_empty(displacement.phase_strains())) save(state, group + "/phases", displacement.phase_strains());
+}
+
+void restore(const StateReader& state, const std::string& group, Displacement& displacement) {
+  restore(state, group + "/nodes", displacement.fluctuation());
+  if (!is_empty(displacement.phase_strains())) restore(state, group + "/phases", displacement.phase_strains());
   displacement.set_macroscopic(state.number(group + "/affine"));
 }
 

@@ -1,6 +1,7 @@
 #include "operator/elastic_operator.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -22,9 +23,30 @@ class Values {
   [[nodiscard]] Eigen::Map<const Eigen::Matrix<double, count, 1>> at(int place) const noexcept {
     return Eigen::Map<const Eigen::Matrix<double, count, 1>>(values_.data() + place);
   }
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
+    return {data_ + place, count};
+  }
 
  private:
   ReadValues values_;
+};
+
+/// Write access to the values of a vector.
+class WritableValues {
+ public:
+  explicit WritableValues(Vec vector) : vector_(vector) { check(VecGetArray(vector_, &data_), "writing values"); }
+  WritableValues(const WritableValues&) = delete;
+  WritableValues& operator=(const WritableValues&) = delete;
+  WritableValues(WritableValues&&) = delete;
+  WritableValues& operator=(WritableValues&&) = delete;
+  ~WritableValues() { VecRestoreArray(vector_, &data_); }
+  [[nodiscard]] Eigen::Map<Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
+    return {data_ + place, count};
+  }
+
+ private:
+  Vec vector_;
+  double* data_ = nullptr;
 };
 
 NodalVector local_copy(DM nodes, Vec values) {
@@ -32,6 +54,23 @@ NodalVector local_copy(DM nodes, Vec values) {
   check(DMCreateLocalVector(nodes, local.put()), "making a nodal vector");
   check(DMGlobalToLocal(nodes, values, INSERT_VALUES, local.get()), "exchanging nodal values");
   return local;
+}
+
+/// All values of a vector, on the first process; empty on the others.
+std::vector<double> on_first_process(Vec distributed) {
+  constexpr const char* what = "gathering values";
+  NodalVector on_first;
+  Scatter scatter;
+  check(VecScatterCreateToZero(distributed, scatter.put(), on_first.put()), what);
+  check(VecScatterBegin(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  check(VecScatterEnd(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  PetscInt count = 0;
+  check(VecGetLocalSize(on_first.get(), &count), what);
+  const double* values = nullptr;
+  check(VecGetArrayRead(on_first.get(), &values), what);
+  std::vector<double> all(values, values + count);
+  check(VecRestoreArrayRead(on_first.get(), &values), what);
+  return all;
 }
 
 /// Number of a place in a box of places, the first axis fastest.
@@ -70,8 +109,15 @@ void ElasticOperator<dim>::find_kinds(const Discretisation<dim>& discretisation)
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
     const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint32_t>(known.size()));
-    if (is_new) kinds_.push_back(cell);
+    if (is_new) {
+      kinds_.push_back(cell);
+      const auto* mixture = discretisation.mixture(cell.front());
+      mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+    }
     kind_of_.push_back(kind->second);
+  }
+  if (volumetric_ == Volumetric::standard && !discretisation.mixtures().empty()) {
+    throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
 }
 
@@ -119,6 +165,21 @@ void ElasticOperator<dim>::distribute_nodes() {
       if (is_held(node, component)) held_.push_back(place);
     }
   });
+  Eigen::Index strains = 0;
+  for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t) { strains += mixed.unknowns(); });
+  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(strains), PETSC_DETERMINE, no_phase_strains_.put()), what);
+}
+
+template <int dim>
+template <class Action>
+void ElasticOperator<dim>::for_mixed_cells(Action&& action) const {
+  std::size_t place = 0;
+  for_each_index(cells_.begin, cells_.end, [&](const Index<dim>& cell) {
+    const auto* mixed = mixed_cell(cell);
+    if (mixed == nullptr) return;
+    action(cell, *mixed, place);
+    place += static_cast<std::size_t>(mixed->unknowns());
+  });
 }
 
 template <int dim>
@@ -133,7 +194,10 @@ Displacement ElasticOperator<dim>::zero() const {
   NodalVector fluctuation;
   check(DMCreateGlobalVector(nodes_.get(), fluctuation.put()), "making a nodal vector");
   check(VecSet(fluctuation.get(), 0.0), "making a nodal vector");
-  return {0.0, std::move(fluctuation)};
+  NodalVector phase_strains;
+  check(VecDuplicate(no_phase_strains_.get(), phase_strains.put()), "making strains of phases");
+  check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
+  return {0.0, std::move(fluctuation), std::move(phase_strains)};
 }
 
 /// Calls action(node, components) for the nodes of this process.
@@ -154,12 +218,17 @@ void ElasticOperator<dim>::for_owned_nodes(Vec nodal, Action&& action) const {
 template <int dim>
 Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   auto displacement = zero();
+  const auto strain = unit_strain<dim>(load);
+  const typename Shape::ModeValues of_cell = modes_ * Shape::affine_motion(strain);
+  const WritableValues phase_strains(displacement.phase_strains());
+  for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t place) {
+    phase_strains.range(place, mixed.unknowns()) = mixed.uniform(of_cell);
+  });
   if (boundary_ != Boundary::traction) {
     displacement.set_macroscopic(1.0);
     return displacement;
   }
   // Rotated so that the held components are zero: u_i depends on x_j with j >= i alone.
-  const auto strain = unit_strain<dim>(load);
   for_owned_nodes(displacement.fluctuation(), [&](const Index<dim>& node, double* u) {
     for (int i = 0; i < dim; ++i) {
       u[i] = component(strain, i) * node[static_cast<std::size_t>(i)];
@@ -210,6 +279,20 @@ typename ElasticOperator<dim>::CellValues ElasticOperator<dim>::held_mask(const 
   return free;
 }
 
+/// The fluctuation at the nodes of a cell, from values with those of neighbouring processes.
+template <int dim>
+template <class LocalValues>
+typename ElasticOperator<dim>::CellValues ElasticOperator<dim>::cell_values(const Index<dim>& cell,
+                                                                            const LocalValues& values) const noexcept {
+  const int lowest = lowest_node_of(cell);
+  CellValues u;
+  for (int node = 0; node < Shape::nodes; node += 2) {
+    u.template segment<2 * dim>(dim * node) =
+        values.template at<2 * dim>(dim * (lowest + offsets_[static_cast<std::size_t>(node)]));
+  }
+  return u;
+}
+
 /// Place of the lowest node of a cell among the nodes that this process sees.
 template <int dim>
 int ElasticOperator<dim>::lowest_node_of(const Index<dim>& cell) const noexcept {
@@ -223,7 +306,12 @@ std::vector<typename CellShape<dim>::Stiffness> ElasticOperator<dim>::stiffnesse
   by_kind.reserve(kinds_.size());
   for (const auto& kind : kinds_) {
     typename Shape::PointModuli of_points{};
-    for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kind[p]];
+    const auto& mixed = mixed_[by_kind.size()];
+    if (mixed) {
+      of_points.fill(series_moduli(mixed->mixture(), moduli));
+    } else {
+      for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kind[p]];
+    }
     by_kind.push_back(Shape::stiffness(of_points, volumetric_));
   }
   return by_kind;
@@ -295,36 +383,84 @@ Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, c
   conjugate.reserve(by_kind.size());
   for (const auto& stiffness : by_kind) conjugate.emplace_back(stiffness * unit);
   const auto local = local_copy(nodes_.get(), displacement.fluctuation());
-  const Values values(local.get());
-  return sum_over_cells([&](const Index<dim>& cell) {
-    const int lowest = lowest_node_of(cell);
-    CellValues u = affine;
-    for (int node = 0; node < Shape::nodes; node += 2) {
-      u.template segment<2 * dim>(dim * node) +=
-          values.at<2 * dim>(dim * (lowest + offsets_[static_cast<std::size_t>(node)]));
-    }
+  const Values values(local.get()), strains(displacement.phase_strains());
+  auto on_strains = zero();
+  const WritableValues forces_on_strains(on_strains.phase_strains());
+  const typename Shape::ModeValues unit_modes = modes_ * unit;
+  std::size_t place = 0;
+  auto sum = sum_over_cells([&](const Index<dim>& cell) {
+    const CellValues u = affine + cell_values(cell, values);
     const auto kind = kind_of_cell(cell);
-    return std::pair<CellValues, double>(by_kind[kind] * u, conjugate[kind].dot(u));
+    const auto& mixed = mixed_[kind];
+    if (!mixed) return std::pair<CellValues, double>(by_kind[kind] * u, conjugate[kind].dot(u));
+    const auto unknowns = mixed->unknowns();
+    const auto [stress, forces] = mixed->stresses(moduli, modes_ * u, strains.range(place, unknowns));
+    forces_on_strains.range(place, unknowns) = forces;
+    place += static_cast<std::size_t>(unknowns);
+    return std::pair<CellValues, double>(modes_.transpose() * stress, unit_modes.dot(stress));
+  });
+  sum.add(1.0, on_strains);
+  return sum;
+}
+
+template <int dim>
+Forces ElasticOperator<dim>::condensed(std::span<const Moduli> moduli, const Forces& forces) const {
+  const Values on_strains(forces.phase_strains());
+  std::size_t place = 0;
+  auto condensed = sum_over_cells([&](const Index<dim>& cell) {
+    const auto* mixed = mixed_cell(cell);
+    if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
+    const auto stress = mixed->stress_of(moduli, on_strains.range(place, mixed->unknowns()));
+    place += static_cast<std::size_t>(mixed->unknowns());
+    return std::pair<CellValues, double>(modes_.transpose() * stress, 0.0);
+  });
+  check(VecAXPY(condensed.fluctuation(), 1.0, forces.fluctuation()), "adding nodal forces");
+  return condensed;
+}
+
+template <int dim>
+void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces,
+                                                 Displacement& displacement) const {
+  const auto local = local_copy(nodes_.get(), displacement.fluctuation());
+  const Values values(local.get()), on_strains(forces.phase_strains());
+  const WritableValues strains(displacement.phase_strains());
+  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+    strains.range(place, mixed.unknowns()) =
+        mixed.strains_under(moduli, modes_ * cell_values(cell, values), on_strains.range(place, mixed.unknowns()));
   });
 }
 
 template <int dim>
 std::vector<double> ElasticOperator<dim>::gathered(const Displacement& displacement) const {
   constexpr const char* what = "gathering nodal values";
-  NodalVector in_rows, on_first;
+  NodalVector in_rows;
   check(DMDACreateNaturalVector(nodes_.get(), in_rows.put()), what);
   check(DMDAGlobalToNaturalBegin(nodes_.get(), displacement.fluctuation(), INSERT_VALUES, in_rows.get()), what);
   check(DMDAGlobalToNaturalEnd(nodes_.get(), displacement.fluctuation(), INSERT_VALUES, in_rows.get()), what);
-  PetscHandle<VecScatter, VecScatterDestroy> scatter;
-  check(VecScatterCreateToZero(in_rows.get(), scatter.put(), on_first.put()), what);
-  check(VecScatterBegin(scatter.get(), in_rows.get(), on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  check(VecScatterEnd(scatter.get(), in_rows.get(), on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  PetscInt count = 0;
-  check(VecGetLocalSize(on_first.get(), &count), what);
-  const double* values = nullptr;
-  check(VecGetArrayRead(on_first.get(), &values), what);
-  std::vector<double> all(values, values + count);
-  check(VecRestoreArrayRead(on_first.get(), &values), what);
+  return on_first_process(in_rows.get());
+}
+
+template <int dim>
+std::vector<double> ElasticOperator<dim>::gathered_phase_strains(const Displacement& displacement) const {
+  // The place of each strain in the list of all cells, which the values of a process follow in parts.
+  std::vector<std::size_t> first_of_cell(kind_of_.size());
+  std::size_t count = 0;
+  for (std::size_t cell = 0; cell < kind_of_.size(); ++cell) {
+    first_of_cell[cell] = count;
+    const auto& mixed = mixed_[kind_of_[cell]];
+    if (mixed) count += static_cast<std::size_t>(mixed->unknowns());
+  }
+  auto places = zero();
+  {
+    const WritableValues values(places.phase_strains());
+    for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+      const auto first = static_cast<double>(first_of_cell[grid_.cell_index(cell)]);
+      values.range(place, mixed.unknowns()).setLinSpaced(first, first + static_cast<double>(mixed.unknowns() - 1));
+    });
+  }
+  const auto in_parts = on_first_process(displacement.phase_strains()), at = on_first_process(places.phase_strains());
+  std::vector<double> all(in_parts.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[static_cast<std::size_t>(std::lround(at[i]))] = in_parts[i];
   return all;
 }
 

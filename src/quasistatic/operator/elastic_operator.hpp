@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "breccia/discretisation/load.hpp"
 
 #include "operator/displacement.hpp"
+#include "operator/mixed_cell.hpp"
 
 namespace breccia::quasistatic {
 
@@ -27,6 +29,7 @@ class ElasticOperator {
  public:
   using Shape = CellShape<dim>;
 
+  /// Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary);
 
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
@@ -39,13 +42,19 @@ class ElasticOperator {
 
   /// A displacement, or forces, all zero.
   [[nodiscard]] Displacement zero() const;
-  /// The displacement with the uniform strain of a load.
+  /// The displacement with the uniform strain of a load, in all phases.
   [[nodiscard]] Displacement uniform_strain(Load load) const;
   /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
   /// of the uniform traction of the unit stress of the load under a traction boundary.
   [[nodiscard]] Forces load_forces(Load load) const;
-  /// K u, with the moduli [Pa] by material; zero on the held components of w.
+  /// K u, with the moduli [Pa] by material; zero on the held components of w. The forces on the strains of phases are
+  /// affine in the moduli, which may be zero.
   [[nodiscard]] Forces forces(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const;
+  /// The nodal forces that remain when the strains of phases have been eliminated at these moduli [Pa], which are
+  /// positive.
+  [[nodiscard]] Forces condensed(std::span<const Moduli> moduli, const Forces& forces) const;
+  /// Sets the strains of phases to those in equilibrium with forces, from the fluctuation w of a displacement.
+  void recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces, Displacement& displacement) const;
 
   /// Fluctuation w of all nodes of the box, the components of one node after those of the other, in the order of
   /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
@@ -54,6 +63,14 @@ class ElasticOperator {
 
   /// True if this component of w is held at zero at a node.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
+  /// Strains of phases of all mixed cells of the box in the order of their list. On the first process; empty on others.
+  [[nodiscard]] std::vector<double> gathered_phase_strains(const Displacement& displacement) const;
+  /// What a cell holds if it is a mixed one; null otherwise.
+  [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
+    const auto& mixed = mixed_[kind_of_cell(cell)];
+    return mixed ? &*mixed : nullptr;
+  }
+
   /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
   [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
     return kind_of_[grid_.cell_index(cell)];
@@ -81,7 +98,12 @@ class ElasticOperator {
   [[nodiscard]] Index<dim> nodes_along() const noexcept;
   template <class Action>
   void for_owned_nodes(Vec nodal, Action&& action) const;
+  template <class LocalValues>
+  [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const LocalValues& values) const noexcept;
   [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
+  /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
+  template <class Action>
+  void for_mixed_cells(Action&& action) const;
   template <class CellForces>
   [[nodiscard]] Forces sum_over_cells(const CellForces& cell_forces) const;
   void clear_held(Vec nodal) const;
@@ -90,7 +112,10 @@ class ElasticOperator {
   Grid<dim> grid_;
   Volumetric volumetric_;
   Boundary boundary_;
-  std::vector<CellPhases<dim>> kinds_;  ///< phases of the points of a cell, by kind of cell
+  std::vector<CellPhases<dim>> kinds_;                ///< phases of the points of a cell, by kind of cell
+  std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
+  typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
+  NodalVector no_phase_strains_;        ///< the zero from which vectors of strains of phases are made
   std::vector<std::uint32_t> kind_of_;  ///< by cell
   NodeGrid nodes_;
   Range owned_;  ///< nodes that belong to this process

@@ -1,7 +1,10 @@
 #include "operator/recovery.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+
+#include <Eigen/QR>
 
 #include "breccia/parallel/session.hpp"
 
@@ -19,7 +22,8 @@ class NodalDisplacement {
         strain_(unit_strain<dim>(load)),
         macroscopic_(displacement.macroscopic()),
         wraps_(elastic_operator.boundary() == Boundary::periodic),
-        fluctuation_(elastic_operator.gathered(displacement)) {}
+        fluctuation_(elastic_operator.gathered(displacement)),
+        phase_strains_(elastic_operator.gathered_phase_strains(displacement)) {}
 
   [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
     typename Shape::Values u;
@@ -38,6 +42,12 @@ class NodalDisplacement {
     return u;
   }
 
+  /// The strain of a phase of a mixed cell whose first unknown strain is at a place.
+  [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
+                                                   std::size_t place, std::size_t part) const {
+    return mixed.strain_of(part, modes_ * of_cell(cell), {phase_strains_.data() + place, mixed.unknowns()});
+  }
+
  private:
   [[nodiscard]] std::size_t place(Index<dim> node) const noexcept {
     if (!wraps_) return grid_.node_index(node);
@@ -49,7 +59,9 @@ class NodalDisplacement {
   Strain<dim> strain_;
   double macroscopic_;
   bool wraps_;
-  std::vector<double> fluctuation_;  ///< the components of the nodes, in the order of their list
+  std::vector<double> fluctuation_;    ///< the components of the nodes, in the order of their list
+  std::vector<double> phase_strains_;  ///< of the mixed cells, in the order of their list
+  typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 
 template <int dim>
@@ -68,6 +80,31 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
   }
   for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = shear[static_cast<Eigen::Index>(i + dim - 3)];
   return stress;
+}
+
+/// Stress of each point of a mixed cell: the mean over its phases, which are in series.
+template <int dim>
+auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place,
+                  const std::vector<AppliedToNodes<dim>>& by_material) {
+  using Shape = CellShape<dim>;
+  typename Shape::ModeValues mean = Shape::ModeValues::Zero();
+  for (std::size_t part = 0; part < mixed.mixture().size(); ++part) {
+    const auto& [phase, fraction] = mixed.mixture()[part];
+    const auto& [bulk, shear] = by_material[phase];
+    mean.template head<Shape::modes - 1>() +=
+        fraction * shear.of_part(cell, mixed, place, part).template head<Shape::modes - 1>();
+    mean[Shape::modes - 1] += fraction * bulk.of_part(cell, mixed, place, part)[Shape::modes - 1];
+  }
+  using Stresses = std::array<typename decltype(PointFields<dim>::stress)::value_type, Shape::points>;
+  Stresses stresses{};
+  for (int p = 0; p < Shape::points; ++p) {
+    // The strain with this deviator; its own volumetric strain does not enter.
+    const typename Shape::StrainVector strain = Shape::deviator_matrix().completeOrthogonalDecomposition().solve(
+                                                    mean.template segment<Shape::deviators>(Shape::deviators * p)) /
+                                                std::sqrt(Shape::point_volume);
+    stresses[static_cast<std::size_t>(p)] = stress_of<dim>(strain, mean[Shape::modes - 1]);
+  }
+  return stresses;
 }
 
 }  // namespace
@@ -108,6 +145,16 @@ PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, co
       fields.stress[point] = stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell)));
     });
   }
+  std::size_t place = 0;
+  grid.for_each_cell([&](const Index<dim>& cell) {
+    const auto* mixed = elastic_operator.mixed_cell(cell);
+    if (mixed == nullptr) return;
+    const auto stresses = mixed_stress<dim>(cell, *mixed, place, by_material);
+    for (int p = 0; p < Shape::points; ++p) {
+      fields.stress[grid.point_index(cell, p)] = stresses[static_cast<std::size_t>(p)];
+    }
+    place += static_cast<std::size_t>(mixed->unknowns());
+  });
   return fields;
 }
 

@@ -21,13 +21,6 @@ void enlarge(Eigen::MatrixXd& matrix) {
   matrix.col(size).setZero();
 }
 
-/// Scalar product of nodal forces; held components are zero.
-double product(const Forces& a, const Forces& b) {
-  double sum = 0.0;
-  check(VecDot(a.fluctuation(), b.fluctuation(), &sum), "a scalar product");
-  return sum;
-}
-
 }  // namespace
 
 ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const AffineStiffness& stiffness, Load load,

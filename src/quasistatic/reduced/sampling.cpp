@@ -247,7 +247,7 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex 
                                   Checkpoint* checkpoint) {
   if (training_set.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
   if (loads.empty()) throw InputError("reduced basis: no loads");
-  require_phases("reduced basis", problem.discretisation, problem.materials.size());
+  require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
   const auto initial = initial_snapshots(training_set);
   const auto sampling = std::make_shared<GreedySampling>(problem, matrix, loads, initial.front());
   const auto solver = quasistatic::make_elastic_solver(sampling->elastic_operator(), problem.linear);

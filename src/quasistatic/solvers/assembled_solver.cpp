@@ -62,7 +62,6 @@ const char* AssembledSolver::failure() const noexcept {
 
 void AssembledSolver::update_stiffness(std::span<const Moduli> moduli) {
   elastic_operator().assemble(moduli, matrix_.get());
-  moduli_.assign(moduli.begin(), moduli.end());
   is_fresh_ = false;
 }
 
@@ -75,7 +74,7 @@ void AssembledSolver::update_preconditioner() {
   require_no_breakdown(solver_.get(), failure());
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
   count_factorisation();
-  prepared_moduli_ = moduli_;
+  prepared_moduli_ = moduli();
   is_fresh_ = true;
 }
 

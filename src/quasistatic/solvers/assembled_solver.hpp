@@ -37,7 +37,6 @@ class AssembledSolver final : public ElasticSolver {
   Preconditioner preconditioner_;
   Matrix matrix_;
   LinearSolver solver_;
-  std::vector<Moduli> moduli_;           ///< present moduli, by material
   std::vector<Moduli> prepared_moduli_;  ///< moduli for which the preconditioner was made
   int fresh_iterations_ = 0;             ///< iterations with a preconditioner of the present moduli; 0 before any
   bool is_fresh_ = false;                ///< was the preconditioner made for the present moduli?

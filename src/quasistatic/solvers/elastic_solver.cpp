@@ -26,6 +26,7 @@ void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
   constexpr double rounding = 2e-15;
   rounding_ = rounding * stiffest * std::sqrt(static_cast<double>(effort_.unknowns));
+  moduli_.assign(moduli.begin(), moduli.end());
   update_stiffness(moduli);
 }
 
@@ -40,8 +41,9 @@ void ElasticSolver::count_iterations(int iterations) {
 
 void ElasticSolver::solve(const Forces& forces, Displacement& displacement) {
   ++effort_.solves;
-  check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
-  const auto [is_converged, residual] = iterate(forces, displacement);
+  const auto nodal = elastic_operator_->condensed(moduli_, forces);
+  check(VecNorm(nodal.fluctuation(), NORM_2, &load_), "reading the load");
+  const auto [is_converged, residual] = iterate(nodal, displacement);
   // Where the prescribed displacements are the whole solution, as in a homogeneous box, the load itself is rounding.
   const double least = std::max(prescribed_ * rounding_ / tolerance_, std::numeric_limits<double>::min());
   const double relative = residual / std::max(load_, least);
@@ -53,6 +55,7 @@ void ElasticSolver::solve(const Forces& forces, Displacement& displacement) {
         effort_.is_direct ? "" : " for an iterative solver, a direct one may serve"));
   }
   effort_.largest_residual = std::max(effort_.largest_residual, relative);
+  elastic_operator_->recover_phase_strains(moduli_, forces, displacement);
 }
 
 std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticOperator<2>& elastic_operator,

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
@@ -25,8 +26,8 @@ class ElasticSolver {
   void set_moduli(std::span<const Moduli> moduli);
   /// Makes the preconditioner for the present moduli.
   virtual void update_preconditioner() = 0;
-  /// Finds w with K w = forces. On entry `displacement` is the initial guess; on return its macroscopic part is
-  /// undefined. Throws NumericalError when the iteration does not converge.
+  /// Finds w, and the strains of phases that go with it, with K w = forces. On entry `displacement` is the initial
+  /// guess; on return its macroscopic part is undefined. Throws NumericalError when the iteration does not converge.
   void solve(const Forces& forces, Displacement& displacement);
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
@@ -48,6 +49,8 @@ class ElasticSolver {
   ElasticSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options, bool is_direct);
 
   [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return *elastic_operator_; }
+  /// The present moduli [Pa], by material.
+  [[nodiscard]] const std::vector<Moduli>& moduli() const noexcept { return moduli_; }
   /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
   /// up to `largest`?
   [[nodiscard]] bool is_small(double residual, double largest) const noexcept;
@@ -60,6 +63,7 @@ class ElasticSolver {
 
   const ElasticOperator<2>* elastic_operator_;
   double tolerance_;
+  std::vector<Moduli> moduli_;
   LinearEffort effort_;
   double prescribed_;  ///< size of the prescribed displacements: 1, of a unit strain, or 0 under a traction boundary
   double rounding_ = 0.0;  ///< norm of the rounding errors of the forces for displacements of order one

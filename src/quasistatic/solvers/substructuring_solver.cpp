@@ -79,7 +79,6 @@ std::size_t SubstructuringSolver::place_of(int column, int row) const noexcept {
 }
 
 void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
-  moduli_.assign(moduli.begin(), moduli.end());
   stiffest_ = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest_ = std::max(stiffest_, bulk + shear);
   cells_ = elastic_operator().stiffnesses(moduli);
@@ -200,7 +199,9 @@ ElasticSolver::End SubstructuringSolver::iterate(const Forces& forces, Displacem
   displacement.set_macroscopic(0.0);
   double norm = 0.0;
   for (int correction = 0; correction <= most_corrections; ++correction) {
-    auto residual = elastic_operator().forces(moduli_, Load::shear, displacement);
+    // The forces have none on the strains of phases, which follow from the displacement.
+    elastic_operator().recover_phase_strains(moduli(), forces, displacement);
+    auto residual = elastic_operator().forces(moduli(), Load::shear, displacement);
     residual.scale(-1.0);
     residual.add(1.0, forces);
     double largest = 0.0;

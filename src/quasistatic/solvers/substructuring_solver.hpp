@@ -42,7 +42,6 @@ class SubstructuringSolver final : public ElasticSolver {
   Substructures blocks_;
   int threads_;
   std::vector<std::size_t> place_of_unknown_;  ///< index of each unknown of the interface among the nodal values
-  std::vector<Moduli> moduli_;
   double stiffest_ = 0.0;
   std::vector<CellShape<2>::Stiffness> cells_;      ///< stiffness matrices, by kind of cell
   std::vector<PackedSymmetric<double>> condensed_;  ///< condensed stiffnesses, by kind of block

@@ -131,7 +131,7 @@ void require_complete(const QuasistaticProblem& problem, std::span<const Load> l
     throw InputError("log-time stepping: expected rising positive times");
   }
   if (loads.empty()) throw InputError("log-time stepping: no loads");
-  require_phases("log-time stepping", problem.discretisation, problem.materials.size());
+  require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
 }
 
 /// The run over all times, and the run over every other time, from whose difference the error is estimated.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/discretisation.hpp"
+#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// Steps in which the fractions of a mixed cell are counted: they are rounded to multiples of 1 / mixture_steps, so
+/// that the mixtures of a grid are few.
+inline constexpr int mixture_steps = 64;
+
+/// A microstructure of discs on `cells` cells along each axis. A cell that holds one phase has the points of that
+/// phase; one that an interface crosses is a mixture of its phases by their area fractions, which are exact but for the
+/// rounding to mixture_steps. `particles` holds a phase for each disc; `phases` is the number of phases, which the
+/// numbers of the mixtures follow. Throws InputError when a disc has no phase, or when there are more mixtures than a
+/// PhaseIndex can number.
+[[nodiscard]] Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
+                                                 std::span<const PhaseIndex> particles, std::size_t phases);
+
+/// The materials given, by PhaseIndex, and then those of the mixtures: what the points of mixed cells are made of, with
+/// the numbers of the mixtures as those of phases.
+[[nodiscard]] std::vector<Material> with_mixtures(const Discretisation<2>& discretisation,
+                                                  std::vector<Material> materials);
+
+}  // namespace breccia

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/moduli.hpp"
+#include "breccia/discretisation/phase.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+#include "breccia/words.hpp"
+
+namespace breccia {
+
+/// What a cell that an interface crosses is made of.
+enum class Mixing {
+  series,  ///< the series mixture of its phases, by area fraction (theory, Eq. 40)
+  points   ///< each of its material points has the phase at its place, as in the paper
+};
+
+template <>
+inline constexpr auto words<Mixing> = std::to_array<Word<Mixing>>({{"series", Mixing::series},
+                                                                   {"points", Mixing::points}});
+
+/// A share of a mixed cell.
+struct MixedPart {
+  PhaseIndex phase;
+  double fraction;  ///< of the area or volume of the cell [-]
+
+  friend bool operator==(const MixedPart&, const MixedPart&) = default;
+};
+
+/// What a mixed cell holds: at least two phases, whose fractions add up to 1.
+using Mixture = std::vector<MixedPart>;
+
+/// Moduli of a mixture in series, the harmonic means of the moduli of its phases: 1 / G = sum of f_k / G_k, and K
+/// likewise (theory, Eq. 40). A modulus of 0 of one phase makes that of the mixture 0.
+[[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
+
+/// The mixture as a material: its compliances are the means of the compliances of its phases, by exact interconversion,
+/// and its density is the mean density.
+[[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
+
+}  // namespace breccia

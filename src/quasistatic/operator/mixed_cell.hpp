@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/discretisation/mixture.hpp"
+
+namespace breccia::quasistatic {
+
+/// A cell that holds several phases in series. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose
+/// mean is the strain of the cell, s = sum of f_k y_k. The energy, half the sum of f_k (G_k |dev y_k|^2 + K_k vol
+/// y_k^2), is affine in the moduli; where it is least, all phases have one stress, and the moduli of the cell are those
+/// of the series mixture (theory, Eqs. 40 to 42). The strains of all phases but the first are unknowns, one after the
+/// other; those of the first follow.
+template <int dim>
+class MixedCell {
+ public:
+  using Shape = CellShape<dim>;
+  using Modes = typename Shape::ModeValues;
+  using Strains = Eigen::Map<const Eigen::VectorXd>;
+
+  explicit MixedCell(const Mixture& mixture) : mixture_(mixture) {}
+
+  [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
+  /// Number of unknown strains.
+  [[nodiscard]] Eigen::Index unknowns() const noexcept {
+    return Shape::modes * (static_cast<Eigen::Index>(mixture_.size()) - 1);
+  }
+
+  /// The strains of all phases where they are the strain of the cell.
+  [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
+  /// The strain of the phase at a place in the mixture, from the strain of the cell and the unknown strains.
+  [[nodiscard]] Modes strain_of(std::size_t part, const Modes& strain, const Strains& unknown) const;
+  /// The stress conjugate to the strain of the cell, and the forces conjugate to the unknown strains, for the moduli
+  /// [Pa] of the phases.
+  [[nodiscard]] std::pair<Modes, Eigen::VectorXd> stresses(std::span<const Moduli> moduli, const Modes& strain,
+                                                           const Strains& unknown) const;
+  /// The stress that forces on the unknown strains add to that of the series mixture, when the strains have been
+  /// eliminated.
+  [[nodiscard]] Modes stress_of(std::span<const Moduli> moduli, const Strains& forces) const;
+  /// The unknown strains that are in equilibrium with these forces on them.
+  [[nodiscard]] Eigen::VectorXd strains_under(std::span<const Moduli> moduli, const Modes& strain,
+                                              const Strains& forces) const;
+
+ private:
+  Mixture mixture_;
+};
+
+extern template class MixedCell<2>;
+extern template class MixedCell<3>;
+
+}  // namespace breccia::quasistatic

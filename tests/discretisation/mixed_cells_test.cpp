@@ -1,0 +1,109 @@
+#include "breccia/discretisation/mixed_cells.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/discretisation/point_fields.hpp"
+#include "breccia/error.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr double pi = std::numbers::pi;
+constexpr std::array<PhaseIndex, 1> filler = {1};
+
+TEST(MixedCells, HoldTheAreaOfADisc) {
+  const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.51, 0.48}, 0.6}}};
+  for (const int cells : {10, 50, 200}) {
+    const auto mixed = discretise_mixed(one_disc, cells, 0, filler, 2);
+    // Each of the cells on the circle is off by half a step at most, either way.
+    const double on_circle = 8.0 * 0.3 * cells;
+    EXPECT_NEAR(mixed.fractions(2)[1], pi * 0.09, 2.0 * std::sqrt(on_circle) / (2.0 * mixture_steps) / cells / cells);
+    EXPECT_LE(mixed.mixtures().size(), static_cast<std::size_t>(mixture_steps) - 1);
+  }
+}
+
+TEST(MixedCells, AreCellsOfOneNumber) {
+  const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 1.0}}};
+  const auto mixed = discretise_mixed(one_disc, 4, 0, filler, 2);
+  for (const auto& cell : mixed.cells()) {
+    for (const auto number : cell) EXPECT_EQ(number, cell.front());
+  }
+  EXPECT_EQ(mixed.mixture(mixed.cell({1, 1})[0]), nullptr);
+  EXPECT_EQ(mixed.cell({1, 1})[0], 1);
+  // The quarter disc around the corner cell: its area in the cell, in steps.
+  const auto* corner = mixed.mixture(mixed.cell({0, 0})[0]);
+  ASSERT_NE(corner, nullptr);
+  EXPECT_EQ(mixed.cell({0, 0})[0], mixed.cell({3, 3})[0]);
+  EXPECT_EQ((*corner)[0].phase, 0);
+  EXPECT_EQ((*corner)[1].phase, 1);
+  EXPECT_DOUBLE_EQ((*corner)[0].fraction + (*corner)[1].fraction, 1.0);
+}
+
+TEST(MixedCells, OfTwoDiscsInOneCellHoldBoth) {
+  // A gap of a tenth of a cell in the middle of the second column.
+  const Microstructure<2> two_discs = {1.0, Walls::hard, {Disc{{0.25, 0.5}, 0.49}, Disc{{0.75, 0.5}, 0.49}}};
+  constexpr std::array<PhaseIndex, 2> phases = {1, 2};
+  const auto mixed = discretise_mixed(two_discs, 5, 0, phases, 3);
+  const auto* between = mixed.mixture(mixed.cell({2, 2})[0]);
+  ASSERT_NE(between, nullptr);
+  ASSERT_EQ(between->size(), 3U);
+  EXPECT_EQ((*between)[1].fraction, (*between)[2].fraction);
+  EXPECT_NEAR((*between)[0].fraction, 0.1, 0.05);
+}
+
+TEST(MixedCells, SeeTheImagesInAPeriodicBox) {
+  const Microstructure<2> corner_disc = {1.0, Walls::periodic, {Disc{{0.01, 0.02}, 0.5}}};
+  EXPECT_NEAR(discretise_mixed(corner_disc, 40, 0, filler, 2).fractions(2)[1], pi * 0.0625, 1e-4);
+}
+
+TEST(MixedCells, ThatAreHalfFilledAlongAFaceAreExact) {
+  // The side of a disc so large that it is a straight line to rounding of the steps.
+  const Microstructure<2> half = {1.0, Walls::hard, {Disc{{-1e3 + 0.3125, 0.5}, 2e3}}};
+  const auto mixed = discretise_mixed(half, 8, 0, filler, 2);
+  const auto* cut = mixed.mixture(mixed.cell({2, 3})[0]);
+  ASSERT_NE(cut, nullptr);
+  EXPECT_EQ((*cut)[1].fraction, 0.5);
+  EXPECT_EQ(mixed.cell({1, 3})[0], 1);
+  EXPECT_EQ(mixed.cell({3, 3})[0], 0);
+}
+
+TEST(MixedCells, AreMaterialsToTheDynamicMethod) {
+  const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.7}}};
+  const auto mixed = discretise_mixed(one_disc, 12, 0, filler, 2);
+  const std::vector<Material> phases = {{"binder", 1000.0, PronySeries(3e9), PronySeries(1e6, {{1e-3, 1e7}})},
+                                        {"glass", 2500.0, PronySeries(50e9), PronySeries(30e9)}};
+  const auto materials = with_mixtures(mixed, phases);
+  ASSERT_EQ(materials.size(), 2 + mixed.mixtures().size());
+  const auto apart = mixed.fractions(materials.size()), together = mixed.fractions(2);
+  double density = 0.0, whole = 0.0;
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    density += apart[m] * materials[m].density;
+    whole += apart[m];
+  }
+  EXPECT_NEAR(whole, 1.0, 1e-12);
+  EXPECT_NEAR(density, together[0] * 1000.0 + together[1] * 2500.0, 1e-9);
+}
+
+TEST(MixedCells, ShowThePhaseWithTheLargestShareInFields) {
+  Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
+  box.fill({1, 0}, box.add_mixture({{0, 0.25}, {1, 0.75}}, 2));
+  EXPECT_THAT(zero_fields(box).phase, ElementsAre(0, 0, 1, 1, 0, 0, 1, 1));
+}
+
+TEST(MixedCells, AreRefusedWithoutANumberOrAPhase) {
+  Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
+  EXPECT_THROW(box.add_mixture({{0, 0.5}, {1, 0.5}}, 255), InputError);
+  const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.7}}};
+  EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, {}, 2), InputError);
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,54 @@
+#include "breccia/discretisation/mixture.hpp"
+
+#include <array>
+#include <complex>
+
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+const Mixture mixture = {{0, 0.25}, {2, 0.75}};
+
+TEST(Mixture, InSeriesItsCompliancesAddUp) {
+  const std::array<Moduli, 3> moduli = {{{.bulk = 4.0, .shear = 1.0}, {}, {.bulk = 3.0, .shear = 30.0}}};
+  const auto [bulk, shear] = series_moduli(mixture, moduli);
+  EXPECT_DOUBLE_EQ(bulk, 1.0 / (0.25 / 4.0 + 0.75 / 3.0));
+  EXPECT_DOUBLE_EQ(shear, 1.0 / (0.25 / 1.0 + 0.75 / 30.0));
+}
+
+TEST(Mixture, WithALiquidHasNoShearModulus) {
+  const std::array<Moduli, 3> moduli = {{{.bulk = 4.0, .shear = 0.0}, {}, {.bulk = 3.0, .shear = 30.0}}};
+  EXPECT_EQ(series_moduli(mixture, moduli).shear, 0.0);
+  EXPECT_GT(series_moduli(mixture, moduli).bulk, 0.0);
+}
+
+// The correspondence principle: the complex moduli are mixed like elastic ones.
+TEST(Mixture, OfRelaxingPhasesIsASeriesMixtureAtEveryFrequency) {
+  const PronySeries relaxing(0.2e6, {{1e-2, 1e6}, {1e-4, 30e6}}), other(1e6, {{1e-3, 5e6}});
+  const std::array<Material, 3> materials = {{{"binder", 1000.0, PronySeries(3.6e9, {{1e-3, 1e8}}), relaxing},
+                                              {"unused", 1.0, PronySeries(1.0), PronySeries(1.0)},
+                                              {"filler", 1800.0, PronySeries(13e9), other}}};
+  const auto material = series_material(mixture, materials);
+  EXPECT_DOUBLE_EQ(material.density, 0.25 * 1000.0 + 0.75 * 1800.0);
+  for (const double omega : {1e-1, 1e1, 1e2, 1e3, 1e4, 1e6}) {
+    const auto expected = 1.0 / (0.25 / relaxing.complex_modulus(omega) + 0.75 / other.complex_modulus(omega));
+    EXPECT_LT(std::abs(material.shear.complex_modulus(omega) / expected - 1.0), 1e-12) << omega << " rad/s";
+    const auto bulk = 1.0 / (0.25 / materials[0].bulk.complex_modulus(omega) + 0.75 / 13e9);
+    EXPECT_LT(std::abs(material.bulk.complex_modulus(omega) / bulk - 1.0), 1e-12) << omega << " rad/s";
+  }
+  // As many terms as there are relaxation times in its phases.
+  EXPECT_EQ(material.shear.terms().size(), 3U);
+}
+
+TEST(Mixture, OfOneMaterialIsThatMaterial) {
+  const Material polymer = {"polymer", 1000.0, PronySeries(2e9), PronySeries(1e6, {{1e-2, 1e7}, {1e-5, 1e8}})};
+  const std::array<Material, 3> materials = {polymer, polymer, polymer};
+  const auto material = series_material(mixture, materials);
+  for (const double time : {0.0, 1e-6, 1e-4, 1e-2, 1.0}) {
+    EXPECT_NEAR(material.shear.at(time) / polymer.shear.at(time), 1.0, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace breccia

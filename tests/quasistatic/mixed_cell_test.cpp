@@ -1,0 +1,110 @@
+#include "operator/mixed_cell.hpp"
+
+#include <array>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace breccia::quasistatic {
+namespace {
+
+template <class Dimension>
+class AnyMixedCell : public testing::Test {
+ public:
+  static constexpr int dim = Dimension::value;
+  using Shape = CellShape<dim>;
+  using Modes = typename Shape::ModeValues;
+
+  const Mixture mixture = {{1, 0.25}, {0, 0.625}, {2, 0.125}};
+  const MixedCell<dim> cell{mixture};
+  const std::array<Moduli, 3> moduli = {{{.bulk = 5.0, .shear = 3.0}, {.bulk = 7.0, .shear = 40.0}, {2.0, 0.5}}};
+
+  Eigen::VectorXd random(Eigen::Index size) {
+    Eigen::VectorXd values(size);
+    for (auto& value : values) value = std::uniform_real_distribution<double>(-1.0, 1.0)(generator_);
+    return values;
+  }
+  static typename MixedCell<dim>::Strains view(const Eigen::VectorXd& values) { return {values.data(), values.size()}; }
+
+ private:
+  std::mt19937_64 generator_{1};
+};
+
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(AnyMixedCell, Dimensions);
+
+// The modes of a cell are those of its stiffness.
+TYPED_TEST(AnyMixedCell, ModesGiveTheStiffnessOfOneMaterial) {
+  using Shape = typename TestFixture::Shape;
+  typename Shape::PointModuli moduli{};
+  moduli.fill({.bulk = 7.0, .shear = 3.0});
+  typename TestFixture::Modes weights = TestFixture::Modes::Constant(3.0);
+  weights[Shape::modes - 1] = 7.0;
+  const auto modes = Shape::mode_matrix();
+  const typename Shape::Stiffness stiffness = modes.transpose() * weights.asDiagonal() * modes;
+  EXPECT_LT((stiffness - Shape::stiffness(moduli, Volumetric::averaged)).norm(), 1e-13 * stiffness.norm());
+}
+
+TYPED_TEST(AnyMixedCell, PhasesThatStrainAlikeActInParallel) {
+  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+  const auto unknown = this->cell.uniform(strain);
+  for (std::size_t part = 0; part < 3; ++part) {
+    EXPECT_LT((this->cell.strain_of(part, strain, this->view(unknown)) - strain).norm(), 1e-14);
+  }
+}
+
+TYPED_TEST(AnyMixedCell, TheMeanOfTheStrainsIsThatOfTheCell) {
+  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+  const auto unknown = this->random(this->cell.unknowns());
+  typename TestFixture::Modes mean = TestFixture::Modes::Zero();
+  for (std::size_t part = 0; part < 3; ++part) {
+    mean += this->mixture[part].fraction * this->cell.strain_of(part, strain, this->view(unknown));
+  }
+  EXPECT_LT((mean - strain).norm(), 1e-14);
+}
+
+// Without forces on the strains all phases have the stress of the series mixture.
+TYPED_TEST(AnyMixedCell, InEquilibriumHasOneStress) {
+  const auto [bulk, shear] = series_moduli(this->mixture, this->moduli);
+  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(this->cell.unknowns());
+  const auto strains = this->cell.strains_under(this->moduli, strain, this->view(none));
+  const auto [stress, forces] = this->cell.stresses(this->moduli, strain, this->view(strains));
+  typename TestFixture::Modes expected = shear * strain;
+  expected[TestFixture::Shape::modes - 1] *= bulk / shear;
+  EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
+  EXPECT_LT(forces.norm(), 1e-13 * expected.norm());
+}
+
+TYPED_TEST(AnyMixedCell, UnderForcesIsInEquilibriumWithThem) {
+  const auto [bulk, shear] = series_moduli(this->mixture, this->moduli);
+  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+  const auto applied = this->random(this->cell.unknowns());
+  const auto strains = this->cell.strains_under(this->moduli, strain, this->view(applied));
+  const auto [stress, forces] = this->cell.stresses(this->moduli, strain, this->view(strains));
+  EXPECT_LT((forces - applied).norm(), 1e-13 * applied.norm());
+  typename TestFixture::Modes expected = shear * strain;
+  expected[TestFixture::Shape::modes - 1] *= bulk / shear;
+  expected -= this->cell.stress_of(this->moduli, this->view(applied));
+  EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
+}
+
+// The stress of the cell and the forces on the strains are the gradient of one energy, which is affine in the moduli.
+TYPED_TEST(AnyMixedCell, StressesAreAffineInTheModuli) {
+  const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
+  const auto unknown = this->random(this->cell.unknowns());
+  std::array<Moduli, 3> sum = this->moduli;
+  const std::array<Moduli, 3> part = {{{}, {.bulk = 0.0, .shear = 11.0}, {.bulk = 3.0, .shear = 0.0}}};
+  for (std::size_t m = 0; m < 3; ++m) {
+    sum[m].bulk += part[m].bulk;
+    sum[m].shear += part[m].shear;
+  }
+  const auto first = this->cell.stresses(this->moduli, strain, this->view(unknown));
+  const auto second = this->cell.stresses(part, strain, this->view(unknown));
+  const auto both = this->cell.stresses(sum, strain, this->view(unknown));
+  EXPECT_LT((first.first + second.first - both.first).norm(), 1e-12 * both.first.norm());
+  EXPECT_LT((first.second + second.second - both.second).norm(), 1e-12 * both.second.norm());
+}
+
+}  // namespace
+}  // namespace breccia::quasistatic
