@@ -24,7 +24,7 @@ class Values {
     return Eigen::Map<const Eigen::Matrix<double, count, 1>>(values_.data() + place);
   }
   [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
-    return {data_ + place, count};
+    return {values_.data() + place, count};
   }
 
  private:
