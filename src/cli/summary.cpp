@@ -129,6 +129,11 @@ std::string describe(const QuasistaticOptions& options) {
                      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");
 }
 
+/// Mixed cells where they are asked for.
+std::string describe(Mixing mixing) {
+  return mixing == Mixing::series ? "    cells    mixed in series where an interface crosses them\n" : "";
+}
+
 std::string describe(const Tests& tests) {
   std::vector<std::string> loads, bounds;
   for (const auto load : tests.loads) loads.push_back(name_of(load));
@@ -141,6 +146,7 @@ std::string describe(const Tests& tests) {
     for (const double at : tests.field_times) times.push_back(time(at));
     text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
   }
+  text += describe(tests.mixing);
   for (const auto method : tests.methods) {
     text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic);
   }

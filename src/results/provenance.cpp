@@ -93,6 +93,7 @@ struct DescribeRecord {
     const auto& response = record.response;
     Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)},
                  {"volumetric", name_of(options.quasistatic.volumetric)},
+                 {"mixing", name_of(options.mixing)},
                  {"error_estimate", response.error_estimate},
                  {"linear", json_of(record.effort)},
                  {"wall_time_s", record.seconds}};
@@ -120,6 +121,7 @@ struct DescribeRecord {
     Json json = {{"formulation", name_of(options.dynamic.formulation)},
                  {"start", name_of(options.dynamic.start)},
                  {"volumetric", name_of(options.dynamic.volumetric)},
+                 {"mixing", name_of(options.mixing)},
                  {"courant", options.dynamic.courant},
                  {"time_domains", std::move(domains)},
                  {"overlaps", std::move(overlaps)}};

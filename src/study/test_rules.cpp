@@ -36,6 +36,15 @@ std::vector<std::string> relaxing_fillers(const Study& study) {
   return mistakes;
 }
 
+/// Mixed cells have averaged volumetric strains.
+std::optional<std::string> mixing_of_points(const Tests& tests) {
+  const bool is_standard = (uses(tests, Method::quasistatic) && tests.quasistatic.volumetric == Volumetric::standard) ||
+                           (uses(tests, Method::dynamic) && tests.dynamic.volumetric == Volumetric::standard);
+  if (tests.mixing == Mixing::points || !is_standard) return std::nullopt;
+  return fmt::format(R"(mixing "{}" takes the volumetric strains "{}": expected these, or mixing "{}")",
+                     name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
+}
+
 /// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
 bool has_fits(const Study& study) {
   return uses(study.tests, Method::dynamic) || study.tests.quasistatic.solver == Solver::stepping ||
@@ -79,6 +88,7 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = relaxing_fillers(study);
+  if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;
 }

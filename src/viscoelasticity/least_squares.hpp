@@ -28,9 +28,9 @@ struct NonlinearLeastSquares {
 
 /// When a search ends.
 struct SearchLimits {
-  double relative_step;        ///< of x
-  double relative_decrease;    ///< of the sum of squares
-  int most_evaluations = 400;  ///< of the deviations
+  double relative_step = 0.0;      ///< of x
+  double relative_decrease = 0.0;  ///< of the sum of squares
+  int most_evaluations = 400;      ///< of the deviations
 };
 
 /// Moves x to the least sum of squares by the method of Levenberg and Marquardt. Returns whether it ended within the

@@ -53,9 +53,7 @@ class DirectorySinkTest : public testing::Test {
   DirectorySinkTest() { fs::create_directories(place); }
 
   [[nodiscard]] const Stage& fine() const { return study.stages.front(); }
-  [[nodiscard]] DirectorySink sink_in(const fs::path& results) {
-    return DirectorySink(study, results, options, observer, shared);
-  }
+  [[nodiscard]] DirectorySink sink_in(const fs::path& results) { return {study, results, options, observer, shared}; }
   /// Files of a directory, but for plots, which need gnuplot.
   [[nodiscard]] static std::vector<std::string> files(const fs::path& results) {
     std::vector<std::string> names;

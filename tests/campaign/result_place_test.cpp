@@ -25,7 +25,7 @@ class ResultPlaceTest : public testing::Test {
  protected:
   /// A place that is the directory itself.
   [[nodiscard]] ResultPlace place_of(const Study& one) const {
-    return ResultPlace(one, results, [this] { return results; });
+    return {one, results, [this] { return results; }};
   }
 
   Study study = test::study_of_deck("mine");

@@ -60,7 +60,7 @@ double worst_difference(const StudyDirectory& study, const std::string& boundary
 
 /// A stage of few discs by both methods, and another that builds on it.
 const std::string chain =
-    test::replaced(test::replaced(passing_on, "method     = \"dynamic\"", "method = [\"quasistatic\", \"dynamic\"]"),
+    test::replaced(test::replaced(passing_on, R"(method     = "dynamic")", R"(method = ["quasistatic", "dynamic"])"),
                    "cells   = 24", "cells   = 12");
 
 TEST(Stages, OfASweepAreComputedOnceIfTheyAreTheSame) {
@@ -81,7 +81,7 @@ TEST(Stages, OfASweepAreComputedOnceIfTheyAreTheSame) {
 
 TEST(Stages, OfASweepThatFailAreTriedOnce) {
   auto deck = test::replaced(chain, "sizes = { diameter = \"2 mm\" }",
-                             "fraction = 0.85, gap = \"0 m\", sizes = { diameter = \"0.5 mm\" }");
+                             R"(fraction = 0.85, gap = "0 m", sizes = { diameter = "0.5 mm" })");
   deck = test::replaced(deck, "method = \"regular\", columns = 2, rows = 2", "method = \"lubachevsky-stillinger\"");
   const StudyDirectory study(deck);
   const auto run = study.breccia("run", {"--sweep", "stages.B.cells=[8, 6]"});

@@ -164,7 +164,7 @@ TEST(Sweep, ItsClosingTableNamesKeysAndValuesOnce) {
   const StudyDirectory study(deck.substr(0, deck.find("[sweep]")));
   const auto run =
       study.breccia("run", {"--sweep", "stages.A.filler.fraction=[0.1, 0.12]", "--set",
-                            "tests.boundaries=[\"displacement\", \"traction\"]", "--set", "tests.method=quasistatic"});
+                            R"(tests.boundaries=["displacement", "traction"])", "--set", "tests.method=quasistatic"});
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("\nModulus of the last stage\n\n"
                                     "    fraction           0.1                        0.12\n"
@@ -173,7 +173,7 @@ TEST(Sweep, ItsClosingTableNamesKeysAndValuesOnce) {
   const StudyDirectory single(deck.substr(0, deck.find("[sweep]")));
   const auto alone =
       single.breccia("run", {"--set", "stages.A.filler.fraction=0.1", "--set",
-                             "tests.boundaries=[\"displacement\", \"traction\"]", "--set", "tests.method=quasistatic"});
+                             R"(tests.boundaries=["displacement", "traction"])", "--set", "tests.method=quasistatic"});
   const auto row = alone.output.substr(alone.output.find("        1 ms  "), 40);
   EXPECT_THAT(run.output, HasSubstr("\n" + row));
 }

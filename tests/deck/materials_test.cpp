@@ -100,7 +100,7 @@ TEST_F(DeckMaterials, AnotherModulusIsNotTakenForShear) {
 }
 
 TEST_F(DeckMaterials, NamesHaveNoControlCharacters) {
-  const auto text = test::replaced(deck("shear = \"1 MPa\""), "materials.binder", "materials.\"b\\nb\"");
+  const auto text = test::replaced(deck(R"(shear = "1 MPa")"), "materials.binder", R"(materials."b\nb")");
   EXPECT_THAT(directory.mistakes(text),
               HasSubstr("deck.toml:1:1: materials.b\\u000ab: expected a name without line breaks"));
 }

@@ -79,7 +79,7 @@ TEST(StudyDeck, HashesOfStagesDependOnTheInputsOfTheirResults) {
     EXPECT_NE(after(override_text)[1], hashes[1]) << override_text;
   }
   EXPECT_NE(after("stages.HB-2.matrix=HB-1")[0], hashes[0]) << "is tested in bulk, too";
-  const std::string in_bulk = "tests.loads=[\"shear\", \"bulk\"]";
+  const std::string in_bulk = R"(tests.loads=["shear", "bulk"])";
   EXPECT_NE(directory.study(text, {in_bulk, "stages.HB-2.matrix=HB-1"}).provenance.stage_hashes[0], after(in_bulk)[0])
       << "is fitted";
 }

@@ -174,7 +174,7 @@ filler = { material = "hmx", sizes = { list = ["1 mm"] }, gap = ")",
 
 TEST_F(DeckStages, TheFractionMayBeInPerCent) {
   const auto fraction_of = [&](std::string_view fraction) {
-    return filler(test::join("filler = { material = \"hmx\", sizes = { diameter = \"1 mm\" }, fraction = ", fraction,
+    return filler(test::join(R"(filler = { material = "hmx", sizes = { diameter = "1 mm" }, fraction = )", fraction,
                              " }\npacking = { method = \"lubachevsky-stillinger\" }"))
         .fraction;
   };

@@ -206,7 +206,7 @@ const std::vector<BadSweep> bad_sweeps{
     {"\"tests.volumetric\" = 3",
      "deck.toml:22:22: sweep.tests.volumetric: expected an array such as [1, 2], or a range such as { from = 1, to = 5 "
      "}"},
-    {"\"tests.volumetrc\" = [\"averaged\"]",
+    {R"("tests.volumetrc" = ["averaged"])",
      R"(deck.toml:22:1: tests: unknown key "volumetrc", did you mean "volumetric"?)"},
     {R"("tests.volumetric" = ["averaged", "norm"])",
      R"(deck.toml:22:35: tests.volumetric: expected one of "averaged", "standard", got "norm")"},

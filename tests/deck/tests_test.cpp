@@ -127,6 +127,10 @@ TEST_F(DeckTests, Mistakes) {
   EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));
   EXPECT_THAT(with_times("boundaries = [\"tracton\"]"), HasSubstr("got \"tracton\", did you mean \"traction\"?"));
+  EXPECT_THAT(with_times("mixing = \"serial\""), HasSubstr("got \"serial\", did you mean \"series\"?"));
+  EXPECT_THAT(
+      with_times("mixing = \"series\"\nvolumetric = \"standard\""),
+      HasSubstr(R"(mixing "series" takes the volumetric strains "averaged": expected these, or mixing "points")"));
   EXPECT_THAT(with_times("method = \"quasi\""), HasSubstr("tests.method: expected"));
   EXPECT_THAT(with_times("fields = \"10 ms\""), HasSubstr("tests.fields: expected one of \"last\", \"none\""));
   EXPECT_THAT(with_times("fields = []"), HasSubstr("tests.fields: expected at least one"));

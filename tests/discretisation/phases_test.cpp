@@ -59,6 +59,7 @@ TEST(Phases, RefuseNamesThatTellNoPhasesApart) {
 
 TEST(Phases, AreAtMostAsManyAsThereAreNumbers) {
   std::vector<std::string> names;
+  names.reserve(no_phase);
   for (int i = 0; i < no_phase; ++i) names.push_back(std::to_string(i));
   EXPECT_EQ(Phases(names).index_of("254"), no_phase - 1);
   names.emplace_back("one too many");

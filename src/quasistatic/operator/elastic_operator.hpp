@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,6 +13,7 @@
 
 #include "operator/displacement.hpp"
 #include "operator/mixed_cell.hpp"
+#include "operator/node_layout.hpp"
 
 namespace breccia::quasistatic {
 
@@ -32,13 +32,13 @@ class ElasticOperator {
   /// Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary);
 
-  [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
+  [[nodiscard]] Boundary boundary() const noexcept { return nodes_.boundary(); }
   /// The cells, with side 1.
-  [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
+  [[nodiscard]] const Grid<dim>& grid() const noexcept { return nodes_.grid(); }
   /// Area or volume of the box, in units of the cell side.
-  [[nodiscard]] double volume() const noexcept { return grid_.volume(); }
+  [[nodiscard]] double volume() const noexcept { return grid().volume(); }
   /// Number of nodal components, the held ones included.
-  [[nodiscard]] std::int64_t unknowns() const noexcept;
+  [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns(); }
 
   /// A displacement, or forces, all zero.
   [[nodiscard]] Displacement zero() const;
@@ -59,10 +59,14 @@ class ElasticOperator {
   /// Fluctuation w of all nodes of the box, the components of one node after those of the other, in the order of
   /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
   /// process; empty on the others.
-  [[nodiscard]] std::vector<double> gathered(const Displacement& displacement) const;
+  [[nodiscard]] std::vector<double> gathered(const Displacement& displacement) const {
+    return nodes_.gathered(displacement.fluctuation());
+  }
 
   /// True if this component of w is held at zero at a node.
-  [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
+  [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept {
+    return nodes_.is_held(node, component);
+  }
   /// Strains of phases of all mixed cells of the box in the order of their list. On the first process; empty on others.
   [[nodiscard]] std::vector<double> gathered_phase_strains(const Displacement& displacement) const;
   /// What a cell holds if it is a mixed one; null otherwise.
@@ -73,57 +77,35 @@ class ElasticOperator {
 
   /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
   [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
-    return kind_of_[grid_.cell_index(cell)];
+    return kind_of_[grid().cell_index(cell)];
   }
   /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
   [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
 
   /// A sparse matrix with the pattern of K on w, without values.
-  [[nodiscard]] Matrix make_matrix() const;
+  [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
   /// Assembles K into such a matrix. Held components of w are coupled to nothing and get a diagonal entry.
   void assemble(std::span<const Moduli> moduli, Mat matrix) const;
   /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
-  void attach_rigid_motions(Mat matrix) const;
+  void attach_rigid_motions(Mat matrix) const { nodes_.attach_rigid_motions(matrix); }
 
  private:
-  /// Indices from `begin` to before `end` along every axis.
-  struct Range {
-    Index<dim> begin{}, end{};
-  };
   using CellValues = typename Shape::Values;
 
   void find_kinds(const Discretisation<dim>& discretisation);
-  void distribute_nodes();
-  /// Nodes of the box along an axis; of a periodic box without the last one.
-  [[nodiscard]] Index<dim> nodes_along() const noexcept;
-  template <class Action>
-  void for_owned_nodes(Vec nodal, Action&& action) const;
-  template <class LocalValues>
-  [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const LocalValues& values) const noexcept;
-  [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
   /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
   template <class CellForces>
   [[nodiscard]] Forces sum_over_cells(const CellForces& cell_forces) const;
-  void clear_held(Vec nodal) const;
-  [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
 
-  Grid<dim> grid_;
+  NodeLayout<dim> nodes_;
   Volumetric volumetric_;
-  Boundary boundary_;
   std::vector<CellPhases<dim>> kinds_;                ///< phases of the points of a cell, by kind of cell
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
+  std::vector<std::uint32_t> kind_of_;                ///< by cell
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
-  NodalVector no_phase_strains_;        ///< the zero from which vectors of strains of phases are made
-  std::vector<std::uint32_t> kind_of_;  ///< by cell
-  NodeGrid nodes_;
-  Range owned_;  ///< nodes that belong to this process
-  Range cells_;  ///< cells whose lowest node belongs to this process
-  Range seen_;   ///< nodes of this process and their neighbours
-  std::array<int, std::size_t{1} << dim>
-      offsets_{};                  ///< places of the nodes of a cell among those seen, from the lowest
-  std::vector<std::size_t> held_;  ///< places of the held components among those of this process
+  NodalVector no_phase_strains_;  ///< the zero from which vectors of strains of phases are made
 };
 
 extern template class ElasticOperator<2>;

@@ -8,7 +8,7 @@
 
 #include "breccia/error.hpp"
 
-#include "operator/read_values.hpp"
+#include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

@@ -1,0 +1,248 @@
+#include "operator/node_layout.hpp"
+
+#include <algorithm>
+
+#include <petscdmda.h>
+
+#include "operator/vector_values.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Number of a place in a box of places, the first axis fastest.
+template <int dim>
+int place_in(const Index<dim>& index, const Index<dim>& begin, const Index<dim>& end) noexcept {
+  int place = 0;
+  for (std::size_t axis = index.size(); axis-- > 0;) {
+    place = place * (end[axis] - begin[axis]) + index[axis] - begin[axis];
+  }
+  return place;
+}
+
+template <int dim>
+Index<dim> sum(Index<dim> index, const Index<dim>& other) noexcept {
+  for (std::size_t axis = 0; axis < index.size(); ++axis) index[axis] += other[axis];
+  return index;
+}
+
+}  // namespace
+
+template <int dim>
+NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(grid), boundary_(boundary) {
+  parallel::start();
+  constexpr const char* what = "distributing the nodes over the processes";
+  const auto end = boundary_ == Boundary::periodic ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_NONE;
+  std::array<PetscInt, 3> sizes = {1, 1, 1};
+  std::ranges::copy(nodes_along(), sizes.begin());
+  check(DMDACreate(PETSC_COMM_WORLD, nodes_.put()), what);
+  check(DMSetDimension(nodes_.get(), dim), what);
+  check(DMDASetSizes(nodes_.get(), sizes[0], sizes[1], sizes[2]), what);
+  check(DMDASetBoundaryType(nodes_.get(), end, end, dim > 2 ? end : DM_BOUNDARY_NONE), what);
+  check(DMDASetDof(nodes_.get(), dim), what);
+  check(DMDASetStencilType(nodes_.get(), DMDA_STENCIL_BOX), what);
+  check(DMDASetStencilWidth(nodes_.get(), 1), what);
+  check(DMSetUp(nodes_.get()), what);
+
+  const auto range = [&](auto&& corners) {
+    std::array<PetscInt, 3> begin{}, size{};
+    check(corners(nodes_.get(), &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]), what);
+    Range nodes;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      nodes.begin[axis] = begin[axis];
+      nodes.end[axis] = begin[axis] + size[axis];
+    }
+    return nodes;
+  };
+  owned_ = range(DMDAGetCorners);
+  seen_ = range(DMDAGetGhostCorners);
+  cells_ = owned_;
+  for (std::size_t axis = 0; axis < dim; ++axis) cells_.end[axis] = std::min(owned_.end[axis], grid_.cells[axis]);
+  for (int node = 0; node < Shape::nodes; ++node) {
+    offsets_[static_cast<std::size_t>(node)] =
+        place_in<dim>(sum<dim>(seen_.begin, Shape::corner(node)), seen_.begin, seen_.end);
+  }
+  std::size_t place = 0;
+  for_each_index(owned_.begin, owned_.end, [&](const Index<dim>& node) {
+    for (int component = 0; component < dim; ++component, ++place) {
+      if (is_held(node, component)) held_.push_back(place);
+    }
+  });
+}
+
+template <int dim>
+Index<dim> NodeLayout<dim>::nodes_along() const noexcept {
+  return boundary_ == Boundary::periodic ? grid_.cells : grid_.nodes();
+}
+
+template <int dim>
+std::int64_t NodeLayout<dim>::unknowns() const noexcept {
+  std::int64_t unknowns = dim;
+  for (const int along : nodes_along()) unknowns *= along;
+  return unknowns;
+}
+
+template <int dim>
+bool NodeLayout<dim>::is_held(const Index<dim>& node, int component) const noexcept {
+  const auto is_at_end = [&](std::size_t axis) { return node[axis] == 0 || node[axis] == grid_.cells[axis]; };
+  switch (boundary_) {
+    case Boundary::displacement: {
+      bool is_on_boundary = false;
+      for (std::size_t axis = 0; axis < dim; ++axis) is_on_boundary = is_on_boundary || is_at_end(axis);
+      return is_on_boundary;
+    }
+    case Boundary::traction: {
+      // The lowest corner is at rest; the corner beyond it along axis d holds the components above d.
+      auto corner = node;
+      for (std::size_t axis = 0; axis < dim; ++axis) {
+        if (corner[axis] != grid_.cells[axis]) continue;
+        corner[axis] = 0;
+        return corner == Index<dim>{} && component > static_cast<int>(axis);
+      }
+      return node == Index<dim>{};
+    }
+    case Boundary::periodic: {
+      bool is_corner = true;
+      for (std::size_t axis = 0; axis < dim; ++axis) is_corner = is_corner && is_at_end(axis);
+      return is_corner;
+    }
+  }
+  return false;
+}
+
+template <int dim>
+typename NodeLayout<dim>::CellValues NodeLayout<dim>::held_mask(const Index<dim>& cell) const noexcept {
+  CellValues free;
+  for (int node = 0; node < Shape::nodes; ++node) {
+    const auto place = sum<dim>(cell, Shape::corner(node));
+    for (int component = 0; component < dim; ++component) {
+      free[dim * node + component] = is_held(place, component) ? 0.0 : 1.0;
+    }
+  }
+  return free;
+}
+
+template <int dim>
+NodalVector NodeLayout<dim>::zeros() const {
+  NodalVector nodal;
+  check(DMCreateGlobalVector(nodes_.get(), nodal.put()), "making a nodal vector");
+  check(VecSet(nodal.get(), 0.0), "making a nodal vector");
+  return nodal;
+}
+
+template <int dim>
+NodalVector NodeLayout<dim>::local_zeros() const {
+  NodalVector local;
+  check(DMCreateLocalVector(nodes_.get(), local.put()), "making a nodal vector");
+  check(VecSet(local.get(), 0.0), "making a nodal vector");
+  return local;
+}
+
+template <int dim>
+NodalVector NodeLayout<dim>::local_copy(Vec nodal) const {
+  NodalVector local;
+  check(DMCreateLocalVector(nodes_.get(), local.put()), "making a nodal vector");
+  check(DMGlobalToLocal(nodes_.get(), nodal, INSERT_VALUES, local.get()), "exchanging nodal values");
+  return local;
+}
+
+/// Place of the lowest node of a cell among the nodes that this process sees.
+template <int dim>
+int NodeLayout<dim>::lowest_node_of(const Index<dim>& cell) const noexcept {
+  return place_in<dim>(cell, seen_.begin, seen_.end);
+}
+
+// The nodes of a cell come in pairs that are neighbours along the first axis.
+
+template <int dim>
+typename NodeLayout<dim>::CellValues NodeLayout<dim>::cell_values(const Index<dim>& cell,
+                                                                  const double* local) const noexcept {
+  const int lowest = lowest_node_of(cell);
+  CellValues values;
+  for (int node = 0; node < Shape::nodes; node += 2) {
+    values.template segment<2 * dim>(dim * node) = Eigen::Map<const Eigen::Matrix<double, 2 * dim, 1>>(
+        local + dim * (lowest + offsets_[static_cast<std::size_t>(node)]));
+  }
+  return values;
+}
+
+template <int dim>
+void NodeLayout<dim>::add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept {
+  const int lowest = lowest_node_of(cell);
+  for (int node = 0; node < Shape::nodes; node += 2) {
+    Eigen::Map<Eigen::Matrix<double, 2 * dim, 1>>(local + dim * (lowest + offsets_[static_cast<std::size_t>(node)])) +=
+        values.template segment<2 * dim>(dim * node);
+  }
+}
+
+template <int dim>
+void NodeLayout<dim>::sum_up(Vec local, Vec nodal) const {
+  check(DMLocalToGlobal(nodes_.get(), local, ADD_VALUES, nodal), "adding nodal forces");
+  double* values = nullptr;
+  check(VecGetArray(nodal, &values), "writing nodal values");
+  for (const auto place : held_) values[place] = 0.0;
+  check(VecRestoreArray(nodal, &values), "writing nodal values");
+}
+
+template <int dim>
+std::vector<double> NodeLayout<dim>::gathered(Vec nodal) const {
+  constexpr const char* what = "gathering nodal values";
+  NodalVector in_rows;
+  check(DMDACreateNaturalVector(nodes_.get(), in_rows.put()), what);
+  check(DMDAGlobalToNaturalBegin(nodes_.get(), nodal, INSERT_VALUES, in_rows.get()), what);
+  check(DMDAGlobalToNaturalEnd(nodes_.get(), nodal, INSERT_VALUES, in_rows.get()), what);
+  return on_first_process(in_rows.get());
+}
+
+template <int dim>
+Matrix NodeLayout<dim>::make_matrix() const {
+  Matrix matrix;
+  check(DMSetMatType(nodes_.get(), MATAIJ), "making the stiffness matrix");
+  check(DMCreateMatrix(nodes_.get(), matrix.put()), "making the stiffness matrix");
+  check(MatSetOption(matrix.get(), MAT_SPD, PETSC_TRUE), "making the stiffness matrix");
+  return matrix;
+}
+
+template <int dim>
+void NodeLayout<dim>::add_to_matrix(const Index<dim>& cell, const typename Shape::Stiffness& stiffness,
+                                    Mat matrix) const {
+  auto nodes = offsets_;
+  for (int& node : nodes) node += lowest_node_of(cell);
+  // Row by row or column by column: it is symmetric.
+  check(MatSetValuesBlockedLocal(matrix, Shape::nodes, nodes.data(), Shape::nodes, nodes.data(), stiffness.data(),
+                                 ADD_VALUES),
+        "assembling the stiffness matrix");
+}
+
+template <int dim>
+void NodeLayout<dim>::attach_rigid_motions(Mat matrix) const {
+  constexpr const char* what = "setting up the rigid motions";
+  std::array<double, 3> end{};
+  std::ranges::copy(grid_.cells, end.begin());
+  check(DMDASetUniformCoordinates(nodes_.get(), 0.0, end[0], 0.0, end[1], 0.0, end[2]), what);
+  Vec coordinates = nullptr;
+  check(DMGetCoordinates(nodes_.get(), &coordinates), what);
+  PetscHandle<MatNullSpace, MatNullSpaceDestroy> rigid_motions;
+  check(MatNullSpaceCreateRigidBody(coordinates, rigid_motions.put()), what);
+  check(MatSetNearNullSpace(matrix, rigid_motions.get()), what);
+}
+
+template class NodeLayout<2>;
+template class NodeLayout<3>;
+
+std::vector<double> on_first_process(Vec distributed) {
+  constexpr const char* what = "gathering values";
+  NodalVector on_first;
+  Scatter scatter;
+  check(VecScatterCreateToZero(distributed, scatter.put(), on_first.put()), what);
+  check(VecScatterBegin(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  check(VecScatterEnd(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
+  PetscInt count = 0;
+  check(VecGetLocalSize(on_first.get(), &count), what);
+  const double* values = nullptr;
+  check(VecGetArrayRead(on_first.get(), &values), what);
+  std::vector<double> all(values, values + count);
+  check(VecRestoreArrayRead(on_first.get(), &values), what);
+  return all;
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/discretisation/grid.hpp"
+
+#include "operator/petsc_handle.hpp"
+
+namespace breccia::quasistatic {
+
+/// The nodes of a grid of cells under one boundary condition, distributed over the processes: which of their components
+/// are held at zero, and where the values of a node are in nodal vectors.
+template <int dim>
+class NodeLayout {
+ public:
+  using Shape = CellShape<dim>;
+  using CellValues = typename Shape::Values;
+
+  NodeLayout(const Grid<dim>& grid, Boundary boundary);
+
+  [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
+  [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
+  /// Number of nodal components, the held ones included.
+  [[nodiscard]] std::int64_t unknowns() const noexcept;
+  /// True if this component of a node is held at zero.
+  [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept;
+  /// 0 for the components of a cell's nodes that are held, 1 for the others.
+  [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
+
+  /// Calls action(cell) for the cells of this process: those whose lowest node belongs to it.
+  template <class Action>
+  void for_cells(Action&& action) const {
+    for_each_index(cells_.begin, cells_.end, action);
+  }
+  /// Calls action(node, components) for the nodes of this process, to write to a nodal vector.
+  template <class Action>
+  void for_nodes(Vec nodal, Action&& action) const {
+    constexpr const char* what = "writing nodal values";
+    double* values = nullptr;
+    check(VecGetArray(nodal, &values), what);
+    double* components = values;
+    for_each_index(owned_.begin, owned_.end, [&](const Index<dim>& node) {
+      action(node, components);
+      components += dim;
+    });
+    check(VecRestoreArray(nodal, &values), what);
+  }
+
+  /// A nodal vector of zeros.
+  [[nodiscard]] NodalVector zeros() const;
+  /// A nodal vector of zeros with the nodes of neighbouring processes, to which the cells of this process add.
+  [[nodiscard]] NodalVector local_zeros() const;
+  /// The values of a nodal vector with those of the nodes of neighbouring processes.
+  [[nodiscard]] NodalVector local_copy(Vec nodal) const;
+  /// The values at the nodes of a cell, from those with the nodes of neighbouring processes.
+  [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const double* local) const noexcept;
+  /// Adds to the values at the nodes of a cell, among those with the nodes of neighbouring processes.
+  void add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept;
+  /// Adds what all processes have in such vectors to a nodal vector, and sets its held components to zero.
+  void sum_up(Vec local, Vec nodal) const;
+  /// Values of all nodes of the box, the components of one node after those of the other, in the order of
+  /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
+  /// process; empty on the others.
+  [[nodiscard]] std::vector<double> gathered(Vec nodal) const;
+
+  /// A sparse matrix of nodes that share a cell, without values.
+  [[nodiscard]] Matrix make_matrix() const;
+  /// Adds the stiffness of a cell to such a matrix.
+  void add_to_matrix(const Index<dim>& cell, const typename Shape::Stiffness& stiffness, Mat matrix) const;
+  /// Attaches the rigid motions to a matrix as its near null space, for algebraic multigrid.
+  void attach_rigid_motions(Mat matrix) const;
+
+ private:
+  /// Indices from `begin` to before `end` along every axis.
+  struct Range {
+    Index<dim> begin{}, end{};
+  };
+
+  /// Nodes of the box along an axis; of a periodic box without the last one.
+  [[nodiscard]] Index<dim> nodes_along() const noexcept;
+  [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
+
+  Grid<dim> grid_;
+  Boundary boundary_;
+  NodeGrid nodes_;
+  Range owned_;  ///< nodes that belong to this process
+  Range cells_;  ///< cells whose lowest node belongs to this process
+  Range seen_;   ///< nodes of this process and their neighbours
+  std::array<int, std::size_t{1} << dim>
+      offsets_{};                  ///< places of the nodes of a cell among those seen, from the lowest
+  std::vector<std::size_t> held_;  ///< places of the held components among those of this process
+};
+
+extern template class NodeLayout<2>;
+extern template class NodeLayout<3>;
+
+/// All values of a distributed vector, on the first process; empty on the others.
+[[nodiscard]] std::vector<double> on_first_process(Vec distributed);
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+
+#include <Eigen/Core>
+#include <petscvec.h>
+
+#include "breccia/parallel/session.hpp"
+
+namespace breccia::quasistatic {
+
+/// The values of a vector of PETSc on this process, to be read during the lifetime of this object.
+class ReadValues {
+ public:
+  explicit ReadValues(Vec vector) : vector_(vector) {
+    parallel::check(VecGetArrayRead(vector_, &data_), "reading nodal values");
+  }
+  ReadValues(const ReadValues&) = delete;
+  ReadValues& operator=(const ReadValues&) = delete;
+  ReadValues(ReadValues&&) = delete;
+  ReadValues& operator=(ReadValues&&) = delete;
+  ~ReadValues() { VecRestoreArrayRead(vector_, &data_); }
+
+  [[nodiscard]] const double* data() const noexcept { return data_; }
+  /// `count` values, beginning at a place.
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
+    return {data_ + place, count};
+  }
+
+ private:
+  Vec vector_;
+  const double* data_ = nullptr;
+};
+
+/// The same values, to be written.
+class WriteValues {
+ public:
+  explicit WriteValues(Vec vector) : vector_(vector) {
+    parallel::check(VecGetArray(vector_, &data_), "writing nodal values");
+  }
+  WriteValues(const WriteValues&) = delete;
+  WriteValues& operator=(const WriteValues&) = delete;
+  WriteValues(WriteValues&&) = delete;
+  WriteValues& operator=(WriteValues&&) = delete;
+  ~WriteValues() { VecRestoreArray(vector_, &data_); }
+
+  [[nodiscard]] double* data() const noexcept { return data_; }
+  /// `count` values, beginning at a place.
+  [[nodiscard]] Eigen::Map<Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
+    return {data_ + place, count};
+  }
+
+ private:
+  Vec vector_;
+  double* data_ = nullptr;
+};
+
+}  // namespace breccia::quasistatic
