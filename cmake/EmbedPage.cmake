@@ -32,8 +32,8 @@ file(WRITE "${OUTPUT}" "#include \"page_templates.hpp\"
 namespace breccia {
 
 std::string_view ${FUNCTION}() {
-  static constexpr std::string_view page = R\"breccia(${page})breccia\";
-  return page;
+  using std::literals::operator\"\"sv;
+  return R\"breccia(${page})breccia\"sv;
 }
 
 }  // namespace breccia
