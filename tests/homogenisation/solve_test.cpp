@@ -109,7 +109,7 @@ class Memory final : public StudySink {
   }
   void stage_adopted(const Stage& stage, const StudyResult&) override { calls.push_back("adopted " + stage.name); }
   void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }
-  void finished(const StudyResult& result) override { calls.push_back(result.seconds ? "finished" : "too early"); }
+  void finished(const StudyResult& result) override { calls.emplace_back(result.seconds ? "finished" : "too early"); }
 
   std::vector<std::string> calls;
 

@@ -29,7 +29,7 @@ Microstructure<2> discs_of(const Stage& stage) {
 TEST(StageDiscretisation, PointsAreOfTheFillerInParticlesAndOfTheMatrixElsewhere) {
   const auto phases = phases_of(four_discs);
   const auto matrix = phases.index_of("matrix"), filler = phases.index_of("filler");
-  const auto discretisation = discretise(four_discs, discs_of(four_discs), 60);
+  const auto discretisation = discretise(four_discs, discs_of(four_discs), 60, Mixing::points);
   // A disc has its centre at a quarter of the side: the lower left corner of cell (15, 15).
   EXPECT_EQ(discretisation.cell({15, 15}), (CellPhases<2>{filler, filler, filler, filler}));
   EXPECT_EQ(discretisation.cell({30, 30}), (CellPhases<2>{matrix, matrix, matrix, matrix}));
@@ -52,15 +52,15 @@ TEST(StageDiscretisation, AStageWithoutFillerIsAllMatrix) {
   const auto phases = phases_of(stage);
   EXPECT_THROW(static_cast<void>(phases.index_of("filler")), InputError);
   EXPECT_EQ(materials_of(stage, test::binder), std::vector<Material>{test::binder});
-  EXPECT_EQ(discretise(stage, discs_of(stage), 6).fractions(phases.size()), std::vector<double>{1.0});
+  EXPECT_EQ(discretise(stage, discs_of(stage), 6, Mixing::points).fractions(phases.size()), std::vector<double>{1.0});
 }
 
 TEST(StageDiscretisation, RefusesParticlesOfAStageWithoutFiller) {
-  EXPECT_THROW(static_cast<void>(discretise(plain_stage(), discs_of(four_discs), 6)), InputError);
+  EXPECT_THROW(static_cast<void>(discretise(plain_stage(), discs_of(four_discs), 6, Mixing::points)), InputError);
 }
 
 TEST(StageDiscretisation, CountsItsPointsWithoutBeingMade) {
-  EXPECT_EQ(point_count(60), discretise(four_discs, discs_of(four_discs), 60).points());
+  EXPECT_EQ(point_count(60), discretise(four_discs, discs_of(four_discs), 60, Mixing::points).points());
   EXPECT_EQ(point_count(60), 14400U);
 }
 

@@ -143,7 +143,7 @@ TEST(SplitPath, RefusesStepsWithoutEnd) {
 
 TEST(TomlText, ReadsBackAsTheSame) {
   const test::TemporaryDirectory directory;
-  const std::vector<Scalar> values{true, std::int64_t{-3}, 2.0, 0.1, 1e300, std::string("a \"b\" \\")};
+  const std::vector<Scalar> values{true, std::int64_t{-3}, 2.0, 0.1, 1e300, std::string(R"(a "b" \)")};
   for (const auto& value : values) {
     const Deck deck(directory.written("deck.toml", "a = [" + toml_text(value) + "]"));
     EXPECT_EQ(deck.root().scalars("a").at(0).value, value) << toml_text(value);

@@ -87,6 +87,7 @@ TEST_F(Lock, LocksTheDirectoryThatThePathRefersTo) {
   };
   {
     std::vector<std::jthread> all;
+    all.reserve(threads);
     for (int i = 0; i < threads; ++i) all.emplace_back(attempt);
   }
   EXPECT_EQ(mistakes, 0);

@@ -39,9 +39,8 @@ inline BlockKind block_of(const Block& shape, const std::vector<CellShape<2>::St
 /// The stiffness of a block as a dense matrix: the unknowns inside, row by row, and then those of the boundary in the
 /// order of boundary_nodes.
 inline Eigen::MatrixXd dense_stiffness(const Block& shape, const std::vector<CellShape<2>::Stiffness>& cells) {
-  const int width = shape.columns + 1;
-  std::vector<Eigen::Index> number(static_cast<std::size_t>(width * (shape.rows + 1)));
-  const auto at = [&](int x, int y) -> Eigen::Index& { return number[static_cast<std::size_t>(y * width + x)]; };
+  Eigen::MatrixX<Eigen::Index> number(shape.columns + 1, shape.rows + 1);
+  const auto at = [&](int x, int y) -> Eigen::Index& { return number(x, y); };
   Eigen::Index count = 0;
   for (int y = 1; y < shape.rows; ++y) {
     for (int x = 1; x < shape.columns; ++x) at(x, y) = count++;

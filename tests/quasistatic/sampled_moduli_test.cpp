@@ -13,7 +13,7 @@ namespace breccia {
 namespace {
 
 /// A response of which nothing but the range of its snapshots is known: 1 to 100 MPa in shear, 2 GPa in bulk.
-ReducedResponse response_from_1_to_100_MPa() {
+ReducedResponse response_over_two_decades() {
   ReducedResponse response;
   response.snapshots = {{.matrix = {.bulk = 2e9, .shear = 1e7}},
                         {.matrix = {.bulk = 2e9, .shear = 1e8}},
@@ -27,7 +27,7 @@ Material maxwell(double modulus, double relaxation_time) {
 }
 
 TEST(Coverage, IsWholeWithinTheSnapshots) {
-  const auto found = coverage(response_from_1_to_100_MPa(), maxwell(5e7, 1.0), {1e-3, 1e1});
+  const auto found = coverage(response_over_two_decades(), maxwell(5e7, 1.0), {1e-3, 1e1});
   EXPECT_TRUE(found.is_whole());
   ASSERT_TRUE(found.times);
   EXPECT_EQ(found.times->begin, 1e-3);
@@ -36,7 +36,7 @@ TEST(Coverage, IsWholeWithinTheSnapshots) {
 
 TEST(Coverage, TellsTheTimesAtWhichTheMatrixIsWithinTheSnapshots) {
   // 1 GPa / (1 + t) is 100 MPa at 9 s and 1 MPa at 999 s; the range reaches 5 % further.
-  const auto found = coverage(response_from_1_to_100_MPa(), maxwell(1e9, 1.0), {1e-3, 1e6});
+  const auto found = coverage(response_over_two_decades(), maxwell(1e9, 1.0), {1e-3, 1e6});
   EXPECT_FALSE(found.is_shear_covered);
   EXPECT_TRUE(found.is_bulk_covered);
   ASSERT_TRUE(found.times);
@@ -50,7 +50,7 @@ TEST(Coverage, TellsTheTimesAtWhichTheMatrixIsWithinTheSnapshots) {
 }
 
 TEST(Coverage, OfWhatIsAlwaysTooStiffIsNone) {
-  const auto found = coverage(response_from_1_to_100_MPa(), maxwell(1e12, 1.0), {1e-3, 1e1});
+  const auto found = coverage(response_over_two_decades(), maxwell(1e12, 1.0), {1e-3, 1e1});
   EXPECT_FALSE(found.is_whole());
   EXPECT_FALSE(found.times);
 }
@@ -58,9 +58,9 @@ TEST(Coverage, OfWhatIsAlwaysTooStiffIsNone) {
 TEST(Coverage, AsksForTheBulkModulusToo) {
   auto matrix = maxwell(5e7, 1.0);
   matrix.bulk = PronySeries(2.1e9);
-  EXPECT_TRUE(coverage(response_from_1_to_100_MPa(), matrix, {1e-3, 1e1}).is_whole());
+  EXPECT_TRUE(coverage(response_over_two_decades(), matrix, {1e-3, 1e1}).is_whole());
   matrix.bulk = PronySeries(3e9);
-  const auto found = coverage(response_from_1_to_100_MPa(), matrix, {1e-3, 1e1});
+  const auto found = coverage(response_over_two_decades(), matrix, {1e-3, 1e1});
   EXPECT_TRUE(found.is_shear_covered);
   EXPECT_FALSE(found.is_bulk_covered);
   EXPECT_FALSE(found.times);

@@ -139,7 +139,7 @@ TEST_F(Report, IsRefusedWithoutResults) {
   const test::TemporaryDirectory empty;
   EXPECT_THAT(test::message_of<InputError>([&] { write_report(empty.path()); }),
               HasSubstr("no study.json or sweep.json, which `breccia run` leaves with its results"));
-  empty.write("study.json", "{\"title\": \"cut o");
+  empty.write("study.json", R"({"title": "cut o)");
   EXPECT_THAT(test::message_of<FileError>([&] { write_report(empty.path()); }),
               HasSubstr("study.json: not as `breccia run` writes it"));
 }

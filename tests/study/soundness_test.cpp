@@ -204,7 +204,7 @@ TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {
   filler_of(sound).sizes.reset();
   filler_of(sound).packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}};
   EXPECT_NO_THROW(require_sound(sound));
-  const auto with_discs = [](std::vector<Disc> discs) {
+  const auto with_discs = [](const std::vector<Disc>& discs) {
     return [discs](Study& study) { std::get<ExplicitPacking>(filler_of(study).packing).discs = discs; };
   };
   expect_each({{with_discs({}), "fine, filler: expected at least one disc"},
@@ -287,7 +287,9 @@ TEST(RequireSound, NamesMethodsThatCannotBeUsedOnTheStages) {
 }
 
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {
-  const auto with_curve = [](Curve curve) { return [curve](Study& study) { study.measurements[0].shear = curve; }; };
+  const auto with_curve = [](const Curve& curve) {
+    return [curve](Study& study) { study.measurements[0].shear = curve; };
+  };
   expect_each({{[](Study& study) { study.measurements[1].label = "a"; }, "measurement a: another measurement"},
                {[](Study& study) { study.measurements[1].label = ""; }, "expected a name"},
                {[](Study& study) { study.measurements[1].label = "b\nc"; }, "expected a name without line breaks"},

@@ -2,6 +2,8 @@
 // makes of some Prony series, temperature shifts, ramps, grids, reduced responses and quantities for display.
 
 #include <cmath>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -233,9 +235,14 @@ Json quantities_for_display() {
 
 int main() {
   using namespace breccia;
-  const Json cases = {{"series", moduli_of_series()},   {"interconversions", interconversions()},
-                      {"shifts", temperature_shifts()}, {"ramps", ramps()},
-                      {"limits", limits_of_grids()},    {"bulk_moduli", bulk_moduli()},
-                      {"responses", responses()},       {"display", quantities_for_display()}};
-  std::cout << cases.dump(1) << '\n';
+  try {
+    const Json cases = {{"series", moduli_of_series()},   {"interconversions", interconversions()},
+                        {"shifts", temperature_shifts()}, {"ramps", ramps()},
+                        {"limits", limits_of_grids()},    {"bulk_moduli", bulk_moduli()},
+                        {"responses", responses()},       {"display", quantities_for_display()}};
+    std::cout << cases.dump(1) << '\n';
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return EXIT_FAILURE;
+  }
 }
