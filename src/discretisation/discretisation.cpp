@@ -49,8 +49,11 @@ void Discretisation<dim>::paint(const Ball<dim>& ball, PhaseIndex phase) {
 template <int dim>
 PhaseIndex Discretisation<dim>::add_mixture(Mixture mixture, std::size_t phases) {
   if (phases + mixtures_.size() >= no_phase) {
-    throw InputError(fmt::format("discretisation: {} phases and more than {} mixtures of them; at most {} in all",
-                                 phases, mixtures_.size(), std::size_t{no_phase}));
+    throw InputError(
+        fmt::format("discretisation: {} phases and more than {} mixtures of them in mixed cells, which is too many; "
+                    "mixing \"points\" "
+                    "has none",
+                    phases, mixtures_.size()));
   }
   if (mixtures_.empty()) first_mixture_ = static_cast<PhaseIndex>(phases);
   mixtures_.push_back(std::move(mixture));

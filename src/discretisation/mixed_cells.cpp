@@ -85,6 +85,11 @@ Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int 
     throw InputError(fmt::format("discretisation: expected a phase for each of {} particles, got {}",
                                  microstructure.particles.size(), particles.size()));
   }
+  const auto largest = particles.empty() ? matrix : std::max(matrix, std::ranges::max(particles));
+  if (largest >= phases) {
+    throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
+                                 largest, phases));
+  }
   Discretisation<2> discretisation({{cells, cells}, microstructure.side / cells}, matrix);
   std::vector<Cover> covers;
   for_each_image(microstructure, [&](std::size_t particle, const Disc& disc) {
@@ -101,7 +106,10 @@ Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int 
   for (auto first = covers.begin(); first != covers.end();) {
     const auto cell = first->cell;
     const auto end = std::find_if(first, covers.end(), [&](const Cover& one) { return one.cell != cell; });
-    discretisation.fill(discretisation.grid().cell_at(cell), phase_of(content_of({first, end}, matrix)));
+    const auto place = discretisation.grid().cell_at(cell);
+    // A cell that one disc fills stays so where another overlaps it.
+    const bool is_filled = discretisation.cell(place).front() != matrix;
+    if (!is_filled) discretisation.fill(place, phase_of(content_of({first, end}, matrix)));
     first = end;
   }
   return discretisation;

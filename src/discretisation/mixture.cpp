@@ -1,11 +1,13 @@
 #include "breccia/discretisation/mixture.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 namespace breccia {
@@ -27,7 +29,14 @@ PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_
   double instantaneous = 0.0, fluidity = 0.0;
   std::map<double, double> terms;
   for (const auto& [phase, fraction] : mixture) {
-    const auto compliance = creep_compliance(by_phase[phase].*modulus);
+    const auto& series = by_phase[phase].*modulus;
+    if (std::ranges::any_of(series.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) {
+      throw InputError(
+          fmt::format("mixed cells: the bulk modulus of {} rises in places, as that of a composite may; "
+                      "expected a material whose moduli only fall",
+                      by_phase[phase].name));
+    }
+    const auto compliance = creep_compliance(series);
     instantaneous += fraction * compliance.instantaneous();
     fluidity += fraction * compliance.fluidity();
     for (const auto& [time, strength] : compliance.terms()) terms[time] += fraction * strength;

@@ -33,7 +33,10 @@ std::string words_on_finer_grids(const std::vector<int>& grids, double coarsest)
   return fmt::format(" (cells = {} would resolve it)", list);
 }
 
-std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed) {
+/// Points bridge narrow gaps; mixed cells do not.
+std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
+                                                  Mixing mixing) {
+  if (mixing == Mixing::series) return std::nullopt;
   constexpr double cells_per_gap = 3.0;
   constexpr double rounding = 1e-9;
   const double gap = std::min(packed.gap, packed.wall_gap);
@@ -105,10 +108,10 @@ std::optional<std::string> warning_of_unknown_times(const Material& matrix, cons
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {
   auto of_stage = stage.warnings;
-  for (const auto& warning :
-       {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
-        warning_of_narrow_gaps(stage, microstructure), warning_of_cut_particles(study.tests.boundaries, microstructure),
-        warning_of_unknown_times(stage, study.tests)}) {
+  for (const auto& warning : {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
+                              warning_of_narrow_gaps(stage, microstructure, study.tests.mixing),
+                              warning_of_cut_particles(study.tests.boundaries, microstructure),
+                              warning_of_unknown_times(stage, study.tests)}) {
     if (warning) of_stage.push_back(*warning);
   }
   for (const auto& measurement : study.measurements) {

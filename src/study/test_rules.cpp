@@ -45,6 +45,24 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
+/// What mixed cells do not serve yet: a matrix that is a composite, whose bulk modulus may rise (theory, section 15),
+/// and extrapolation, whose law is that of points (theory, section 11).
+std::vector<std::string> mixing_of_stages(const Study& study) {
+  if (study.tests.mixing == Mixing::points) return {};
+  std::vector<std::string> mistakes;
+  for (const auto& stage : study.stages) {
+    if (std::holds_alternative<EarlierStage>(stage.matrix)) {
+      mistakes.push_back(
+          fmt::format(R"(mixing "series": expected a material as the matrix of stage {}, not a stage)", stage.name));
+    }
+    if (!stage.coarser_cells.empty()) {
+      mistakes.push_back(
+          fmt::format(R"(mixing "series": expected one number of cells for stage {}, not several)", stage.name));
+    }
+  }
+  return mistakes;
+}
+
 /// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
 bool has_fits(const Study& study) {
   return uses(study.tests, Method::dynamic) || study.tests.quasistatic.solver == Solver::stepping ||
@@ -89,6 +107,7 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = relaxing_fillers(study);
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
+  for (auto& mistake : mixing_of_stages(study)) mistakes.push_back(std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;
 }

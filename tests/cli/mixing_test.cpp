@@ -47,8 +47,8 @@ TEST(Mixing, BothMethodsAgreeOnMixedCells) {
   ASSERT_EQ(slow.size(), fast.size());
   ASSERT_FALSE(slow.empty());
   for (std::size_t i = 0; i < slow.size(); ++i) EXPECT_NEAR(fast[i] / slow[i], 1.0, 0.01) << i;
-  // The limit of an independent computation by points, from 48 and 96 cells. Points with 24 cells are off by 10 % after
-  // 1 ms, and by 33 % after 30 ms.
+  // The limit of points, from 48 and 96 cells of another program that agrees to four digits. Points with 24 cells are
+  // off by 10 % after 1 ms, and by 33 % after 30 ms.
   EXPECT_NEAR(slow.front() / (2.0 * 0.822523e6 - 0.841164e6), 1.0, 0.015);
   EXPECT_NEAR(slow.back() / (2.0 * 0.0957985e6 - 0.102588e6), 1.0, 0.04);
   const auto record = nlohmann::json::parse(read_text(study.result("study.json")));

@@ -98,11 +98,24 @@ TEST(MixedCells, ShowThePhaseWithTheLargestShareInFields) {
   EXPECT_THAT(zero_fields(box).phase, ElementsAre(0, 0, 1, 1, 0, 0, 1, 1));
 }
 
+TEST(MixedCells, OfDiscsThatOverlapStayFilled) {
+  const Microstructure<2> overlapping = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.9}, Disc{{0.8, 0.5}, 0.3}}};
+  constexpr std::array<PhaseIndex, 2> phases = {1, 1};
+  const auto mixed = discretise_mixed(overlapping, 20, 0, phases, 2);
+  // On the left side of the smaller disc, inside the larger one.
+  EXPECT_EQ(mixed.cell({13, 10})[0], 1);
+  EXPECT_EQ(mixed.cell({14, 12})[0], 1);
+}
+
 TEST(MixedCells, AreRefusedWithoutANumberOrAPhase) {
   Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
   EXPECT_THROW(box.add_mixture({{0, 0.5}, {1, 0.5}}, 255), InputError);
   const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.7}}};
   EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, {}, 2), InputError);
+  constexpr std::array<PhaseIndex, 1> beyond = {2};
+  EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, beyond, 2), InputError);
+  EXPECT_THROW((void)discretise_mixed(one_disc, 12, 2, filler, 2), InputError);
+  EXPECT_EQ(Discretisation<2>(Grid<2>{{2, 1}, 1.0}).mixture(7), nullptr);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
+
 namespace breccia {
 namespace {
 
@@ -39,6 +41,15 @@ TEST(Mixture, OfRelaxingPhasesIsASeriesMixtureAtEveryFrequency) {
   }
   // As many terms as there are relaxation times in its phases.
   EXPECT_EQ(material.shear.terms().size(), 3U);
+}
+
+// The bulk modulus of a composite may rise; its exact interconversion would lose terms.
+TEST(Mixture, OfAModulusThatRisesIsRefused) {
+  const auto rising = PronySeries::difference(PronySeries(8e9), PronySeries(0.0, {{1e-3, 1e8}}));
+  const std::array<Material, 3> materials = {{{"composite", 1000.0, rising, PronySeries(1e6)},
+                                              {"unused", 1.0, PronySeries(1.0), PronySeries(1.0)},
+                                              {"filler", 1800.0, PronySeries(13e9), PronySeries(6e9)}}};
+  EXPECT_THROW((void)series_material(mixture, materials), InputError);
 }
 
 TEST(Mixture, OfOneMaterialIsThatMaterial) {

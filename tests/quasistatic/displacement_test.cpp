@@ -9,6 +9,7 @@
 
 #include "operator/displacement_state.hpp"
 #include "operator/elastic_operator.hpp"
+#include "operator/vector_values.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::quasistatic {
@@ -84,6 +85,28 @@ TEST_F(Displacements, KeepTheirBitsInAState) {
   const ElasticOperator<2> larger(Discretisation<2>(Grid<2>{{3, 1}, 1.0}), Volumetric::averaged, Boundary::traction);
   auto too_large = larger.zero();
   EXPECT_THROW(restore(reader, "/displacement", too_large), FileError);
+}
+
+TEST_F(Displacements, KeepTheStrainsOfPhasesInAState) {
+  const test::TemporaryDirectory directory;
+  Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
+  box.fill({1, 0}, box.add_mixture({{0, 0.25}, {1, 0.75}}, 2));
+  const ElasticOperator<2> mixed(box, Volumetric::averaged, Boundary::displacement);
+  const auto strains_of = [](const Displacement& displacement) {
+    const ReadValues read(displacement.phase_strains());
+    return std::vector<double>(read.data(), read.data() + CellShape<2>::modes);
+  };
+  const auto saved = mixed.uniform_strain(Load::shear);
+  StateWriter writer(directory.path() / "state.h5", {"deck", "version"});
+  save(writer, "/displacement", saved);
+  writer.commit();
+  auto restored = mixed.zero();
+  restore(StateReader(directory.path() / "state.h5"), "/displacement", restored);
+  EXPECT_EQ(strains_of(restored), strains_of(saved));
+  EXPECT_NE(strains_of(saved), strains_of(mixed.zero()));
+  // Two phases that strain alike are in parallel: the work of their forces is the arithmetic mean of the moduli.
+  const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 1.0}, {.bulk = 9.0, .shear = 3.0}};
+  EXPECT_NEAR(work(mixed.forces(moduli, Load::shear, saved), saved), 1.0 + 0.25 * 1.0 + 0.75 * 3.0, 1e-14);
 }
 
 TEST_F(Displacements, AreNotResumedWithAnotherNumberOfProcesses) {

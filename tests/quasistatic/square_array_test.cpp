@@ -95,7 +95,7 @@ double error_of_mixed_cells(const Reference& reference, int n) {
   return found(reference, n, Volumetric::averaged, Mixing::series) / reference.modulus - 1.0;
 }
 
-// A hundredth of the points' error on the same grid (theory, section 2).
+// A tenth of the points' error on the same grid (theory, section 2).
 TEST(SquareArray, MixedCellsAreWithinPercentOnCoarseGrids) {
   struct Limits {
     int cells;

@@ -286,6 +286,19 @@ TEST(RequireSound, NamesMethodsThatCannotBeUsedOnTheStages) {
   EXPECT_THAT(mistakes_of(study), HasSubstr("give 2 times, of which no series can be fitted"));
 }
 
+TEST(RequireSound, NamesWhatMixedCellsDoNotServe) {
+  auto study = test::two_stages();
+  study.tests.mixing = Mixing::series;
+  EXPECT_THAT(mistakes_of(study), HasSubstr("expected a material as the matrix of stage coarse, not a stage"));
+  study.stages.pop_back();
+  EXPECT_NO_THROW(require_sound(study));
+  study.stages[0].coarser_cells = {6};
+  EXPECT_THAT(mistakes_of(study), HasSubstr("expected one number of cells for stage fine, not several"));
+  study.stages[0].coarser_cells.clear();
+  study.tests.quasistatic.volumetric = Volumetric::standard;
+  EXPECT_THAT(mistakes_of(study), HasSubstr(R"(takes the volumetric strains "averaged")"));
+}
+
 TEST(RequireSound, NamesEachMistakeOfMeasurements) {
   const auto with_curve = [](const Curve& curve) {
     return [curve](Study& study) { study.measurements[0].shear = curve; };

@@ -58,7 +58,7 @@ class Discretisation {
   [[nodiscard]] const std::vector<Mixture>& mixtures() const noexcept { return mixtures_; }
   /// The mixture that a number stands for; null for the number of a phase and for no_phase.
   [[nodiscard]] const Mixture* mixture(PhaseIndex number) const noexcept {
-    if (number < first_mixture_ || number == no_phase) return nullptr;
+    if (number < first_mixture_ || number >= first_mixture_ + mixtures_.size()) return nullptr;
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 

@@ -37,7 +37,8 @@ using Mixture = std::vector<MixedPart>;
 [[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
 
 /// The mixture as a material: its compliances are the means of the compliances of its phases, by exact interconversion,
-/// and its density is the mean density.
+/// and its density is the mean density. Throws InputError for a modulus with negative terms, which the bulk modulus of
+/// a composite may have (PronySeries::difference).
 [[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 
 }  // namespace breccia

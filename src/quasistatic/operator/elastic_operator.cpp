@@ -17,7 +17,7 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
   find_kinds(discretisation);
   Eigen::Index strains = 0;
   for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t) { strains += mixed.unknowns(); });
-  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(strains), PETSC_DETERMINE, no_phase_strains_.put()),
+  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(strains), PETSC_DETERMINE, zero_phase_strains_.put()),
         "making strains of phases");
 }
 
@@ -57,7 +57,7 @@ void ElasticOperator<dim>::for_mixed_cells(Action&& action) const {
 template <int dim>
 Displacement ElasticOperator<dim>::zero() const {
   NodalVector phase_strains;
-  check(VecDuplicate(no_phase_strains_.get(), phase_strains.put()), "making strains of phases");
+  check(VecDuplicate(zero_phase_strains_.get(), phase_strains.put()), "making strains of phases");
   check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
   return {0.0, nodes_.zeros(), std::move(phase_strains)};
 }
@@ -170,12 +170,18 @@ Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, c
 
 template <int dim>
 Forces ElasticOperator<dim>::condensed(std::span<const Moduli> moduli, const Forces& forces) const {
+  for (const auto& mixed : mixed_) {
+    if (!mixed) continue;
+    const auto [bulk, shear] = series_moduli(mixed->mixture(), moduli);
+    if (bulk > 0.0 && shear > 0.0) continue;
+    throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
+  }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t place = 0;
   auto condensed = sum_over_cells([&](const Index<dim>& cell) {
     const auto* mixed = mixed_cell(cell);
     if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
-    const auto stress = mixed->stress_of(moduli, on_strains.range(place, mixed->unknowns()));
+    const auto stress = mixed->stress_relieved_by(moduli, on_strains.range(place, mixed->unknowns()));
     place += static_cast<std::size_t>(mixed->unknowns());
     return std::pair<CellValues, double>(modes_.transpose() * stress, 0.0);
   });

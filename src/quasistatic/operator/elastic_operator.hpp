@@ -105,7 +105,7 @@ class ElasticOperator {
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
   std::vector<std::uint32_t> kind_of_;                ///< by cell
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
-  NodalVector no_phase_strains_;  ///< the zero from which vectors of strains of phases are made
+  NodalVector zero_phase_strains_;  ///< the zero from which vectors of strains of phases are made
 };
 
 extern template class ElasticOperator<2>;

@@ -50,7 +50,8 @@ std::pair<typename MixedCell<dim>::Modes, Eigen::VectorXd> MixedCell<dim>::stres
 }
 
 template <int dim>
-typename MixedCell<dim>::Modes MixedCell<dim>::stress_of(std::span<const Moduli> moduli, const Strains& forces) const {
+typename MixedCell<dim>::Modes MixedCell<dim>::stress_relieved_by(std::span<const Moduli> moduli,
+                                                                  const Strains& forces) const {
   Modes strain = Modes::Zero();
   for (std::size_t k = 1; k < mixture_.size(); ++k) {
     strain += forces.template segment<Shape::modes>(Shape::modes * (static_cast<Eigen::Index>(k) - 1))
@@ -63,7 +64,8 @@ template <int dim>
 Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const {
   // All phases have the stress of the first, but for the forces on them: M_k y_k = t + phi_k / f_k.
-  const Modes stress = of_modes<dim>(series_moduli(mixture_, moduli)).cwiseProduct(strain) - stress_of(moduli, forces);
+  const Modes stress =
+      of_modes<dim>(series_moduli(mixture_, moduli)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
   Eigen::VectorXd strains(unknowns());
   for (std::size_t k = 1; k < mixture_.size(); ++k) {
     const auto place = Shape::modes * (static_cast<Eigen::Index>(k) - 1);

@@ -37,9 +37,9 @@ class MixedCell {
   /// [Pa] of the phases.
   [[nodiscard]] std::pair<Modes, Eigen::VectorXd> stresses(std::span<const Moduli> moduli, const Modes& strain,
                                                            const Strains& unknown) const;
-  /// The stress that forces on the unknown strains add to that of the series mixture, when the strains have been
-  /// eliminated.
-  [[nodiscard]] Modes stress_of(std::span<const Moduli> moduli, const Strains& forces) const;
+  /// What forces on the unknown strains take away from the stress of the series mixture, when the strains have been
+  /// eliminated: the sum in Eq. 42 of the theory, times the modulus of the mixture.
+  [[nodiscard]] Modes stress_relieved_by(std::span<const Moduli> moduli, const Strains& forces) const;
   /// The unknown strains that are in equilibrium with these forces on them.
   [[nodiscard]] Eigen::VectorXd strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/QR>
-
 #include "breccia/parallel/session.hpp"
 
 namespace breccia::quasistatic {
@@ -95,14 +93,17 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
         fraction * shear.of_part(cell, mixed, place, part).template head<Shape::modes - 1>();
     mean[Shape::modes - 1] += fraction * bulk.of_part(cell, mixed, place, part)[Shape::modes - 1];
   }
-  using Stresses = std::array<typename decltype(PointFields<dim>::stress)::value_type, Shape::points>;
-  Stresses stresses{};
+  using Stress = typename decltype(PointFields<dim>::stress)::value_type;
+  std::array<Stress, Shape::points> stresses{};
   for (int p = 0; p < Shape::points; ++p) {
-    // The strain with this deviator; its own volumetric strain does not enter.
-    const typename Shape::StrainVector strain = Shape::deviator_matrix().completeOrthogonalDecomposition().solve(
-                                                    mean.template segment<Shape::deviators>(Shape::deviators * p)) /
-                                                std::sqrt(Shape::point_volume);
-    stresses[static_cast<std::size_t>(p)] = stress_of<dim>(strain, mean[Shape::modes - 1]);
+    const typename Shape::StrainVector deviator = Shape::deviator_matrix().transpose() *
+                                                  mean.template segment<Shape::deviators>(Shape::deviators * p) /
+                                                  std::sqrt(Shape::point_volume);
+    auto& stress = stresses[static_cast<std::size_t>(p)];
+    stress[2] = -deviator.template head<2>().sum();  // a deviator has no trace
+    for (std::size_t i = 0; i < dim; ++i) stress[i] = deviator[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < 3; ++i) stress[i] += mean[Shape::modes - 1];
+    for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = deviator[static_cast<Eigen::Index>(i + dim - 3)];
   }
   return stresses;
 }
