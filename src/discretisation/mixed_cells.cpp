@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,8 +25,6 @@ struct Cover {
   std::size_t cell;
   PhaseIndex phase;
   double area;  ///< in units of the area of the cell
-
-  friend auto operator<=>(const Cover&, const Cover&) = default;
 };
 
 /// Fills the cells that a disc covers, and lists those that it covers in part.
@@ -95,7 +94,7 @@ Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int 
   for_each_image(microstructure, [&](std::size_t particle, const Disc& disc) {
     cover(disc, particles[particle], discretisation, covers);
   });
-  std::ranges::sort(covers);
+  std::ranges::sort(covers, {}, [](const Cover& one) { return std::tuple(one.cell, one.phase, one.area); });
   std::map<Content, PhaseIndex> known;
   const auto phase_of = [&](const Content& content) {
     if (content.size() == 1) return content.front().first;

@@ -42,6 +42,7 @@ PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_
     for (const auto& [time, strength] : compliance.terms()) terms[time] += fraction * strength;
   }
   std::vector<RetardationTerm> spectrum;
+  spectrum.reserve(terms.size());
   for (const auto& [time, strength] : terms) spectrum.push_back({time, strength});
   return relaxation_modulus(CreepCompliance(instantaneous, std::move(spectrum), fluidity));
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ class MixedCell {
   using Modes = typename Shape::ModeValues;
   using Strains = Eigen::Map<const Eigen::VectorXd>;
 
-  explicit MixedCell(const Mixture& mixture) : mixture_(mixture) {}
+  explicit MixedCell(Mixture mixture) : mixture_(std::move(mixture)) {}
 
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
   /// Number of unknown strains.
