@@ -89,7 +89,7 @@ TYPED_TEST(AnyMixedCell, UnderForcesIsInEquilibriumWithThem) {
   EXPECT_LT((stress - expected).norm(), 1e-13 * expected.norm());
 }
 
-// The stress of the cell and the forces on the strains are the gradient of one energy, which is affine in the moduli.
+// The projection of the reduced basis takes this for granted; moduli of zero are among its parts.
 TYPED_TEST(AnyMixedCell, StressesAreAffineInTheModuli) {
   const typename TestFixture::Modes strain = this->random(TestFixture::Shape::modes);
   const auto unknown = this->random(this->cell.unknowns());
