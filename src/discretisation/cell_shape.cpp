@@ -69,24 +69,51 @@ typename CellShape<dim>::Stiffness CellShape<dim>::stiffness(const PointModuli& 
 template <int dim>
 typename CellShape<dim>::DeviatorMatrix CellShape<dim>::deviator_matrix() {
   DeviatorMatrix matrix = DeviatorMatrix::Zero();
-  const double root = std::sqrt(1.0 / 3.0);
   if constexpr (dim == 2) {
-    // The out-of-plane strain is zero.
-    matrix.template topLeftCorner<2, 2>() << root, root, 1.0, -1.0;
+    matrix.template topLeftCorner<1, 2>() << 1.0, -1.0;
   } else {
+    const double root = std::sqrt(1.0 / 3.0);
     matrix.template topLeftCorner<2, 3>() << root, root, -2.0 * root, 1.0, -1.0, 0.0;
   }
-  for (int shear = dim; shear < strains; ++shear) matrix(shear + deviators - strains, shear) = 1.0;
+  for (int shear = dim; shear < strains; ++shear) matrix(shear - 1, shear) = 1.0;
   return matrix;
+}
+
+namespace {
+
+/// The deviators of all points of a cell, scaled as in CellShape::point_deviators, for nodal displacements.
+template <int dim>
+auto deviators_of_nodes() {
+  using Shape = CellShape<dim>;
+  Eigen::Matrix<double, Shape::points * Shape::deviators, Shape::dofs> matrix;
+  for (int p = 0; p < Shape::points; ++p) {
+    matrix.template middleRows<Shape::deviators>(Shape::deviators * p) =
+        std::sqrt(Shape::point_volume) * Shape::deviator_matrix() * Shape::strain_matrix(p, Volumetric::averaged);
+  }
+  return matrix;
+}
+
+}  // namespace
+
+template <int dim>
+typename CellShape<dim>::PointDeviators CellShape<dim>::point_deviators() {
+  // Gram-Schmidt, twice for full precision.
+  const auto of_nodes = deviators_of_nodes<dim>();
+  PointDeviators basis = PointDeviators::Zero();
+  Eigen::Index found = 0;
+  for (const auto& of_node : of_nodes.colwise()) {
+    Eigen::Matrix<double, points * deviators, 1> rest = of_node;
+    for (int round = 0; round < 2; ++round) rest -= basis * (basis.transpose() * rest);
+    constexpr double rounding = 1e-9;
+    if (rest.norm() > rounding) basis.col(found++) = rest.normalized();
+  }
+  return basis;
 }
 
 template <int dim>
 typename CellShape<dim>::ModeMatrix CellShape<dim>::mode_matrix() {
   ModeMatrix matrix;
-  for (int p = 0; p < points; ++p) {
-    matrix.template middleRows<deviators>(deviators * p) =
-        std::sqrt(point_volume) * deviator_matrix() * strain_matrix(p, Volumetric::averaged);
-  }
+  matrix.template topRows<modes - 1>() = point_deviators().transpose() * deviators_of_nodes<dim>();
   matrix.template bottomRows<1>() = volumetric_strain_matrix(0, Volumetric::averaged);
   return matrix;
 }

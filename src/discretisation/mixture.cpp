@@ -14,27 +14,31 @@ namespace breccia {
 namespace {
 
 /// The harmonic mean of a modulus [Pa] of the phases.
-double series_modulus(const Mixture& mixture, std::span<const Moduli> by_phase, double Moduli::*modulus) {
+template <class Modulus>
+double series_modulus(const Mixture& mixture, std::span<const Moduli> by_phase, const Modulus& modulus) {
   double compliance = 0.0;
   for (const auto& [phase, fraction] : mixture) {
-    const double of_phase = by_phase[phase].*modulus;
+    const double of_phase = modulus(by_phase[phase]);
     if (of_phase == 0.0) return 0.0;
     compliance += fraction / of_phase;
   }
   return 1.0 / compliance;
 }
 
+PronySeries shear_modulus(const Material& material) {
+  return material.shear;
+}
+
 /// The modulus whose creep compliance is the mean of those of the phases.
-PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_phase, PronySeries Material::*modulus) {
+PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_phase,
+                           PronySeries (*modulus)(const Material&)) {
   double instantaneous = 0.0, fluidity = 0.0;
   std::map<double, double> terms;
   for (const auto& [phase, fraction] : mixture) {
-    const auto& series = by_phase[phase].*modulus;
+    const auto series = modulus(by_phase[phase]);
     if (std::ranges::any_of(series.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) {
-      throw InputError(
-          fmt::format("mixed cells: the bulk modulus of {} rises in places, as that of a composite may; "
-                      "expected a material whose moduli only fall",
-                      by_phase[phase].name));
+      throw InputError(fmt::format(
+          "mixed cells: a modulus of {} rises with time; expected K + G/3 and G that only fall", by_phase[phase].name));
     }
     const auto compliance = creep_compliance(series);
     instantaneous += fraction * compliance.instantaneous();
@@ -49,10 +53,15 @@ PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_
 
 }  // namespace
 
+template <int dim>
 Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase) {
-  return {.bulk = series_modulus(mixture, by_phase, &Moduli::bulk),
-          .shear = series_modulus(mixture, by_phase, &Moduli::shear)};
+  const double shear = series_modulus(mixture, by_phase, [](const Moduli& moduli) { return moduli.shear; });
+  const double dilatational = series_modulus(mixture, by_phase, dilatational_modulus<dim>);
+  return {.bulk = dim == 2 ? dilatational - shear / 3.0 : dilatational, .shear = shear};
 }
+
+template Moduli series_moduli<2>(const Mixture&, std::span<const Moduli>);
+template Moduli series_moduli<3>(const Mixture&, std::span<const Moduli>);
 
 Material series_material(const Mixture& mixture, std::span<const Material> by_phase) {
   std::string name;
@@ -62,8 +71,9 @@ Material series_material(const Mixture& mixture, std::span<const Material> by_ph
     name += fmt::format("{}{:.3g} {}", name.empty() ? "" : " + ", fraction, material.name);
     density += fraction * material.density;
   }
-  return {std::move(name), density, series_modulus(mixture, by_phase, &Material::bulk),
-          series_modulus(mixture, by_phase, &Material::shear)};
+  const auto shear = series_modulus(mixture, by_phase, shear_modulus);
+  const auto dilatational = series_modulus(mixture, by_phase, plane_strain_bulk_modulus);
+  return {std::move(name), density, PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)), shear};
 }
 
 }  // namespace breccia

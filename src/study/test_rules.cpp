@@ -45,16 +45,11 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
-/// What mixed cells do not serve yet: a matrix that is a composite, whose bulk modulus may rise (theory, section 15),
-/// and extrapolation, whose law is that of points (theory, section 11).
+/// What mixed cells do not serve yet: extrapolation, whose law is that of points (theory, section 11).
 std::vector<std::string> mixing_of_stages(const Study& study) {
   if (study.tests.mixing == Mixing::points) return {};
   std::vector<std::string> mistakes;
   for (const auto& stage : study.stages) {
-    if (std::holds_alternative<EarlierStage>(stage.matrix)) {
-      mistakes.push_back(
-          fmt::format(R"(mixing "series": expected a material as the matrix of stage {}, not a stage)", stage.name));
-    }
     if (!stage.coarser_cells.empty()) {
       mistakes.push_back(
           fmt::format(R"(mixing "series": expected one number of cells for stage {}, not several)", stage.name));

@@ -4,6 +4,10 @@
 
 namespace breccia {
 
+PronySeries plane_strain_bulk_modulus(const Material& material) {
+  return PronySeries::sum(material.bulk, material.shear.scaled(1.0 / 3.0));
+}
+
 double dilatational_wave_speed(const Material& material) {
   return std::sqrt((material.bulk.unrelaxed() + 4.0 / 3.0 * material.shear.unrelaxed()) / material.density);
 }

@@ -70,19 +70,35 @@ PronySeries PronySeries::truncated(std::size_t slow, std::size_t fast) const {
   return result;
 }
 
-PronySeries PronySeries::difference(const PronySeries& whole, const PronySeries& part) {
-  PronySeries result = whole;
-  result.equilibrium_ -= part.equilibrium_;
-  auto& terms = result.terms_;
-  for (const auto& [time, modulus] : part.terms_) {
+namespace {
+
+/// Adds terms times a factor to a list sorted by falling relaxation time.
+void add_terms(std::vector<MaxwellTerm>& terms, const std::vector<MaxwellTerm>& added, double factor) {
+  for (const auto& [time, modulus] : added) {
     const auto same = std::ranges::find(terms, time, &MaxwellTerm::relaxation_time);
     if (same != terms.end()) {
-      same->modulus -= modulus;
+      same->modulus += factor * modulus;
     } else {
-      terms.push_back({time, -modulus});
+      terms.push_back({time, factor * modulus});
     }
   }
   std::ranges::stable_sort(terms, std::ranges::greater{}, &MaxwellTerm::relaxation_time);
+}
+
+}  // namespace
+
+PronySeries PronySeries::sum(const PronySeries& one, const PronySeries& other) {
+  PronySeries result = one;
+  result.equilibrium_ += other.equilibrium_;
+  add_terms(result.terms_, other.terms_, 1.0);
+  std::erase_if(result.terms_, [](const MaxwellTerm& term) { return term.modulus == 0.0; });
+  return result;
+}
+
+PronySeries PronySeries::difference(const PronySeries& whole, const PronySeries& part) {
+  PronySeries result = whole;
+  result.equilibrium_ -= part.equilibrium_;
+  add_terms(result.terms_, part.terms_, -1.0);
   return result;
 }
 

@@ -21,9 +21,10 @@ struct CellShape {
   static constexpr int points = 1 << dim;
   static constexpr int dofs = dim * nodes;  ///< the components of the first node, then those of the second, ...
   static constexpr int strains = tensor_components<dim>;
-  static constexpr int deviators = dim == 2 ? 3 : 5;    ///< independent components of a deviator; in plane strain 3
-  static constexpr int modes = points * deviators + 1;  ///< the deviators of all points and the volumetric strain
-  static constexpr double point_volume = 1.0 / points;  ///< share of a point in the volume of the cell
+  static constexpr int deviators =
+      strains - 1;  ///< independent components of what is left without equal normal strains
+  static constexpr int modes = dofs - dim * (dim + 1) / 2;  ///< ways to strain: motions of the nodes but rigid ones
+  static constexpr double point_volume = 1.0 / points;      ///< share of a point in the volume of the cell
 
   using Weights = std::array<double, std::size_t{1} << dim>;      ///< by node
   using PointModuli = std::array<Moduli, std::size_t{1} << dim>;  ///< by point
@@ -33,6 +34,7 @@ struct CellShape {
   using StrainMatrix = Eigen::Matrix<double, strains, dofs>;
   using VolumeMatrix = Eigen::Matrix<double, 1, dofs>;
   using DeviatorMatrix = Eigen::Matrix<double, deviators, strains>;
+  using PointDeviators = Eigen::Matrix<double, points * deviators, modes - 1>;
   using ModeValues = Eigen::Matrix<double, modes, 1>;
   using ModeMatrix = Eigen::Matrix<double, modes, dofs>;
 
@@ -65,12 +67,15 @@ struct CellShape {
   /// [N/m]) divided by h^(dim-2) (theory, Eq. 5).
   [[nodiscard]] static Stiffness stiffness(const PointModuli& moduli, Volumetric volumetric);
 
-  /// The deviator L e of a strain e, scaled so that |L e|^2 is twice its energy per unit shear modulus. L' gives the
-  /// stress components of such a deviator times a modulus.
+  /// What is left of a strain e without equal strains along all axes, L e, scaled so that |L e|^2 is twice its energy
+  /// per unit shear modulus. L' gives the stress components of such a deviator times a modulus.
   [[nodiscard]] static DeviatorMatrix deviator_matrix();
-  /// The strains that the energy of a cell with averaged volumetric strains depends on: the deviators of its points
-  /// times the square root of point_volume, point by point, then the mean volumetric strain. With one shear modulus G
-  /// and one bulk modulus K, twice the energy is G times the squares of all but the last plus K times that of the last.
+  /// The deviators of the points, point by point and times the square root of point_volume, for unit modes: an
+  /// orthonormal basis of what motions of the nodes do to them.
+  [[nodiscard]] static PointDeviators point_deviators();
+  /// The modes of a cell with averaged volumetric strains: coordinates of the deviators of its points in that basis,
+  /// then the mean sum of the normal strains. With one material, twice the energy is the shear modulus times the
+  /// squares of all but the last plus the dilatational modulus times that of the last (theory, Eq. 41).
   [[nodiscard]] static ModeMatrix mode_matrix();
 
   /// Displacements of the nodes under a uniform strain, with node 0 at rest.

@@ -32,13 +32,14 @@ struct MixedPart {
 /// What a mixed cell holds: at least two phases, whose fractions add up to 1.
 using Mixture = std::vector<MixedPart>;
 
-/// Moduli of a mixture in series, the harmonic means of the moduli of its phases: 1 / G = sum of f_k / G_k, and K
-/// likewise (theory, Eq. 40). A modulus of 0 of one phase makes that of the mixture 0.
+/// Moduli of a mixture in series: its shear modulus and its dilatational modulus are the harmonic means of those of its
+/// phases, 1 / G = sum of f_k / G_k (theory, Eq. 40). A modulus of 0 of one phase makes that of the mixture 0.
+template <int dim>
 [[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
 
-/// The mixture as a material: its compliances are the means of the compliances of its phases, by exact interconversion,
-/// and its density is the mean density. Throws InputError for a modulus with negative terms, which the bulk modulus of
-/// a composite may have (PronySeries::difference).
+/// The mixture as a material in plane strain: its compliances are the means of those of its phases, by exact
+/// interconversion, and its density is the mean density. Its bulk modulus K, the difference of the dilatational modulus
+/// K + G/3 and of G/3, may have negative terms. Throws InputError where a modulus K + G/3 or G of a phase has some.
 [[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 
 }  // namespace breccia

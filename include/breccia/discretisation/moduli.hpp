@@ -8,4 +8,11 @@ struct Moduli {
   double shear;  ///< [Pa]
 };
 
+/// The modulus of equal strains along all axes [Pa]: the bulk modulus K in 3D, K + G/3 in plane strain, where nothing
+/// strains out of the plane.
+template <int dim>
+constexpr double dilatational_modulus(const Moduli& moduli) noexcept {
+  return dim == 2 ? moduli.bulk + moduli.shear / 3.0 : moduli.bulk;
+}
+
 }  // namespace breccia

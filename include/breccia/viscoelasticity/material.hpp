@@ -16,6 +16,10 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
+/// The modulus of equal strains along both axes in plane strain, K(t) + G(t)/3 [Pa]. It only falls, even where K(t) of
+/// a composite rises.
+PronySeries plane_strain_bulk_modulus(const Material& material);
+
 /// Speed of the dilatational wave before any relaxation, sqrt((K + 4 G / 3) / density) [m/s].
 double dilatational_wave_speed(const Material& material);
 

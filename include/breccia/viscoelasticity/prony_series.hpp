@@ -42,6 +42,8 @@ class PronySeries {
   /// The series without its `slow` slowest terms, whose moduli are added to the equilibrium modulus, and without its
   /// `fast` fastest terms, which are dropped.
   [[nodiscard]] PronySeries truncated(std::size_t slow, std::size_t fast) const;
+  /// The sum of two series; terms with the same relaxation time are merged, and those that cancel are dropped.
+  [[nodiscard]] static PronySeries sum(const PronySeries& one, const PronySeries& other);
   /// The difference of two series; terms with the same relaxation time are merged. Its terms may be negative, so it is
   /// not a solid by itself: in plane strain the K(t) = (K + G/3)(t) - G(t)/3 of a composite may rise.
   [[nodiscard]] static PronySeries difference(const PronySeries& whole, const PronySeries& part);

@@ -94,7 +94,7 @@ std::vector<typename CellShape<dim>::Stiffness> ElasticOperator<dim>::stiffnesse
     typename Shape::PointModuli of_points{};
     const auto& mixed = mixed_[by_kind.size()];
     if (mixed) {
-      of_points.fill(series_moduli(mixed->mixture(), moduli));
+      of_points.fill(series_moduli<dim>(mixed->mixture(), moduli));
     } else {
       for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kind[p]];
     }
@@ -172,7 +172,7 @@ template <int dim>
 Forces ElasticOperator<dim>::condensed(std::span<const Moduli> moduli, const Forces& forces) const {
   for (const auto& mixed : mixed_) {
     if (!mixed) continue;
-    const auto [bulk, shear] = series_moduli(mixed->mixture(), moduli);
+    const auto [bulk, shear] = series_moduli<dim>(mixed->mixture(), moduli);
     if (bulk > 0.0 && shear > 0.0) continue;
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
   }

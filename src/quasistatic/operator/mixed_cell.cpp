@@ -5,12 +5,12 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// The modulus of each mode: the shear modulus of the deviators, the bulk modulus of the volumetric strain.
+/// The modulus of each mode: the shear modulus of the deviators, the dilatational modulus of the volumetric strain.
 template <int dim>
 typename CellShape<dim>::ModeValues of_modes(const Moduli& moduli) {
   typename CellShape<dim>::ModeValues values;
   values.setConstant(moduli.shear);
-  values[CellShape<dim>::modes - 1] = moduli.bulk;
+  values[CellShape<dim>::modes - 1] = dilatational_modulus<dim>(moduli);
   return values;
 }
 
@@ -57,7 +57,7 @@ typename MixedCell<dim>::Modes MixedCell<dim>::stress_relieved_by(std::span<cons
     strain += forces.template segment<Shape::modes>(Shape::modes * (static_cast<Eigen::Index>(k) - 1))
                   .cwiseQuotient(of_modes<dim>(moduli[mixture_[k].phase]));
   }
-  return of_modes<dim>(series_moduli(mixture_, moduli)).cwiseProduct(strain);
+  return of_modes<dim>(series_moduli<dim>(mixture_, moduli)).cwiseProduct(strain);
 }
 
 template <int dim>
@@ -65,7 +65,7 @@ Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, co
                                               const Strains& forces) const {
   // All phases have the stress of the first, but for the forces on them: M_k y_k = t + phi_k / f_k.
   const Modes stress =
-      of_modes<dim>(series_moduli(mixture_, moduli)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
+      of_modes<dim>(series_moduli<dim>(mixture_, moduli)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
   Eigen::VectorXd strains(unknowns());
   for (std::size_t k = 1; k < mixture_.size(); ++k) {
     const auto place = Shape::modes * (static_cast<Eigen::Index>(k) - 1);

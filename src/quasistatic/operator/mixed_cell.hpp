@@ -11,10 +11,10 @@
 namespace breccia::quasistatic {
 
 /// A cell that holds several phases in series. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose
-/// mean is the strain of the cell, s = sum of f_k y_k. The energy, half the sum of f_k (G_k |dev y_k|^2 + K_k vol
-/// y_k^2), is affine in the moduli; where it is least, all phases have one stress, and the moduli of the cell are those
-/// of the series mixture (theory, Eqs. 40 to 42). The strains of all phases but the first are unknowns, one after the
-/// other; those of the first follow.
+/// mean is the strain of the cell, s = sum of f_k y_k. The energy, half the sum of f_k (G_k |dev y_k|^2 + k_k vol
+/// y_k^2) with the dilatational modulus k, is affine in the moduli; where it is least, all phases have one stress, and
+/// the moduli of the cell are those of the series mixture (theory, Eqs. 40 to 42). The strains of all phases but the
+/// first are unknowns, one after the other; those of the first follow.
 template <int dim>
 class MixedCell {
  public:

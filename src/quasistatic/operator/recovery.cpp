@@ -85,25 +85,27 @@ template <int dim>
 auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place,
                   const std::vector<AppliedToNodes<dim>>& by_material) {
   using Shape = CellShape<dim>;
-  typename Shape::ModeValues mean = Shape::ModeValues::Zero();
+  typename Shape::ModeValues shear = Shape::ModeValues::Zero();
+  double bulk = 0.0;
   for (std::size_t part = 0; part < mixed.mixture().size(); ++part) {
     const auto& [phase, fraction] = mixed.mixture()[part];
-    const auto& [bulk, shear] = by_material[phase];
-    mean.template head<Shape::modes - 1>() +=
-        fraction * shear.of_part(cell, mixed, place, part).template head<Shape::modes - 1>();
-    mean[Shape::modes - 1] += fraction * bulk.of_part(cell, mixed, place, part)[Shape::modes - 1];
+    shear += fraction * by_material[phase].shear.of_part(cell, mixed, place, part);
+    bulk += fraction * by_material[phase].bulk.of_part(cell, mixed, place, part)[Shape::modes - 1];
   }
+  const double dilatational = dilatational_modulus<dim>({.bulk = bulk, .shear = shear[Shape::modes - 1]});
+  const Eigen::Matrix<double, Shape::points * Shape::deviators, 1> deviators =
+      Shape::point_deviators() * shear.template head<Shape::modes - 1>() / std::sqrt(Shape::point_volume);
   using Stress = typename decltype(PointFields<dim>::stress)::value_type;
   std::array<Stress, Shape::points> stresses{};
   for (int p = 0; p < Shape::points; ++p) {
-    const typename Shape::StrainVector deviator = Shape::deviator_matrix().transpose() *
-                                                  mean.template segment<Shape::deviators>(Shape::deviators * p) /
-                                                  std::sqrt(Shape::point_volume);
+    typename Shape::StrainVector components =
+        Shape::deviator_matrix().transpose() * deviators.template segment<Shape::deviators>(Shape::deviators * p);
+    components.template head<dim>().array() += dilatational;
     auto& stress = stresses[static_cast<std::size_t>(p)];
-    stress[2] = -deviator.template head<2>().sum();  // a deviator has no trace
-    for (std::size_t i = 0; i < dim; ++i) stress[i] = deviator[static_cast<Eigen::Index>(i)];
-    for (std::size_t i = 0; i < 3; ++i) stress[i] += mean[Shape::modes - 1];
-    for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = deviator[static_cast<Eigen::Index>(i + dim - 3)];
+    // In plane strain each phase is held out of the plane.
+    if constexpr (dim == 2) stress[2] = bulk - 2.0 / 3.0 * shear[Shape::modes - 1];
+    for (std::size_t i = 0; i < dim; ++i) stress[i] = components[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 3; i < stress.size(); ++i) stress[i] = components[static_cast<Eigen::Index>(i + dim - 3)];
   }
   return stresses;
 }
