@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "breccia/discretisation/cell_shape.hpp"
 
@@ -21,34 +22,72 @@ BlockLayout::BlockLayout(const DynamicProblem<2>& problem, int first_row, int en
     materials_.push_back({material.bulk.equilibrium(), material.shear.equilibrium(), shear.data(), bulk.data(),
                           static_cast<int>(shear.size()), static_cast<int>(bulk.size())});
   }
-  // While blocks are added, pointers are offsets; both arrays move as they grow.
+  // Without mixed cells blocks of one material a cell are shared like others.
+  if (!problem.discretisation.mixtures().empty()) cell_materials_.emplace(problem.materials, problem.time_step);
   for (int row = first_row; row < end_row; ++row) {
     for (int block = 0; block < blocks_per_row_; ++block) add_block(problem, row, block * lanes);
   }
-  std::size_t history_size = 0;
-  for (const auto& share : shares_) {
-    history_size += static_cast<std::size_t>(share.material->shear_term_count * shear_modes +
-                                             share.material->bulk_term_count * bulk_modes_) *
-                    lanes;
-  }
+  place_histories();
+}
+
+void BlockLayout::place_histories() {
+  const auto lines_of = [this](const Share& share) {
+    return share.material->shear_term_count * shear_modes + share.material->bulk_term_count * bulk_modes_;
+  };
+  const auto lines_of_cells = [](const CellMaterials& cells) {
+    return cells.shear_term_count * shear_modes + cells.dilatational_term_count;
+  };
+  std::size_t lines = 0;
+  for (const auto& share : shares_) lines += static_cast<std::size_t>(lines_of(share));
+  for (const auto& cells : by_cell_) lines += static_cast<std::size_t>(lines_of_cells(cells));
   // One block more, so that shares without history point at something.
-  history_.assign(history_size + lanes, 0.0);
+  history_.assign((lines + 1) * lanes, 0.0);
   double* history = history_.data();
-  const Share* share = shares_.data();
+  const auto take = [&history](int count) { return std::exchange(history, history + count * lanes); };
+  Share* share = shares_.data();
+  CellMaterials* cells = by_cell_.data();
   for (auto& block : blocks_) {
     block.shares = share;
-    share += block.share_count;
+    for (int i = 0; i < block.share_count; ++i, ++share) share->history = take(lines_of(*share));
+    if (block.by_cell == nullptr) continue;
+    cells->history = take(lines_of_cells(*cells));
+    block.by_cell = cells++;
   }
-  for (auto& s : shares_) {
-    s.history = history;
-    history += (s.material->shear_term_count * shear_modes + s.material->bulk_term_count * bulk_modes_) * lanes;
+}
+
+std::optional<CellMaterials> BlockLayout::cells_of_one_material(const Discretisation<2>& discretisation, int row,
+                                                                int first_column) const {
+  if (!cell_materials_) return std::nullopt;
+  CellMaterials cells = {};
+  bool is_uniform = true;
+  for (int lane = 0; lane < lanes; ++lane) {
+    auto phase = no_phase;
+    if (first_column + lane < discretisation.grid().columns()) {
+      const auto& phases = discretisation.cell({first_column + lane, row});
+      phase = phases.front();
+      if (std::ranges::any_of(phases, [phase](PhaseIndex other) { return other != phase; })) return std::nullopt;
+    }
+    const auto& steps = (*cell_materials_)[phase];
+    cells.of_lane[lane] = &steps;
+    cells.shear_term_count = std::max(cells.shear_term_count, steps.shear_term_count);
+    cells.dilatational_term_count = std::max(cells.dilatational_term_count, steps.dilatational_term_count);
+    is_uniform = is_uniform && &steps == cells.of_lane[0];
   }
+  if (is_uniform) return std::nullopt;
+  return cells;
 }
 
 void BlockLayout::add_block(const DynamicProblem<2>& problem, int row, int first_column) {
   const auto& discretisation = problem.discretisation;
   const int columns = std::min(lanes, discretisation.grid().columns() - first_column);
-  Block block = {nullptr, 0, false, false};
+  Block block = {nullptr, nullptr, 0, false, false};
+  if (const auto cells = cells_of_one_material(discretisation, row, first_column)) {
+    by_cell_.push_back(*cells);
+    block.by_cell = &by_cell_.back();  // place_histories() sets it anew: the list moves as it grows
+    block.relaxes = cells->shear_term_count + cells->dilatational_term_count > 0;
+    blocks_.push_back(block);
+    return;
+  }
   for (std::size_t m = 0; m < materials_.size(); ++m) {
     Share share = {&materials_[m], nullptr, {}};
     int points = 0;
@@ -73,6 +112,17 @@ BlockLayout::Histories BlockLayout::histories(int column, int row, PhaseIndex ma
   const Block& block = this->row(row)[column / lanes];
   const int lane = column % lanes;
   Histories sums;
+  if (block.by_cell != nullptr) {
+    const CellMaterials& cells = *block.by_cell;
+    const double* history = cells.history + lane;
+    for (int k = 0; k < cells.shear_term_count; ++k) {
+      for (auto& mode : sums.shear) mode += *history, history += lanes;
+    }
+    // K is what is left of K + G/3.
+    sums.bulk[0] = -(sums.shear[0] + sums.shear[1]) / 3.0;
+    for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) sums.bulk[0] += *history;
+    return sums;
+  }
   for (int i = 0; i < block.share_count; ++i) {
     const Share& share = block.shares[i];
     if (share.material != &materials_[material]) continue;

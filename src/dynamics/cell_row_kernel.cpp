@@ -56,6 +56,11 @@ constexpr int fetch_distance = 1024;
 constexpr bool fetches_among_terms = parts == 1;
 
 [[maybe_unused]] BRECCIA_INLINE void fetch_ahead(const Block& block) {
+  if (block.by_cell != nullptr) {
+    const CellMaterials& cells = *block.by_cell;
+    const int lines = cells.shear_term_count * shear_modes + cells.dilatational_term_count;
+    for (int line = 0; line < lines; ++line) __builtin_prefetch(cells.history + fetch_distance + line * lanes);
+  }
   for (int i = 0; i < block.share_count; ++i) {
     const Share& share = block.shares[i];
     const int lines = share.material->shear_term_count * shear_modes + share.material->bulk_term_count;
@@ -63,20 +68,65 @@ constexpr bool fetches_among_terms = parts == 1;
   }
 }
 
-BRECCIA_INLINE void advance(Pack& sum, double* history, const TermStep& term, const Pack& strain) {
+/// A term of each cell of a register.
+struct TermSteps {
+  Pack decay, gain;
+};
+
+template <class Term>
+BRECCIA_INLINE void advance(Pack& sum, double* history, const Term& term, const Pack& strain) {
   if constexpr (fetches_among_terms) __builtin_prefetch(history + fetch_distance);
   const Pack h = term.decay * load(history) + term.gain * strain;
   store(history, h);
   sum += h;
 }
 
-/// Shear modulus applied to the strain modes: the springs and all Maxwell terms.
-BRECCIA_INLINE Modes shear_response(const MaterialStep& material, const Modes& strain, const Modes& increment,
+/// The materials of the cells of a register, each of one material.
+struct CellsOfRegister {
+  const CellMaterialStep* const* of_lane;
+  int shear_term_count;
+  int dilatational_term_count;
+
+  [[nodiscard]] BRECCIA_INLINE Pack of_each(double CellMaterialStep::*modulus) const {
+    Pack pack{};
+    for (int lane = 0; lane < width; ++lane) pack[lane] = of_lane[lane]->*modulus;
+    return pack;
+  }
+  [[nodiscard]] BRECCIA_INLINE TermSteps of_each(const TermStep* CellMaterialStep::*terms, int k) const {
+    TermSteps steps{};
+    for (int lane = 0; lane < width; ++lane) {
+      const TermStep& term = (of_lane[lane]->*terms)[k];
+      steps.decay[lane] = term.decay;
+      steps.gain[lane] = term.gain;
+    }
+    return steps;
+  }
+};
+
+BRECCIA_INLINE double shear_modulus(const MaterialStep& material) {
+  return material.shear;
+}
+
+BRECCIA_INLINE const TermStep& shear_term(const MaterialStep& material, int k) {
+  return material.shear_terms[k];
+}
+
+BRECCIA_INLINE Pack shear_modulus(const CellsOfRegister& cells) {
+  return cells.of_each(&CellMaterialStep::shear);
+}
+
+BRECCIA_INLINE TermSteps shear_term(const CellsOfRegister& cells, int k) {
+  return cells.of_each(&CellMaterialStep::shear_terms, k);
+}
+
+/// Shear modulus applied to the strain modes: the springs and all Maxwell terms. One material, or those of the cells.
+template <class Materials>
+BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& strain, const Modes& increment,
                                     double* history) {
-  const double g = material.shear;
+  const auto g = shear_modulus(materials);
   Modes s = {g * strain.xx, g * strain.yy, g * strain.xy, g * strain.qu, g * strain.qv};
-  for (int k = 0; k < material.shear_term_count; ++k, history += shear_modes * lanes) {
-    const TermStep& term = material.shear_terms[k];
+  for (int k = 0; k < materials.shear_term_count; ++k, history += shear_modes * lanes) {
+    const auto& term = shear_term(materials, k);
     advance(s.xx, history, term, increment.xx);
     advance(s.yy, history + lanes, term, increment.yy);
     advance(s.xy, history + 2 * lanes, term, increment.xy);
@@ -102,6 +152,28 @@ BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Mod
     }
   }
   return p;
+}
+
+/// The modulus of equal strains along both axes applied to the strain of the centre.
+BRECCIA_INLINE Pack dilatational_response(const CellsOfRegister& cells, const Modes& strain, const Modes& increment,
+                                          double* history) {
+  Pack p = cells.of_each(&CellMaterialStep::dilatational) * (strain.xx + strain.yy);
+  for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) {
+    advance(p, history, cells.of_each(&CellMaterialStep::dilatational_terms, k), increment.xx + increment.yy);
+  }
+  return p;
+}
+
+/// Forces of cells of one material each, with averaged volumetric strains (theory, Eq. 7a).
+BRECCIA_INLINE Modes forces_of_cells(const CellMaterials& cells, const Modes& strain, const Modes& increment,
+                                     int first_lane) {
+  const CellsOfRegister of_register = {cells.of_lane + first_lane, cells.shear_term_count,
+                                       cells.dilatational_term_count};
+  double* history = cells.history + first_lane;
+  const Modes s = shear_response(of_register, strain, increment, history);
+  history += cells.shear_term_count * shear_modes * lanes;
+  const Pack p = dilatational_response(of_register, strain, increment, history);
+  return {4.0 * (p + (s.xx - s.yy)), 4.0 * (p - (s.xx - s.yy)), 4.0 * s.xy, 0.5 * s.qu, 0.5 * s.qv};
 }
 
 /// Sums over the four points of a cell of one material in closed form (theory, Eq. 7).
@@ -175,6 +247,7 @@ BRECCIA_INLINE Modes forces(const CellRow& row, const Block& block, int cell, in
   const Modes strain = strain_modes(row.displacement_below, row.displacement_above, cell);
   Modes increment{};
   if (block.relaxes) increment = strain_modes(row.increment_below, row.increment_above, cell);
+  if (averaged && block.by_cell != nullptr) return forces_of_cells(*block.by_cell, strain, increment, first_lane);
   Modes force{};
   for (int i = 0; i < block.share_count; ++i) {
     const Share& share = block.shares[i];

@@ -40,9 +40,30 @@ struct Share {
   std::uint8_t points[lanes];  // NOLINT(modernize-avoid-c-arrays): see above
 };
 
+/// The material of a whole cell in plane strain. The modulus of equal strains along both axes, K + G/3, has terms of
+/// its own, so that a mixture of phases needs no more of them than its phases have. Lists of terms are filled up with
+/// zeros to one length.
+struct CellMaterialStep {
+  double dilatational;  ///< equilibrium of K + G/3 [Pa]
+  double shear;         ///< equilibrium shear modulus [Pa]
+  const TermStep* shear_terms;
+  const TermStep* dilatational_terms;
+  int shear_term_count;  ///< without the zeros
+  int dilatational_term_count;
+};
+
+/// Eight cells of which each has one material, not all the same: those along an interface, with mixed cells.
+struct CellMaterials {
+  const CellMaterialStep* of_lane[lanes];  // NOLINT(modernize-avoid-c-arrays): see above
+  double* history;                         ///< (shear terms x shear_modes + dilatational terms) x lanes
+  int shear_term_count;
+  int dilatational_term_count;
+};
+
 /// Eight neighbouring cells of a row.
 struct Block {
   const Share* shares;
+  const CellMaterials* by_cell;  ///< in place of shares; or nullptr
   int share_count;
   bool uniform;  ///< every point of the block is of the one material
   bool relaxes;  ///< at least one material has history

@@ -1,0 +1,32 @@
+#include "cell_material_table.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "maxwell_step.hpp"
+
+namespace breccia::dynamics {
+
+CellMaterialTable::CellMaterialTable(const std::vector<Material>& materials, double time_step) {
+  std::size_t most = 0;
+  const auto add_terms = [&](const PronySeries& series) {
+    const auto& terms = terms_.emplace_back(maxwell_steps(series, time_step));
+    most = std::max(most, terms.size());
+    return static_cast<int>(terms.size());
+  };
+  const auto add = [&](const PronySeries& shear, const PronySeries& dilatational) {
+    CellMaterialStep step = {dilatational.equilibrium(), shear.equilibrium(), nullptr, nullptr, 0, 0};
+    step.shear_term_count = add_terms(shear);
+    step.dilatational_term_count = add_terms(dilatational);
+    steps_.push_back(step);
+  };
+  for (const auto& material : materials) add(material.shear, plane_strain_bulk_modulus(material));
+  add({}, {});
+  for (auto& list : terms_) list.resize(most, TermStep{0.0, 0.0});
+  for (std::size_t m = 0; m < steps_.size(); ++m) {
+    steps_[m].shear_terms = terms_[2 * m].data();
+    steps_[m].dilatational_terms = terms_[2 * m + 1].data();
+  }
+}
+
+}  // namespace breccia::dynamics
