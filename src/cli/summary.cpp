@@ -129,9 +129,9 @@ std::string describe(const QuasistaticOptions& options) {
                      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");
 }
 
-/// Mixed cells where they are asked for.
 std::string describe(Mixing mixing) {
-  return mixing == Mixing::series ? "    cells    mixed in series where an interface crosses them\n" : "";
+  return fmt::format("    cells    {} where an interface crosses them\n",
+                     mixing == Mixing::series ? "mixed in series" : "each point of the phase at its place");
 }
 
 std::string describe(const Tests& tests) {

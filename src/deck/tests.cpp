@@ -144,7 +144,8 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
     const auto volumetric = section.choice<Volumetric>("volumetric");
     tests.quasistatic.volumetric = tests.dynamic.volumetric = volumetric.value_or(Volumetric::averaged);
   }
-  if (section.has("mixing")) tests.mixing = section.choice<Mixing>("mixing").value_or(Mixing::points);
+  tests.mixing = has_standard_points(tests) ? Mixing::points : Mixing::series;
+  if (section.has("mixing")) tests.mixing = section.choice<Mixing>("mixing").value_or(tests.mixing);
   return tests;
 }
 

@@ -13,6 +13,9 @@ namespace breccia::dynamics {
 class CellMaterialTable {
  public:
   CellMaterialTable(const std::vector<Material>& materials, double time_step);
+  // The steps point into the lists of terms.
+  CellMaterialTable(const CellMaterialTable&) = delete;
+  CellMaterialTable& operator=(const CellMaterialTable&) = delete;
 
   /// The material of a phase or a mixture, by PhaseIndex; one without stiffness for no_phase.
   [[nodiscard]] const CellMaterialStep& operator[](PhaseIndex phase) const noexcept {

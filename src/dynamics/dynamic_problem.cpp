@@ -85,6 +85,9 @@ double stable_time_step(const Discretisation<dim>& discretisation, const std::ve
 
 template <int dim>
 void require_stable(const DynamicProblem<dim>& problem) {
+  if (problem.volumetric == Volumetric::standard && !problem.discretisation.mixtures().empty()) {
+    throw InputError("dynamic run: expected averaged volumetric strains, which mixed cells have");
+  }
   const double limit =
       stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   if (!(problem.time_step > 0.0 && problem.time_step <= limit)) {

@@ -21,9 +21,12 @@ struct ResponsesOnGrids {
   }
 };
 
-ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& result, Load load, Boundary boundary) {
+ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& result, Mixing mixing, Load load,
+                                    Boundary boundary) {
   ResponsesOnGrids found;
-  for (const int cells : stage.grids()) {
+  // With mixed cells the finest grid gives the results (theory, section 11).
+  const auto grids = mixing == Mixing::series ? std::vector{stage.cells} : stage.grids();
+  for (const int cells : grids) {
     for (const auto& test : result.tests) {
       const auto* record = std::get_if<QuasistaticRecord>(&test.record);
       if (test.id.load != load || test.id.boundary != boundary || test.id.grid != TestGrid(cells)) continue;
@@ -66,8 +69,8 @@ std::vector<Moduli> matrix_moduli(const Study& study, const Stage& stage, const 
   const auto made_by = std::ranges::find(study.stages, name, &Stage::name);
   const auto made = std::ranges::find(earlier, name, &StageResult::name);
   if (made_by == study.stages.end() || made == earlier.end()) return {};
-  const auto in_shear = responses_on_grids(*made_by, *made, Load::shear, boundary);
-  const auto in_bulk = responses_on_grids(*made_by, *made, Load::bulk, boundary);
+  const auto in_shear = responses_on_grids(*made_by, *made, study.tests.mixing, Load::shear, boundary);
+  const auto in_bulk = responses_on_grids(*made_by, *made, study.tests.mixing, Load::bulk, boundary);
   if (in_shear.responses.empty() || in_bulk.responses.empty()) return {};
   return moduli_of_stage(in_shear, in_bulk, matrix_moduli(study, *made_by, earlier, boundary));
 }

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {
@@ -39,6 +42,16 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   return most;
 }
 
+/// Largest share of the cells that interfaces cross: a disc of diameter d crosses about 4 d / h cells, and discs of the
+/// smallest diameter have the longest interface.
+double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
+  if (study.tests.mixing == Mixing::points || !stage.filler) return 0.0;
+  const auto sizes = diameters_of(*stage.filler);
+  if (!sizes) return 1.0;
+  const double h = stage.side / cells;
+  return std::min(1.0, 16.0 / std::numbers::pi * stage.filler->fraction.value_or(1.0) * h / sizes->smallest);
+}
+
 }  // namespace
 
 double quasistatic_unknowns(int cells) {
@@ -48,20 +61,24 @@ double quasistatic_unknowns(int cells) {
 
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = quasistatic_unknowns(cells);
+  // Strains of the second phase of mixed cells beside the two displacements a cell of each nodal vector.
+  const double vectors = 1.0 + 0.5 * CellShape<2>::modes * share_of_mixed_cells(study, stage, cells);
+  constexpr double dozen = 12.0 * sizeof(double);
   double steps = 0.0;
   if (study.tests.quasistatic.solver == Solver::stepping) {
     // A nodal vector for each term, in the run with fine and in that with coarse time steps.
     const auto matrix = expected_matrix(study, stage);
     const auto terms = matrix.bulk.terms().size() + matrix.shear.terms().size();
-    steps = 2.0 * sizeof(double) * static_cast<double>(terms * loads_of(study, stage).size());
+    steps = 2.0 * sizeof(double) * vectors * static_cast<double>(terms * loads_of(study, stage).size());
   }
   if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
-    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + steps);
+    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + steps);
   }
   // Substructures and a dozen nodal vectors; fields take as much again.
-  const double fields = study.tests.field_times.empty() ? 0.0 : 340.0;
-  return unknowns * (340.0 + fields + steps);
+  constexpr double substructures = 340.0 - dozen;
+  const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;
+  return unknowns * (fields * (substructures + dozen * vectors) + steps);
 }
 
 std::vector<std::string> lacking_memory(const Study& study, double available) {

@@ -69,7 +69,7 @@ StageResult respond_within(const StoredResponses& stored, const MatrixUnder& mat
     result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
   }
   std::ranges::stable_sort(result.tests, {}, [](const TestResult& test) { return test.id.grid; });
-  for (auto& test : extrapolate_tests(stage, result.tests)) result.tests.push_back(std::move(test));
+  for (auto& test : extrapolate_tests(stage, result.tests, stored.mixing)) result.tests.push_back(std::move(test));
   return result;
 }
 
@@ -82,6 +82,7 @@ Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& tim
   for (const auto& one : stored) {
     study.stages.push_back(stage_of(one));
     study.tests.fit_tolerance = one.fit_tolerance;
+    study.tests.mixing = one.mixing;
     study.tests.points_per_decade = one.points_per_decade;
     for (const auto& entry : one.entries) {
       auto& boundaries = study.tests.boundaries;
@@ -192,6 +193,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
                                .times = {tests.first_time, tests.last_time},
                                .points_per_decade = tests.points_per_decade,
                                .range = tests.quasistatic.range,
+                               .mixing = tests.mixing,
                                .entries = {}};
   for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);

@@ -38,7 +38,7 @@ class StageSolution {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);
       }
     }
-    for (auto& test : extrapolate_tests(stage_, done_.tests)) add(std::move(test));
+    for (auto& test : extrapolate_tests(stage_, done_.tests, study_.tests.mixing)) add(std::move(test));
     for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
       done_.warnings.push_back(fmt::format("{}: {}", stage_.name, warning));
     }

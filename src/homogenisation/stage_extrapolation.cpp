@@ -53,12 +53,35 @@ Extrapolated limit(const Stage& stage, const std::vector<const TestResult*>& gri
                   shown(extrapolated.value), display_time(time)));
 }
 
+ExtrapolationRecord record_of(const std::vector<const TestResult*>& grids) {
+  ExtrapolationRecord record;
+  for (const auto* grid : grids) record.cells.push_back(grid->id.grid.cells().value());
+  return record;
+}
+
+std::vector<double> moduli_of(const TestResult& test) {
+  std::vector<double> moduli;
+  for (const auto& sample : test.modulus) moduli.push_back(sample.modulus);
+  return moduli;
+}
+
+/// The test on the finest grid, with the error band that the next coarser one tells.
+TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
+  const auto& finest = *grids.back();
+  TestResult result{
+      .id = finest.id, .modulus = finest.modulus, .compliance = finest.compliance, .series = finest.series};
+  result.id.grid = TestGrid::extrapolated();
+  auto record = record_of(grids);
+  record.half_bands = half_bands_of_mixed_cells(moduli_of(*grids[grids.size() - 2]), moduli_of(finest));
+  result.record = std::move(record);
+  return result;
+}
+
 TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResult*>& grids) {
   const auto& finest = *grids.back();
   TestResult result{.id = finest.id};
   result.id.grid = TestGrid::extrapolated();
-  ExtrapolationRecord record;
-  for (const auto* grid : grids) record.cells.push_back(grid->id.grid.cells().value());
+  auto record = record_of(grids);
   for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
     const double time = finest.modulus[i].time;
     const auto [modulus, half_band] = limit(
@@ -83,7 +106,7 @@ bool has_exact_series(const TestResult& test) {
 
 }  // namespace
 
-std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests) {
+std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing) {
   std::vector<TestResult> extrapolated;
   if (stage.coarser_cells.empty()) return extrapolated;
   for (const auto& test : tests) {
@@ -91,19 +114,22 @@ std::vector<TestResult> extrapolate_tests(const Stage& stage, const std::vector<
     const auto grids = same_on_all_grids(test, tests);
     const auto name = fmt::format("{} {} {} {}", stage.name, name_of(test.id.load), bound_of(test.id.boundary),
                                   name_of(test.id.method));
-    extrapolated.push_back(name_errors(name, [&] { return extrapolate_test(stage, grids); }));
+    extrapolated.push_back(name_errors(
+        name, [&] { return mixing == Mixing::series ? finest_with_band(grids) : extrapolate_test(stage, grids); }));
   }
   return extrapolated;
 }
 
-Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<TestResult>& tests,
+Curve curve_at(const TestResult& test, const Stage& stage, const std::vector<TestResult>& tests, Mixing mixing,
                const std::vector<double>& times) {
-  const auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
+  auto grids = test.id.grid.is_extrapolated() ? same_on_all_grids(test, tests) : std::vector{&test};
+  if (mixing == Mixing::series) grids.erase(grids.begin(), std::prev(grids.end()));
   if (!std::ranges::all_of(grids, [](const TestResult* grid) { return has_exact_series(*grid); })) return test.modulus;
   Curve curve;
   for (const double time : times) {
     const auto modulus = [time](const TestResult& grid) { return grid.series.at(time); };
-    curve.push_back({time, grids.size() == 1 ? modulus(test) : limit(stage, grids, time, modulus, pascals).value});
+    curve.push_back(
+        {time, grids.size() == 1 ? modulus(*grids.front()) : limit(stage, grids, time, modulus, pascals).value});
   }
   return curve;
 }

@@ -58,7 +58,8 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
   for (const auto boundary : study.tests.boundaries) {
     for (const auto method : study.tests.methods) {
       const auto curve = [&](Load load) {
-        return curve_at(preferred_test(result.tests, load, boundary, method), stage, result.tests, times);
+        return curve_at(preferred_test(result.tests, load, boundary, method), stage, result.tests, study.tests.mixing,
+                        times);
       };
       const auto& matrix = matrix_of(stage, earlier, boundary, method);
       const double density = density_of(stage, matrix, result.microstructure.fraction);

@@ -16,7 +16,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::int64_t format_version = 3;
+constexpr std::int64_t format_version = 4;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 stores matrices by rows, Eigen by columns.
@@ -131,6 +131,9 @@ StoredResponses read_stage(const Group& root) {
   const auto range = value_named<SampledRange>(text("sampled_range"));
   root.require(range.has_value(), "a range that was sampled, matrix or times");
   stored.range = *range;
+  const auto mixing = value_named<Mixing>(text("mixing"));
+  root.require(mixing.has_value(), "a mixing, series or points");
+  stored.mixing = *mixing;
   stored.fit_tolerance = number("fit_tolerance");
   const auto times = root.file.attribute<std::vector<double>>("/", "times_s");
   const bool is_window = times.size() == 2 && times[0] > 0.0 && times[0] <= times[1] && std::isfinite(times[1]);
@@ -159,6 +162,7 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
   file.write_attribute("/", "box_m", responses.side);
   file.write_attribute("/", "times_s", std::vector<double>{responses.times.begin, responses.times.end});
   file.write_attribute("/", "sampled_range", name_of(responses.range));
+  file.write_attribute("/", "mixing", name_of(responses.mixing));
   file.write_attribute("/", "fit_tolerance", responses.fit_tolerance);
   file.write_attribute("/", "points_per_decade", std::int64_t{responses.points_per_decade});
   for (const auto& [cells, response] : responses.entries) {

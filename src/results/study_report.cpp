@@ -1,5 +1,6 @@
 #include "breccia/results/study_report.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -57,8 +58,13 @@ void refuse_foreign(const fs::path& file, const std::string& its_hash, const std
 Json responses_of(const fs::path& file, const std::string& hash) {
   const auto stored = read_responses(file);
   refuse_foreign(file, stored.deck_hash, hash);
+  // With mixed cells the finest grid gives the results, with points all grids do.
+  const int finest =
+      stored.entries.empty() ? 0 : std::ranges::max(stored.entries, {}, &StoredResponses::Entry::cells).cells;
   Json responses = Json::array();
-  for (const auto& entry : stored.entries) responses.push_back(json_of(entry));
+  for (const auto& entry : stored.entries) {
+    if (stored.mixing == Mixing::points || entry.cells == finest) responses.push_back(json_of(entry));
+  }
   return responses;
 }
 

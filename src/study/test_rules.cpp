@@ -38,24 +38,9 @@ std::vector<std::string> relaxing_fillers(const Study& study) {
 
 /// Mixed cells have averaged volumetric strains.
 std::optional<std::string> mixing_of_points(const Tests& tests) {
-  const bool is_standard = (uses(tests, Method::quasistatic) && tests.quasistatic.volumetric == Volumetric::standard) ||
-                           (uses(tests, Method::dynamic) && tests.dynamic.volumetric == Volumetric::standard);
-  if (tests.mixing == Mixing::points || !is_standard) return std::nullopt;
+  if (tests.mixing == Mixing::points || !has_standard_points(tests)) return std::nullopt;
   return fmt::format(R"(mixing "{}" takes the volumetric strains "{}": expected these, or mixing "{}")",
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
-}
-
-/// What mixed cells do not serve yet: extrapolation, whose law is that of points (theory, section 11).
-std::vector<std::string> mixing_of_stages(const Study& study) {
-  if (study.tests.mixing == Mixing::points) return {};
-  std::vector<std::string> mistakes;
-  for (const auto& stage : study.stages) {
-    if (!stage.coarser_cells.empty()) {
-      mistakes.push_back(
-          fmt::format(R"(mixing "series": expected one number of cells for stage {}, not several)", stage.name));
-    }
-  }
-  return mistakes;
 }
 
 /// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
@@ -99,10 +84,14 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
   return mistakes;
 }
 
+bool has_standard_points(const Tests& tests) {
+  return (uses(tests, Method::quasistatic) && tests.quasistatic.volumetric == Volumetric::standard) ||
+         (uses(tests, Method::dynamic) && tests.dynamic.volumetric == Volumetric::standard);
+}
+
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = relaxing_fillers(study);
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
-  for (auto& mistake : mixing_of_stages(study)) mistakes.push_back(std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;
 }

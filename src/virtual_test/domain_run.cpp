@@ -53,6 +53,33 @@ DomainRules rules_of(const DynamicTest& test) {
   return rules;
 }
 
+/// A material with the Prony terms that matter in the window of a domain.
+struct ReducedMaterial {
+  Material material;
+  std::size_t terms;
+  double error_bound;  ///< of the reduction, relative [-]
+};
+
+ReducedMaterial reduced(const Material& material, const TimeWindow& window, double tolerance) {
+  const auto bulk = reduce_to_window(material.bulk, window, tolerance);
+  const auto shear = reduce_to_window(material.shear, window, tolerance);
+  return {{material.name, material.density, bulk.series, shear.series},
+          bulk.series.terms().size() + shear.series.terms().size(),
+          std::max(bulk.error_bound, shear.error_bound)};
+}
+
+/// The same by G and K + G/3, which are what mixed cells relax with. K of a mixture has terms of both, of which those
+/// of G cancel in K + G/3: reduced by itself it would keep some that G has lost.
+ReducedMaterial reduced_in_plane_strain(const Material& material, const TimeWindow& window, double tolerance) {
+  const auto bulk = reduce_to_window(plane_strain_bulk_modulus(material), window, tolerance);
+  const auto shear = reduce_to_window(material.shear, window, tolerance);
+  const auto terms = shear.series.terms().size() + (material.bulk.is_elastic() ? 0 : bulk.series.terms().size());
+  return {{material.name, material.density, PronySeries::difference(bulk.series, shear.series.scaled(1.0 / 3.0)),
+           shear.series},
+          terms,
+          std::max(bulk.error_bound, shear.error_bound)};
+}
+
 PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
                        const DomainSequence& sequence) {
   const double begin = sequence.expected_begin();
@@ -61,12 +88,14 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
   TimeDomain domain;
   domain.density_factor = sequence.density_factor();
   std::vector<Material> materials;
+  const auto mixtures = test.discretisation.mixtures().size();
+  const auto reduce = mixtures > 0 ? reduced_in_plane_strain : reduced;
   for (const auto& material : test.materials) {
-    const auto bulk = reduce_to_window(material.bulk, {begin, end}, test.options.reduction_tolerance);
-    const auto shear = reduce_to_window(material.shear, {begin, end}, test.options.reduction_tolerance);
-    materials.push_back({material.name, material.density, bulk.series, shear.series});
-    domain.terms = std::max(domain.terms, bulk.series.terms().size() + shear.series.terms().size());
-    domain.reduction_error = std::max({domain.reduction_error, bulk.error_bound, shear.error_bound});
+    auto [of_domain, terms, error_bound] = reduce(material, {begin, end}, test.options.reduction_tolerance);
+    materials.push_back(std::move(of_domain));
+    domain.reduction_error = std::max(domain.reduction_error, error_bound);
+    // The phases come before their mixtures.
+    if (materials.size() + mixtures <= test.materials.size()) domain.terms = std::max(domain.terms, terms);
   }
   domain.time_step = test.options.courant *
                      stable_time_step(test.discretisation, materials, test.options.volumetric, domain.density_factor);

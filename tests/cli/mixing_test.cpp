@@ -1,5 +1,6 @@
 // Decks with tests.mixing.
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -55,10 +56,83 @@ TEST(Mixing, BothMethodsAgreeOnMixedCells) {
   for (const auto& test : record.at("stages").at(0).at("tests")) EXPECT_EQ(test.at("mixing"), "series");
 }
 
-TEST(Mixing, IsShownByCheckWhereItIsAskedFor) {
+// The deck takes standard points, and so each point has the phase at its place.
+TEST(Mixing, IsInSeriesWhereStrainsAreAveraged) {
   const StudyDirectory study(model_deck);
-  EXPECT_THAT(study.breccia("check", mixed).output, HasSubstr("mixed in series"));
-  EXPECT_THAT(study.breccia("check", {}).output, ::testing::Not(HasSubstr("mixed in series")));
+  EXPECT_THAT(study.breccia("check", {"--set", "tests.volumetric=averaged"}).output, HasSubstr("mixed in series"));
+  EXPECT_THAT(study.breccia("check", {}).output, HasSubstr("each point of the phase at its place"));
+}
+
+/// Two stages of four discs each, on two grids.
+constexpr const char* stages_on_two_grids = R"(
+title = "two stages"
+
+[materials.binder]
+density = "1.0 g/cm^3"
+bulk    = "1.0 GPa"
+shear   = { terms = [{ time = "1 ms", modulus = "100 MPa" }, { time = "1 s", modulus = "1 MPa" }], equilibrium = "10 kPa" }
+
+[materials.glass]
+density = "2.5 g/cm^3"
+bulk    = "40 GPa"
+shear   = "30 GPa"
+
+[[stages]]
+name    = "fine"
+matrix  = "binder"
+box     = "1 mm"
+cells   = [24, 48]
+filler  = { material = "glass", sizes = { diameter = "0.4 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[[stages]]
+name    = "coarse"
+matrix  = "fine"
+box     = "10 mm"
+cells   = [24, 48]
+filler  = { material = "glass", sizes = { diameter = "4 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[tests]
+times  = ["10 us", "10 s"]
+fields = "none"
+)";
+
+/// Shear moduli [Pa] of the second stage under the displacement boundary on a grid.
+std::vector<double> of_second_stage(const StudyDirectory& study, const std::string& cells) {
+  const auto table = read_csv(study.result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
+  std::vector<double> moduli;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text("stage")[row] != "coarse" || table.text("boundary")[row] != "displacement") continue;
+    if (table.text("cells")[row] == cells) moduli.push_back(table.numbers("modulus_Pa")[row]);
+  }
+  return moduli;
+}
+
+TEST(Mixing, StagesBuildOnStagesAndTheFinestGridGivesTheResult) {
+  const StudyDirectory study(stages_on_two_grids);
+  const auto run = study.breccia("run", {});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto coarse = of_second_stage(study, "24"), fine = of_second_stage(study, "48");
+  ASSERT_FALSE(fine.empty());
+  EXPECT_EQ(of_second_stage(study, "extrapolated"), fine);
+  const auto bands = read_csv(study.result("extrapolation.csv"), {"stage", "load", "boundary", "method"});
+  std::size_t rows = 0;
+  double change = 0.0;  // the largest so far
+  for (std::size_t row = 0; row < bands.rows(); ++row) {
+    if (bands.text("stage")[row] != "coarse" || bands.text("boundary")[row] != "displacement") continue;
+    change = std::max(change, std::abs(coarse.at(rows) / fine.at(rows) - 1.0));
+    EXPECT_NEAR(bands.numbers("half_band_Pa")[row] / fine.at(rows), 2.0 * change, 1e-9);
+    ++rows;
+  }
+  EXPECT_EQ(rows, fine.size());
+  // The limit of points, from many more cells.
+  const StudyDirectory points(stages_on_two_grids);
+  const auto finer = points.breccia("run", {"--set", "tests.mixing=points", "--set", "stages.*.cells=[120, 240]"});
+  ASSERT_EQ(finer.exit_code, 0) << finer.errors;
+  const auto limit = of_second_stage(points, "extrapolated");
+  ASSERT_EQ(limit.size(), fine.size());
+  for (std::size_t i = 0; i < limit.size(); ++i) EXPECT_NEAR(fine[i] / limit[i], 1.0, 0.03) << i;
 }
 
 TEST(Mixing, InSeriesIsRefusedWithStrainsOfPoints) {

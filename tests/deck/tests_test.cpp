@@ -119,6 +119,13 @@ TEST_F(DeckTests, DensityFactorsMayBeLeftToTheProgram) {
   EXPECT_THAT(tests(test::join(times, "dynamic = { density_factors = \"auto\" }")).dynamic.density_factors, IsEmpty());
 }
 
+TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {
+  const auto mixing = [&](std::string_view lines) { return tests(test::join(times, lines)).mixing; };
+  EXPECT_EQ(mixing(""), Mixing::series);
+  EXPECT_EQ(mixing("volumetric = \"standard\""), Mixing::points);
+  EXPECT_EQ(mixing("mixing = \"points\""), Mixing::points);
+}
+
 TEST_F(DeckTests, Mistakes) {
   const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
   EXPECT_THAT(mistakes(""), HasSubstr("tests.times: missing, expected an array such as [\"10 ns\"]"));

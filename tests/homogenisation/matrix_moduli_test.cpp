@@ -61,6 +61,7 @@ TEST_F(MatrixModuli, OfAStageAreThoseOfItsCompositeAlongThePathOfTheBinder) {
 
 // With 2 + 2 h / h(12 cells) times G the limit of vanishing cells is 2 G.
 TEST_F(MatrixModuli, OfSeveralGridsAreTheLimit) {
+  study.tests.mixing = Mixing::points;
   study.stages[0].coarser_cells = {6};
   fine.tests = {linear_test(Load::shear, {0.0, 6.0, 0.0}, 6), linear_test(Load::bulk, {0.0, 4.0, 1.0}, 6),
                 linear_test(Load::shear, {0.0, 4.0, 0.0}, 12), linear_test(Load::bulk, {0.0, 3.0, 1.0}, 12)};
@@ -68,6 +69,16 @@ TEST_F(MatrixModuli, OfSeveralGridsAreTheLimit) {
   ASSERT_EQ(moduli.size(), path.size());
   EXPECT_NEAR(moduli.front().shear / (2.0 * path.front().shear), 1.0, 1e-12);
   EXPECT_NEAR(moduli.back().shear / (2.0 * path.back().shear), 1.0, 1e-12);
+}
+
+TEST_F(MatrixModuli, OfSeveralGridsWithMixedCellsAreThoseOfTheFinest) {
+  study.tests.mixing = Mixing::series;
+  study.stages[0].coarser_cells = {6};
+  fine.tests = {linear_test(Load::shear, {0.0, 6.0, 0.0}, 6), linear_test(Load::bulk, {0.0, 4.0, 1.0}, 6),
+                linear_test(Load::shear, {0.0, 4.0, 0.0}, 12), linear_test(Load::bulk, {0.0, 3.0, 1.0}, 12)};
+  const auto moduli = of_coarse(), path = path_of_binder();
+  ASSERT_EQ(moduli.size(), path.size());
+  EXPECT_NEAR(moduli.back().shear / (4.0 * path.back().shear), 1.0, 1e-12);
 }
 
 // G' = G - 0.1 MPa is no solid any more where G is below.

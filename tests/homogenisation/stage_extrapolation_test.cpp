@@ -41,7 +41,7 @@ const ExtrapolationRecord& record_of(const TestResult& test) {
 // The modulus 10 + 40 h / L on two grids is 14 and 12; the band of two grids is half of what the finest is corrected
 // by.
 TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
-  const auto limits = extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(20, 12.0)});
+  const auto limits = extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(20, 12.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_EQ(limits[0].id, (TestId{.grid = TestGrid::extrapolated()}));
   ASSERT_EQ(limits[0].modulus.size(), 11U);
@@ -54,8 +54,8 @@ TEST(ExtrapolateTests, TakesTheLimitOfTwoGrids) {
 
 // 18, 14 and 11: the two finest tell 8, the two coarsest 10.
 TEST(ExtrapolateTests, TakesTheBandFromThreeGrids) {
-  const auto limits =
-      extrapolate_tests(on_grids({10, 20}, 40), {constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)});
+  const auto limits = extrapolate_tests(on_grids({10, 20}, 40),
+                                        {constant(10, 18.0), constant(20, 14.0), constant(40, 11.0)}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(8.0, 1e-12));
   EXPECT_THAT(record_of(limits[0]).cells, ElementsAre(10, 20, 40));
@@ -68,7 +68,7 @@ TEST(ExtrapolateTests, TakesCompliancesByThemselves) {
     coarse.compliance.push_back({time, 0.2});
     fine.compliance.push_back({time, 0.5});
   }
-  const auto limits = extrapolate_tests(on_grids({10}, 20), {coarse, fine});
+  const auto limits = extrapolate_tests(on_grids({10}, 20), {coarse, fine}, Mixing::points);
   ASSERT_EQ(limits.size(), 1U);
   ASSERT_EQ(limits[0].compliance.size(), 11U);
   EXPECT_THAT(limits[0].compliance.front().compliance, DoubleNear(0.8, 1e-12));
@@ -76,23 +76,42 @@ TEST(ExtrapolateTests, TakesCompliancesByThemselves) {
 }
 
 TEST(ExtrapolateTests, KeepsTestsApart) {
-  const auto limits =
-      extrapolate_tests(on_grids({10}, 20), {constant(10, 14.0), constant(10, 7.0, Boundary::traction),
-                                             constant(20, 12.0), constant(20, 6.0, Boundary::traction)});
+  const auto limits = extrapolate_tests(on_grids({10}, 20),
+                                        {constant(10, 14.0), constant(10, 7.0, Boundary::traction), constant(20, 12.0),
+                                         constant(20, 6.0, Boundary::traction)},
+                                        Mixing::points);
   ASSERT_EQ(limits.size(), 2U);
   EXPECT_THAT(limits[0].modulus.front().modulus, DoubleNear(10.0, 1e-12));
   EXPECT_EQ(limits[1].id.boundary, Boundary::traction);
   EXPECT_THAT(limits[1].modulus.front().modulus, DoubleNear(5.0, 1e-12));
 }
 
+// With mixed cells: 15 is off by a quarter of 12, and 9 by a half of 6 at the last time.
+TEST(ExtrapolateTests, TakesTheFinestGridOfMixedCells) {
+  auto coarse = constant(20, 15.0), fine = constant(40, 12.0);
+  coarse.modulus.back().modulus = 9.0;
+  fine.modulus.back().modulus = 6.0;
+  fine.compliance = {{1.0, 0.2}};
+  fine.series = PronySeries(3.0);
+  const auto limits = extrapolate_tests(on_grids({10, 20}, 40), {constant(10, 99.0), coarse, fine}, Mixing::series);
+  ASSERT_EQ(limits.size(), 1U);
+  EXPECT_EQ(limits[0].id, (TestId{.grid = TestGrid::extrapolated()}));
+  EXPECT_EQ(limits[0].modulus, fine.modulus);
+  EXPECT_EQ(limits[0].compliance, fine.compliance);
+  EXPECT_EQ(limits[0].series, fine.series);
+  EXPECT_THAT(record_of(limits[0]).cells, ElementsAre(10, 20, 40));
+  EXPECT_THAT(record_of(limits[0]).half_bands.front(), DoubleNear(0.5 * 12.0, 1e-12));
+  EXPECT_THAT(record_of(limits[0]).half_bands.back(), DoubleNear(1.0 * 6.0, 1e-12));
+}
+
 TEST(ExtrapolateTests, IsOfSeveralGridsAlone) {
-  EXPECT_THAT(extrapolate_tests(on_grids({}, 20), {constant(20, 12.0)}), IsEmpty());
+  EXPECT_THAT(extrapolate_tests(on_grids({}, 20), {constant(20, 12.0)}, Mixing::points), IsEmpty());
 }
 
 // 30 and 10 have the limit -10.
 TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
   const auto message = test::message_of<NumericalError>([] {
-    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {constant(10, 30.0), constant(20, 10.0)}));
+    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {constant(10, 30.0), constant(20, 10.0)}, Mixing::points));
   });
   EXPECT_THAT(message, AllOf(HasSubstr("A shear upper bound quasistatic: extrapolation to vanishing cells gives -10 Pa "
                                        "at 10 ms"),
@@ -103,7 +122,7 @@ TEST(ExtrapolateTests, RefusesALimitThatIsNoModulus) {
     fine.compliance.push_back({time, 0.4});
   }
   const auto of_compliance = test::message_of<NumericalError>([&] {
-    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {coarse, fine}));
+    static_cast<void>(extrapolate_tests(on_grids({10}, 20), {coarse, fine}, Mixing::points));
   });
   EXPECT_THAT(of_compliance, HasSubstr("extrapolation to vanishing cells gives -0.1 1/Pa at 10 ms"));
 }
@@ -121,7 +140,7 @@ TestResult with_series(int cells, const PronySeries& series) {
 TEST(CurveAt, FollowsASeriesBeyondTheCurve) {
   const PronySeries series(2.0, {{1.0, 4.0}});
   const auto test = with_series(20, series);
-  const auto curve = curve_at(test, on_grids({}, 20), {test}, {1e-5, 100.0});
+  const auto curve = curve_at(test, on_grids({}, 20), {test}, Mixing::points, {1e-5, 100.0});
   EXPECT_EQ(curve, (Curve{{1e-5, series.at(1e-5)}, {100.0, series.at(100.0)}}));
 }
 
@@ -129,17 +148,24 @@ TEST(CurveAt, FollowsTheLimitOfTheSeriesOfAllGrids) {
   const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
   TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
   limit.modulus = {{1.0, 1.0}};
-  const auto curve = curve_at(limit, on_grids({10}, 20), tests, {1e-5});
+  const auto curve = curve_at(limit, on_grids({10}, 20), tests, Mixing::points, {1e-5});
   ASSERT_EQ(curve.size(), 1U);
   EXPECT_EQ(curve[0].time, 1e-5);
   EXPECT_THAT(curve[0].modulus, DoubleNear(10.0, 1e-12));
+}
+
+TEST(CurveAt, FollowsTheSeriesOfTheFinestGridOfMixedCells) {
+  const std::vector tests = {with_series(10, PronySeries(14.0)), with_series(20, PronySeries(12.0))};
+  TestResult limit{.id = {.grid = TestGrid::extrapolated()}};
+  limit.modulus = {{1.0, 1.0}};
+  EXPECT_EQ(curve_at(limit, on_grids({10}, 20), tests, Mixing::series, {1e-5}), (Curve{{1e-5, 12.0}}));
 }
 
 // A series that was fitted to a curve says nothing beyond it.
 TEST(CurveAt, KeepsToTheCurveWhereASeriesIsAFit) {
   auto test = constant(20, 3.0);
   test.series = PronySeries(5.0);
-  EXPECT_EQ(curve_at(test, on_grids({}, 20), {test}, {1e-5, 100.0}), test.modulus);
+  EXPECT_EQ(curve_at(test, on_grids({}, 20), {test}, Mixing::points, {1e-5, 100.0}), test.modulus);
 }
 
 }  // namespace

@@ -25,10 +25,11 @@ Stage two_discs(double gap) {
   return {.name = "A", .matrix = resin, .side = 10e-3, .cells = 200, .filler = std::move(filler)};
 }
 
-Study within(double first_time, double last_time) {
+Study within(double first_time, double last_time, Mixing mixing = Mixing::points) {
   Study study;
   study.tests.first_time = first_time;
   study.tests.last_time = last_time;
+  study.tests.mixing = mixing;
   return study;
 }
 
@@ -42,6 +43,15 @@ TEST(StageWarnings, OfGapsBelowThreeCells) {
               ElementsAre(AllOf(HasSubstr("A: the smallest gap between particles or to a wall, 100 um, is 2 cells"),
                                 HasSubstr("(cells = 300 would resolve it)"))));
   EXPECT_THAT(warnings(two_discs(0.0)), ElementsAre(Not(HasSubstr("would resolve it")))) << "no number of cells does";
+}
+
+TEST(StageWarnings, OfGapsBelowOneAndAHalfMixedCells) {
+  const auto study = within(1.0, 2.0, Mixing::series);
+  EXPECT_THAT(warnings(two_discs(0.075e-3), study), IsEmpty());
+  EXPECT_THAT(warnings(two_discs(0.05e-3), study),
+              ElementsAre(AllOf(HasSubstr("is 1 cell wide; below 1.5 cells a nearly incompressible matrix cannot be "
+                                          "squeezed out of the gap"),
+                                HasSubstr("(cells = 300 would resolve it)"))));
 }
 
 // The coarsest of several grids has a part in the extrapolation.

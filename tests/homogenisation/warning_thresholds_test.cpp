@@ -39,10 +39,11 @@ StageMicrostructure packed_with(double gap, double wall_gap = 1.0) {
   return packed;
 }
 
-Study within(double first_time, double last_time) {
+Study within(double first_time, double last_time, Mixing mixing = Mixing::points) {
   Study study;
   study.tests.first_time = first_time;
   study.tests.last_time = last_time;
+  study.tests.mixing = mixing;
   return study;
 }
 

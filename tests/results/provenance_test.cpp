@@ -96,7 +96,7 @@ TEST_F(WriteProvenance, TellsHowAReducedResponseWasMade) {
   study.tests.quasistatic.sampling.tolerance = 1e-4;
   EXPECT_EQ(written_of(test), json::parse(R"({
     "load": "bulk", "boundary": "traction", "method": "quasistatic", "cells": 12,
-    "solver": "reduced", "volumetric": "averaged", "mixing": "points", "error_estimate": 1e-6, "wall_time_s": 0.5,
+    "solver": "reduced", "volumetric": "averaged", "mixing": "series", "error_estimate": 1e-6, "wall_time_s": 0.5,
     "linear": {"method": "iterative", "unknowns": 288, "factorisations": 2, "solves": 5, "iterations": 40,
                "most_iterations": 12, "largest_residual": 1e-9},
     "tolerance": 1e-4, "range": "matrix",

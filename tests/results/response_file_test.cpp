@@ -45,6 +45,7 @@ StoredResponses two_responses() {
   stored.fit_tolerance = 0.02;
   stored.times = {1e-8, 1e-2};
   stored.points_per_decade = 12;
+  stored.mixing = Mixing::points;
   stored.range = SampledRange::times;
   stored.entries = {{24, test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 1.0},
                                                    {{{.bulk = 2.0, .shear = 1.0}, 0.0}})},
@@ -62,7 +63,7 @@ class ResponseFile : public testing::Test {
                                          const std::string& group = {}) const {
     Hdf5Writer file(path);
     if (!group.empty()) file.create_group(group);
-    std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {{"format_version", std::int64_t{3}},
+    std::vector<std::pair<std::string, Hdf5Attribute>> attributes = {{"format_version", std::int64_t{4}},
                                                                      {"deck_hash", std::string("0123")},
                                                                      {"stage", std::string("A")},
                                                                      {"matrix", std::string("binder")},
@@ -72,6 +73,7 @@ class ResponseFile : public testing::Test {
                                                                      {"box_m", 1.0},
                                                                      {"times_s", std::vector{1.0, 2.0}},
                                                                      {"sampled_range", std::string("matrix")},
+                                                                     {"mixing", std::string("series")},
                                                                      {"fit_tolerance", 0.1},
                                                                      {"points_per_decade", std::int64_t{20}}};
     for (auto& [name, usual] : attributes) file.write_attribute("/", name, name == attribute ? value : usual);
@@ -106,6 +108,7 @@ TEST_F(ResponseFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.times, (TimeWindow{1e-8, 1e-2}));
   EXPECT_EQ(read.points_per_decade, 12);
   EXPECT_EQ(read.range, SampledRange::times);
+  EXPECT_EQ(read.mixing, Mixing::points);
   ASSERT_EQ(read.entries.size(), 2U);
   EXPECT_EQ(read.entries[0].cells, 24);
   EXPECT_EQ(read.entries[0].response.load, Load::shear);

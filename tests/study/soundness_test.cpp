@@ -290,9 +290,6 @@ TEST(RequireSound, NamesWhatMixedCellsDoNotServe) {
   auto study = test::two_stages();
   study.tests.mixing = Mixing::series;
   EXPECT_NO_THROW(require_sound(study));
-  study.stages[0].coarser_cells = {6};
-  EXPECT_THAT(mistakes_of(study), HasSubstr("expected one number of cells for stage fine, not several"));
-  study.stages[0].coarser_cells.clear();
   study.tests.quasistatic.volumetric = Volumetric::standard;
   EXPECT_THAT(mistakes_of(study), HasSubstr(R"(takes the volumetric strains "averaged")"));
 }

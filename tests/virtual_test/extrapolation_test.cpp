@@ -40,6 +40,18 @@ TEST(Extrapolation, ModelComposite) {
   EXPECT_LT(std::abs(limit.value - 0.8746), limit.half_band);
 }
 
+// The coarser grid is off by a tenth of the finer one, by a quarter, by nothing and by nine times.
+TEST(HalfBandsOfMixedCells, AreTwiceTheLargestDifferenceSoFar) {
+  const std::vector coarse = {9.0, 5.0, 2.0, 10.0}, fine = {10.0, 4.0, 2.0, 1.0};
+  const auto half_bands = half_bands_of_mixed_cells(coarse, fine);
+  ASSERT_EQ(half_bands.size(), 4U);
+  EXPECT_NEAR(half_bands[0], 0.2 * 10.0, 1e-13);
+  EXPECT_NEAR(half_bands[1], 0.5 * 4.0, 1e-13);
+  EXPECT_NEAR(half_bands[2], 0.5 * 2.0, 1e-13);
+  EXPECT_NEAR(half_bands[3], 18.0 * 1.0, 1e-12);
+  EXPECT_THROW((void)half_bands_of_mixed_cells(coarse, std::vector{1.0}), InputError);
+}
+
 TEST(Extrapolation, RefusesOtherNumbersOfGrids) {
   EXPECT_THROW(extrapolated({0.1}, {1.0}), InputError);
   EXPECT_THROW(extrapolated({0.1, 0.2}, {1.0, 1.0}), InputError);

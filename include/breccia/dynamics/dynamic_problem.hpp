@@ -74,7 +74,8 @@ template <int dim>
 [[nodiscard]] double stable_time_step(const Discretisation<dim>& discretisation, const std::vector<Material>& materials,
                                       Volumetric volumetric, double density_factor);
 
-/// Throws InputError when the time step of the problem is not positive or above the stable one, naming both. That limit
+/// Throws InputError when mixed cells have standard volumetric strains, and when the time step of the problem is not
+/// positive or above the stable one, naming both. That limit
 /// holds for every boundary: a node of a periodic box that stands for several has the mass and the stiffness of them
 /// all, and restrained nodes only lower the eigenvalues. Instantiated for 2 and 3 dimensions.
 template <int dim>

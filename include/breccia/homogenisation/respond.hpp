@@ -31,6 +31,7 @@ struct StoredResponses {
   TimeWindow times;                           ///< of the study [s]
   int points_per_decade = 20;                 ///< of its curves
   SampledRange range = SampledRange::matrix;  ///< over which the responses were sampled
+  Mixing mixing = Mixing::series;             ///< of the study: what is made of several grids
   std::vector<Entry> entries;
 };
 

@@ -26,6 +26,9 @@ bool is_rising(const std::vector<double>& values);
 /// The times of fields must rise, and lie within the times of the tests.
 std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times);
 
+/// Whether one of the methods takes standard volumetric strains, which mixed cells do not have.
+bool has_standard_points(const Tests& tests);
+
 /// What each part of a study allows and the whole does not: a filler that relaxes where the reduced solver is to be
 /// used, and too few times for the fits that the study needs.
 std::vector<std::string> contradictions(const Study& study);

@@ -27,7 +27,7 @@ struct Tests {
   std::vector<Load> loads{Load::shear};
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
-  Mixing mixing = Mixing::points;        ///< of the cells that an interface crosses
+  Mixing mixing = Mixing::series;        ///< of the cells that an interface crosses
   double first_time = 0.0;               ///< of the curves [s]
   double last_time = 0.0;                ///< of the curves [s]
   int points_per_decade = 20;            ///< of the curves

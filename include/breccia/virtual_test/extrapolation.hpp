@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace breccia {
 
@@ -16,5 +17,11 @@ struct Extrapolated {
 /// the correction of the finest grid's value; with two grids it is half of that correction.
 /// Throws InputError for other than two or three grids, or cell sides that do not fall.
 Extrapolated extrapolate(std::span<const double> cell_sides, std::span<const double> values);
+
+/// Half widths of the error band of a curve on the finer of two grids, in the unit of its values: twice the largest
+/// difference of the coarser grid up to each time, relative to the finer one, times the value. For mixed cells, whose
+/// error has either sign, so that the change at one time says little (theory, Eq. 43). Both curves have the same times,
+/// in rising order. Throws InputError when their lengths differ.
+std::vector<double> half_bands_of_mixed_cells(std::span<const double> coarse, std::span<const double> fine);
 
 }  // namespace breccia

@@ -83,7 +83,8 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
 /// Stress of each point of a mixed cell: the mean over its phases, which are in series.
 template <int dim>
 auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place,
-                  const std::vector<AppliedToNodes<dim>>& by_material) {
+                  const std::vector<AppliedToNodes<dim>>& by_material,
+                  const typename CellShape<dim>::PointDeviators& point_deviators) {
   using Shape = CellShape<dim>;
   typename Shape::ModeValues shear = Shape::ModeValues::Zero();
   double bulk = 0.0;
@@ -94,7 +95,7 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   }
   const double dilatational = dilatational_modulus<dim>({.bulk = bulk, .shear = shear[Shape::modes - 1]});
   const Eigen::Matrix<double, Shape::points * Shape::deviators, 1> deviators =
-      Shape::point_deviators() * shear.template head<Shape::modes - 1>() / std::sqrt(Shape::point_volume);
+      point_deviators * shear.template head<Shape::modes - 1>() / std::sqrt(Shape::point_volume);
   using Stress = typename decltype(PointFields<dim>::stress)::value_type;
   std::array<Stress, Shape::points> stresses{};
   for (int p = 0; p < Shape::points; ++p) {
@@ -148,11 +149,12 @@ PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, co
       fields.stress[point] = stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell)));
     });
   }
+  const auto point_deviators = Shape::point_deviators();
   std::size_t place = 0;
   grid.for_each_cell([&](const Index<dim>& cell) {
     const auto* mixed = elastic_operator.mixed_cell(cell);
     if (mixed == nullptr) return;
-    const auto stresses = mixed_stress<dim>(cell, *mixed, place, by_material);
+    const auto stresses = mixed_stress<dim>(cell, *mixed, place, by_material, point_deviators);
     for (int p = 0; p < Shape::points; ++p) {
       fields.stress[grid.point_index(cell, p)] = stresses[static_cast<std::size_t>(p)];
     }

@@ -16,11 +16,13 @@ const read = (name) => readFileSync(`${process.env.RESULTS}/${name}`, "utf8");
 const {study, responses} = JSON.parse(/<script [^>]*id="data">(.*?)<\/script>/s.exec(read("study/report.html"))[1]);
 const [binder] = study.materials.filter(({name}) => name === "binder");
 
-/// The best curve of G(t) of each stage and boundary in curves.csv: the limit of vanishing cells.
+/// The best curve of G(t) of each stage and boundary in curves.csv: the limit of vanishing cells, or the finest grid.
 function limitsIn(directory) {
   const [header, ...lines] = read(`${directory}/curves.csv`).trim().split("\n").map((line) => line.split(","));
   const rows = lines.map((cells) => Object.fromEntries(cells.map((cell, i) => [header[i], cell])));
-  return rows.filter(({load, cells}) => load === "shear" && cells === "extrapolated");
+  const grids = [...new Set(rows.map(({cells}) => cells))];
+  const best = grids.includes("extrapolated") ? "extrapolated" : String(Math.max(...grids.map(Number)));
+  return rows.filter(({load, cells}) => load === "shear" && cells === best);
 }
 
 /// The command has exact spectra, the page fits them: 2.3e-4 of the modulus of a term, which is here up to three times
