@@ -26,7 +26,7 @@ double median_of(std::vector<double> values) {
 class KernelRun {
  public:
   KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock) {
-    auto problem = benchmark::model_problem(kernel.cells, kernel.terms);
+    auto problem = benchmark::model_problem(kernel.cells, kernel.terms, kernel.mixing);
     timing_.kernel = kernel;
     timing_.points = static_cast<double>(problem.discretisation.points());
     solver_ = make_dynamic_solver(kernel.formulation, std::move(problem), kernel.threads, kernel.instructions);

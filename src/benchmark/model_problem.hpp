@@ -5,6 +5,6 @@
 namespace breccia::benchmark {
 
 /// 200 equal discs that fill 65 % of a box, under a ramp of shear. The shear modulus of the matrix has `terms` terms.
-DynamicProblem<2> model_problem(int cells, int terms);
+DynamicProblem<2> model_problem(int cells, int terms, Mixing mixing);
 
 }  // namespace breccia::benchmark

@@ -29,6 +29,7 @@ struct BenchArguments {
   std::vector<int> threads;               ///< empty: 1 and all cores; with several processes 1
   std::vector<std::string> instructions;  ///< empty: the instruction set that a run uses
   std::vector<std::string> formulations = known_formulations();
+  std::vector<std::string> mixings = {std::string(name_of(Mixing::series))};
   double seconds = 10.0;
   int rounds = 7;
   bool processor_time = false;
@@ -70,8 +71,11 @@ std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
     for (const double points : points_of(arguments, formulation)) {
       const auto cells = static_cast<int>(std::lround(std::sqrt(points / CellShape<2>::points)));
       for (const int terms : arguments.terms) {
-        for (const int threads : threads_of(arguments))
-          cases.push_back({formulation, instructions, cells, terms, threads});
+        for (const int threads : threads_of(arguments)) {
+          for (const auto& mixing : arguments.mixings) {
+            cases.push_back({formulation, instructions, cells, terms, threads, value_named<Mixing>(mixing).value()});
+          }
+        }
       }
     }
   };
@@ -127,6 +131,11 @@ void add_bench(CLI::App& application) {
   command->add_option("--formulation", arguments->formulations, "formulations to measure (default: both)")
       ->type_name("NAME ...")
       ->check(CLI::IsMember(known_formulations()).description(""));
+  command
+      ->add_option("--mixing", arguments->mixings,
+                   "cells along interfaces: series (mixed cells, the default), points, or both")
+      ->type_name("NAME ...")
+      ->check(CLI::IsMember(std::vector<std::string>{"series", "points"}).description(""));
   command
       ->add_option("--seconds", arguments->seconds, "approximate time of all measurements together, in s (default: 10)")
       ->type_name("S")

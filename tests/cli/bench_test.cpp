@@ -63,9 +63,19 @@ TEST(Bench, MeasuresEveryRequestedCase) {
                                                    testing::Pair("classical", 256), testing::Pair("classical", 1024)));
 }
 
+TEST(Bench, MeasuresMixedCellsBesidePoints) {
+  const auto outcome = bench(quick({"--json", "--formulation", "total-lagrangian", "--terms", "5", "--threads", "1",
+                                    "--mixing", "series", "points"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  ASSERT_THAT(json.at("kernels"), SizeIs(2));
+  EXPECT_EQ(json.at("kernels")[0].at("mixing"), "series");
+  EXPECT_EQ(json.at("kernels")[1].at("mixing"), "points");
+}
+
 TEST(Bench, TenTermsTakeLessThan300BytesAPoint) {
-  const auto outcome =
-      bench({"--json", "--terms", "10", "--threads", "1", "--seconds", "0.01", "--rounds", "1", "--points", "99856"});
+  const auto outcome = bench({"--json", "--terms", "10", "--threads", "1", "--seconds", "0.01", "--rounds", "1",
+                              "--points", "99856", "--mixing", "points"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   const auto json = nlohmann::json::parse(outcome.output);
   for (const auto& kernel : json.at("kernels")) {
@@ -79,17 +89,23 @@ TEST(Bench, PrintsATable) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("1 process, processor time"));
   EXPECT_THAT(outcome.output, HasSubstr("memory bandwidth [GB/s]"));
-  EXPECT_THAT(outcome.output, testing::ContainsRegex("total-lagrangian +[a-z0-9]+ +1024 +3 +1 +[0-9.]+"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("total-lagrangian +[a-z0-9]+ +series +1024 +3 +1 +[0-9.]+"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("classical")));
 }
 
 TEST(Bench, MistypedOptions) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases{
-      {{"--points", "12"}, "--points"},    {{"--points", "many"}, "--points"},
-      {{"--terms", "-1"}, "--terms"},      {{"--terms", "2.5"}, "--terms"},
-      {{"--threads", "0"}, "--threads"},   {{"--instructions", "mmx"}, "--instructions"},
-      {{"--formulation", "fast"}, "fast"}, {{"--seconds", "0"}, "--seconds"},
-      {{"--rounds", "0"}, "--rounds"},     {{"--jason"}, "--jason"},
+      {{"--points", "12"}, "--points"},
+      {{"--points", "many"}, "--points"},
+      {{"--terms", "-1"}, "--terms"},
+      {{"--terms", "2.5"}, "--terms"},
+      {{"--threads", "0"}, "--threads"},
+      {{"--instructions", "mmx"}, "--instructions"},
+      {{"--formulation", "fast"}, "fast"},
+      {{"--seconds", "0"}, "--seconds"},
+      {{"--mixing", "stirred"}, "stirred"},
+      {{"--rounds", "0"}, "--rounds"},
+      {{"--jason"}, "--jason"},
       {{"deck.toml"}, "deck.toml"},
   };
   for (const auto& [options, message] : cases) {

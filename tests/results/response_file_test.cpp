@@ -164,7 +164,7 @@ TEST_F(ResponseFile, IsRefusedWhereItIsTornOrOfAnotherFormat) {
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   EXPECT_THAT(refusal(), HasSubstr("response.h5: cannot"));
   EXPECT_THAT(refusal_with("format_version", std::int64_t{2}),
-              HasSubstr("response.h5: written in format 2; this program reads format 3"));
+              HasSubstr("response.h5: written in format 2; this program reads format 4"));
   EXPECT_THAT(refusal_with("format_version", 3.0), HasSubstr("has another type"));
 }
 

@@ -17,6 +17,7 @@ struct KernelCase {
   int cells = 0;                                           ///< cells per side, with four material points each
   int terms = 0;                                           ///< Prony terms of the matrix's shear modulus; 0: elastic
   int threads = 1;                                         ///< threads of each process, at least one
+  Mixing mixing = Mixing::series;                          ///< of the cells that an interface crosses
 };
 
 /// The measurements of a benchmark.

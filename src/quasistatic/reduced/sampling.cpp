@@ -177,7 +177,10 @@ class GreedySampling {
     const double exact = modulus_of(elastic_operator_, bases_[load], moduli_at(at), solution);
     const double error = std::abs(response.modulus(at) / exact - 1.0);
     if (error > least_share * tolerance || scales_[load] == 0.0) {
-      scales_[load] = std::max(scales_[load], error / std::max(response.error_estimate(at), 1e-300));
+      // An estimate below its rounding may be anything, and zero.
+      const double estimate =
+          std::max(response.error_estimate(at), quasistatic::rounding_of_error_estimate(response, at));
+      scales_[load] = std::max(scales_[load], error / estimate);
     }
     return error;
   }
