@@ -185,6 +185,7 @@ std::vector<std::string> warnings_on_matrices(const std::map<std::string, Materi
 /// The new matrix in words: "binder at 40 degC", or several if stages have different matrices.
 std::string names_of(const std::map<std::string, Material>& matrices) {
   std::vector<std::string> names;
+  names.reserve(matrices.size());
   for (const auto& [original, material] : matrices) names.push_back(material.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
