@@ -16,6 +16,9 @@ class CellMaterialTable {
   // The steps point into the lists of terms.
   CellMaterialTable(const CellMaterialTable&) = delete;
   CellMaterialTable& operator=(const CellMaterialTable&) = delete;
+  CellMaterialTable(CellMaterialTable&&) = default;
+  CellMaterialTable& operator=(CellMaterialTable&&) = default;
+  ~CellMaterialTable() = default;
 
   /// The material of a phase or a mixture, by PhaseIndex; one without stiffness for no_phase.
   [[nodiscard]] const CellMaterialStep& operator[](PhaseIndex phase) const noexcept {

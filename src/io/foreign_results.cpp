@@ -33,6 +33,7 @@ std::string in_words(const Objection& objection) {
 
 std::string in_words(const std::vector<Objection>& objections) {
   std::vector<std::string> lines;
+  lines.reserve(objections.size());
   for (const auto& objection : objections) lines.push_back(in_words(objection));
   return fmt::format("{}", fmt::join(lines, "\n"));
 }

@@ -154,6 +154,7 @@ std::vector<std::string> unused_petsc_options() {
   char** values = nullptr;
   check(PetscOptionsLeftGet(nullptr, &count, &names, &values), "looking for unused options of PETSc");
   std::vector<std::string> unused;
+  unused.reserve(static_cast<std::size_t>(count));
   for (PetscInt i = 0; i < count; ++i) unused.push_back(fmt::format("-{}", names[i]));
   check(PetscOptionsLeftRestore(nullptr, &count, &names, &values), "looking for unused options of PETSc");
   return unused;

@@ -125,11 +125,11 @@ double ReducedResponse::error_estimate(const Moduli& matrix) const {
 }
 
 double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, const Moduli& matrix) {
-  constexpr double rounding = 4e-16;
+  constexpr double of_a_sum = 4e-16;
   const auto parameters = response.parameters(matrix);
   const auto solution = reduced_solution(response, parameters);
   const Eigen::VectorXd weights = residual_weights(solution, parameters).cwiseAbs();
-  const double squared = rounding * weights.dot(response.residual_products.cwiseAbs() * weights);
+  const double squared = of_a_sum * weights.dot(response.residual_products.cwiseAbs() * weights);
   return response.residual_scale * squared / (softest_shear(response, parameters) * response.load_forces.dot(solution));
 }
 
