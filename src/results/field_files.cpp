@@ -111,6 +111,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
   const auto title =
       fmt::format("{}, {}, {}", stage.name, bound_of(boundary), method == Method::dynamic ? "dynamic" : "quasi-static");
   std::vector<double> times;
+  times.reserve(fields.size());
   for (const auto& [time, points] : fields) times.push_back(time);
   auto records = field_records(study, test, times);
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -56,8 +56,8 @@ DomainRules rules_of(const DynamicTest& test) {
 /// A material with the Prony terms that matter in the window of a domain.
 struct ReducedMaterial {
   Material material;
-  std::size_t terms;
-  double error_bound;  ///< of the reduction, relative [-]
+  std::size_t terms = 0;
+  double error_bound = 0.0;  ///< of the reduction, relative [-]
 };
 
 ReducedMaterial reduced(const Material& material, const TimeWindow& window, double tolerance) {
