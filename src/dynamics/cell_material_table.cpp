@@ -22,7 +22,9 @@ CellMaterialTable::CellMaterialTable(const std::vector<Material>& materials, dou
   };
   for (const auto& material : materials) add(material.shear, plane_strain_bulk_modulus(material));
   add({}, {});
-  for (auto& list : terms_) list.resize(most, TermStep{0.0, 0.0});
+  // The kernel reads whole registers of terms.
+  const auto length = (most + lanes / 2 - 1) / (lanes / 2) * (lanes / 2);
+  for (auto& list : terms_) list.resize(length, TermStep{0.0, 0.0});
   for (std::size_t m = 0; m < steps_.size(); ++m) {
     steps_[m].shear_terms = terms_[2 * m].data();
     steps_[m].dilatational_terms = terms_[2 * m + 1].data();

@@ -81,6 +81,74 @@ BRECCIA_INLINE void advance(Pack& sum, double* history, const Term& term, const 
   sum += h;
 }
 
+template <int... lane>
+struct Lanes {};
+
+template <int count, int... lane>
+struct LanesUpTo : LanesUpTo<count - 1, count - 1, lane...> {};
+
+template <int... lane>
+struct LanesUpTo<0, lane...> {
+  using Type = Lanes<lane...>;
+};
+
+/// The first, third ... group of `stride` lanes of each of two rows, those of `a` before those of `b`.
+template <int stride, int... lane>
+BRECCIA_INLINE Pack even_groups(const Pack& a, const Pack& b, Lanes<lane...> /*all*/) {
+  return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane : width + lane - stride)...);
+}
+
+/// The second, fourth ... group.
+template <int stride, int... lane>
+BRECCIA_INLINE Pack odd_groups(const Pack& a, const Pack& b, Lanes<lane...> /*all*/) {
+  return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane + stride : width + lane)...);
+}
+
+/// A step of the transposition: exchanges the blocks beside the diagonal in all squares of 2 stride rows.
+template <int stride>
+BRECCIA_INLINE void exchange_blocks(Pack* rows) {
+  using All = typename LanesUpTo<width>::Type;
+  for (int row = 0; row < width; ++row) {
+    if ((row & stride) != 0) continue;
+    const Pack upper = rows[row], lower = rows[row + stride];
+    rows[row] = even_groups<stride>(upper, lower, All{});
+    rows[row + stride] = odd_groups<stride>(upper, lower, All{});
+  }
+}
+
+/// Exchanges rows and columns of a square of numbers.
+BRECCIA_INLINE void transpose(Pack* rows) {
+  exchange_blocks<1>(rows);
+  if constexpr (width > 2) exchange_blocks<2>(rows);
+  if constexpr (width > 4) exchange_blocks<4>(rows);
+}
+
+/// The terms of the cells of a register, one after the other.
+class TermsOfCells {
+ public:
+  BRECCIA_INLINE TermsOfCells(const CellMaterialStep* const* of_lane, const TermStep* CellMaterialStep::*terms) {
+    for (int lane = 0; lane < width; ++lane) next_[lane] = of_lane[lane]->*terms;
+  }
+
+  /// Term k, where k rises by one from 0. Several terms of a cell fill a register; so they are read together, those of
+  /// all cells, and turned into registers of one number for each cell.
+  BRECCIA_INLINE TermSteps operator[](int k) {
+    const int among = k % terms_in_register;
+    if (among == 0) {
+      for (int lane = 0; lane < width; ++lane) read_[lane] = load(&next_[lane][k].decay);
+      transpose(read_);
+    }
+    return {read_[2 * among], read_[2 * among + 1]};
+  }
+
+ private:
+  static constexpr int terms_in_register = width / 2;
+  static_assert(sizeof(TermStep) == 2 * sizeof(double));
+
+  const TermStep* next_[width];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
+  Pack read_[width];             // NOLINT(modernize-avoid-c-arrays)
+};
+
 /// The materials of the cells of a register, each of one material.
 struct CellsOfRegister {
   const CellMaterialStep* const* of_lane;
@@ -92,31 +160,22 @@ struct CellsOfRegister {
     for (int lane = 0; lane < width; ++lane) pack[lane] = of_lane[lane]->*modulus;
     return pack;
   }
-  [[nodiscard]] BRECCIA_INLINE TermSteps of_each(const TermStep* CellMaterialStep::*terms, int k) const {
-    TermSteps steps{};
-    for (int lane = 0; lane < width; ++lane) {
-      const TermStep& term = (of_lane[lane]->*terms)[k];
-      steps.decay[lane] = term.decay;
-      steps.gain[lane] = term.gain;
-    }
-    return steps;
-  }
 };
 
 BRECCIA_INLINE double shear_modulus(const MaterialStep& material) {
   return material.shear;
 }
 
-BRECCIA_INLINE const TermStep& shear_term(const MaterialStep& material, int k) {
-  return material.shear_terms[k];
+BRECCIA_INLINE const TermStep* shear_terms(const MaterialStep& material) {
+  return material.shear_terms;
 }
 
 BRECCIA_INLINE Pack shear_modulus(const CellsOfRegister& cells) {
   return cells.of_each(&CellMaterialStep::shear);
 }
 
-BRECCIA_INLINE TermSteps shear_term(const CellsOfRegister& cells, int k) {
-  return cells.of_each(&CellMaterialStep::shear_terms, k);
+BRECCIA_INLINE TermsOfCells shear_terms(const CellsOfRegister& cells) {
+  return {cells.of_lane, &CellMaterialStep::shear_terms};
 }
 
 /// Shear modulus applied to the strain modes: the springs and all Maxwell terms. One material, or those of the cells.
@@ -125,8 +184,9 @@ BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& str
                                     double* history) {
   const auto g = shear_modulus(materials);
   Modes s = {g * strain.xx, g * strain.yy, g * strain.xy, g * strain.qu, g * strain.qv};
+  auto terms = shear_terms(materials);
   for (int k = 0; k < materials.shear_term_count; ++k, history += shear_modes * lanes) {
-    const auto& term = shear_term(materials, k);
+    const auto& term = terms[k];
     advance(s.xx, history, term, increment.xx);
     advance(s.yy, history + lanes, term, increment.yy);
     advance(s.xy, history + 2 * lanes, term, increment.xy);
@@ -158,8 +218,9 @@ BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Mod
 BRECCIA_INLINE Pack dilatational_response(const CellsOfRegister& cells, const Modes& strain, const Modes& increment,
                                           double* history) {
   Pack p = cells.of_each(&CellMaterialStep::dilatational) * (strain.xx + strain.yy);
+  TermsOfCells terms(cells.of_lane, &CellMaterialStep::dilatational_terms);
   for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) {
-    advance(p, history, cells.of_each(&CellMaterialStep::dilatational_terms, k), increment.xx + increment.yy);
+    advance(p, history, terms[k], increment.xx + increment.yy);
   }
   return p;
 }
