@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/mixture.hpp"
 #include "breccia/error.hpp"
 #include "breccia/microstructure/disc_overlap.hpp"
+
+#include "mixture_numbers.hpp"
 
 namespace breccia {
 namespace {
@@ -51,12 +51,9 @@ void cover(const Disc& disc, PhaseIndex phase, Discretisation<2>& discretisation
   });
 }
 
-/// The phases of a cell with their shares in steps of 1 / mixture_steps, the matrix first.
-using Content = std::vector<std::pair<PhaseIndex, int>>;
-
 /// The content of a cell with these covers, which are sorted by phase.
-Content content_of(std::span<const Cover> covers, PhaseIndex matrix) {
-  Content content = {{matrix, mixture_steps}};
+CellContent content_of(std::span<const Cover> covers, PhaseIndex matrix) {
+  CellContent content = {{matrix, mixture_steps}};
   for (auto first = covers.begin(); first != covers.end();) {
     const auto phase = first->phase;
     double area = 0.0;
@@ -68,12 +65,6 @@ Content content_of(std::span<const Cover> covers, PhaseIndex matrix) {
   }
   if (content.front().second == 0) content.erase(content.begin());
   return content;
-}
-
-Mixture mixture_of(const Content& content) {
-  Mixture mixture;
-  for (const auto& [phase, steps] : content) mixture.push_back({phase, static_cast<double>(steps) / mixture_steps});
-  return mixture;
 }
 
 }  // namespace
@@ -95,20 +86,14 @@ Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int 
     cover(disc, particles[particle], discretisation, covers);
   });
   std::ranges::sort(covers, {}, [](const Cover& one) { return std::tuple(one.cell, one.phase, one.area); });
-  std::map<Content, PhaseIndex> known;
-  const auto phase_of = [&](const Content& content) {
-    if (content.size() == 1) return content.front().first;
-    const auto [entry, is_new] = known.try_emplace(content);
-    if (is_new) entry->second = discretisation.add_mixture(mixture_of(content), phases);
-    return entry->second;
-  };
+  MixtureNumbers numbers(discretisation, phases);
   for (auto first = covers.begin(); first != covers.end();) {
     const auto cell = first->cell;
     const auto end = std::find_if(first, covers.end(), [&](const Cover& one) { return one.cell != cell; });
     const auto place = discretisation.grid().cell_at(cell);
     // A cell that one disc fills stays so where another overlaps it.
     const bool is_filled = discretisation.cell(place).front() != matrix;
-    if (!is_filled) discretisation.fill(place, phase_of(content_of({first, end}, matrix)));
+    if (!is_filled) numbers.fill(place, content_of({first, end}, matrix));
     first = end;
   }
   return discretisation;

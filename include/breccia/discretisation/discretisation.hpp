@@ -46,6 +46,15 @@ class Discretisation {
     paint_range(Index<dim>{}, grid_.cells, inside, phase);
   }
 
+  /// Gives every point the phase that phase_at(its position [m]) returns.
+  template <class PhaseAt>
+  void label(PhaseAt&& phase_at) {
+    grid_.for_each_cell([&](const Index<dim>& cell) {
+      auto& phases = cells_[grid_.cell_index(cell)];
+      for (int p = 0; p < points_per_cell; ++p) phases[static_cast<std::size_t>(p)] = phase_at(position(cell, p));
+    });
+  }
+
   /// Gives a phase to all points in a ball.
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "breccia/discretisation/discretisation.hpp"
+
+namespace breccia {
+
+/// The phases of a cell with their shares in steps of 1 / mixture_steps.
+using CellContent = std::vector<std::pair<PhaseIndex, int>>;
+
+/// Fills cells with what they hold, and adds a mixture to their discretisation for every new content of several phases.
+class MixtureNumbers {
+ public:
+  /// `phases` is the number of phases, which the numbers of the mixtures follow.
+  MixtureNumbers(Discretisation<2>& discretisation, std::size_t phases)
+      : discretisation_(discretisation), phases_(phases) {}
+
+  /// Throws InputError when there are more mixtures than a PhaseIndex can number.
+  void fill(const Index<2>& cell, const CellContent& content);
+
+ private:
+  Discretisation<2>& discretisation_;
+  std::size_t phases_;
+  std::map<CellContent, PhaseIndex> known_;
+};
+
+}  // namespace breccia
