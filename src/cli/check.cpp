@@ -3,16 +3,21 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "breccia/error.hpp"
 #include "breccia/homogenisation/available_memory.hpp"
+#include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/io/percentage.hpp"
 #include "breccia/study/chain.hpp"
 
 #include "command.hpp"
@@ -120,7 +125,27 @@ std::string total(const Study& study, const Plan& plan) {
                      is_quasistatic ? " on one core" : "", memory(plan.bytes));
 }
 
-void print_plan(const Study& study) {
+/// The cells per side of a stage for errors of these sizes [-]; empty where no gap tells.
+std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, Mixing mixing,
+                        const std::vector<double>& errors) {
+  const double gap = std::min(packed.gap, packed.wall_gap);
+  const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
+  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated) return {};
+  std::vector<std::string> advice;
+  for (const double error : errors) {
+    const double cells = std::ceil(cells_per_gap_for(mixing, error) * stage.side / gap);
+    advice.push_back(fmt::format("{:.0f} for {:.2g} %", cells, 100.0 * error));
+  }
+  const double cells_per_gap = gap / stage.cell_size();
+  const auto expected = expected_grid_error(mixing, cells_per_gap);
+  const auto shown = fmt::format("{:.2g}", cells_per_gap);
+  return fmt::format("  {}: {} {} in the narrowest gap, error of the grid {}; cells = {}\n", stage.name, shown,
+                     shown == "1" ? "cell" : "cells",
+                     expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
+                     fmt::join(advice, ", "));
+}
+
+void print_plan(const Study& study, const std::vector<double>& errors) {
   fmt::print("{}\nplan, with an estimate of the composite's modulus (a run computes it and may need less)\n",
              summary(study));
   Plan all;
@@ -129,7 +154,7 @@ void print_plan(const Study& study) {
     const auto packed = make_microstructure(stage);
     fractions.push_back(packed.fraction);
     const auto plan = plan_of(study, stage, packed);
-    fmt::print("{}", plan.text);
+    fmt::print("{}{}", plan.text, grid_advice(stage, packed, study.tests.mixing, errors));
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
     all.add(plan);
   }
@@ -138,19 +163,43 @@ void print_plan(const Study& study) {
   require_memory(study, available_memory());
 }
 
+/// The errors that the option --error names [-]. Throws InputError for one that is no percentage of less than 100 %.
+std::vector<double> errors_of(const std::vector<std::string>& texts) {
+  if (texts.empty()) return {0.05, 0.02, 0.01};
+  std::vector<double> errors;
+  for (const auto& text : texts) {
+    const auto error = parse_percentage(text);
+    if (!error || !(*error > 0.0 && *error < 1.0)) {
+      throw InputError(
+          fmt::format("--error: expected a percentage between 0 and 100 %, such as \"2 %\", got \"{}\"", text));
+    }
+    errors.push_back(*error);
+  }
+  return errors;
+}
+
 }  // namespace
 
 void add_check(CLI::App& application) {
   auto* command =
       application.add_subcommand("check", "check a deck: report every mistake in it, estimate time and memory");
-  auto arguments = std::make_shared<DeckArguments>();
-  add_deck_arguments(*command, *arguments);
+  struct Arguments {
+    DeckArguments deck;
+    std::vector<std::string> errors;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  add_deck_arguments(*command, arguments->deck);
+  command
+      ->add_option("--error", arguments->errors,
+                   "tell the cells for these errors of the modulus (default: \"5 %\" \"2 %\" \"1 %\")")
+      ->type_name("SHARE ...");
   command->callback([arguments] {
-    const auto sweep = arguments->read();
+    const auto errors = errors_of(arguments->errors);
+    const auto sweep = arguments->deck.read();
     if (!sweep.keys.empty()) {
       fmt::print("a sweep of {} tasks\n\n{}\nthe first one:\n\n", sweep.tasks.size(), table_of_tasks(sweep));
     }
-    print_plan(sweep.tasks.front().study);
+    print_plan(sweep.tasks.front().study, errors);
   });
 }
 

@@ -107,19 +107,16 @@ std::optional<double> grid_share_of(const TestResult& test) {
 
 constexpr std::array methods = {Method::quasistatic, Method::dynamic};
 
-/// The largest share of all bounds and of all periodic tests.
-std::optional<double> largest_grid_share(const std::vector<LoadQuality>& loads, const StageResult& result) {
+/// The largest share of all tests.
+std::optional<double> largest_grid_share(const StageResult& result) {
   std::optional<double> largest;
-  const auto take = [&largest](std::optional<double> share) {
-    if (share) largest = std::max(largest.value_or(0.0), *share);
-  };
-  for (const auto& load : loads) {
-    for (const auto& at : load.times) take(at.grid_share());
-  }
-  for (const auto& [name, load] : words<Load>) {
-    for (const auto method : methods) {
-      const auto* test = find_preferred_test(result.tests, load, Boundary::periodic, method);
-      if (test != nullptr) take(grid_share_of(*test));
+  for (const auto& [load_name, load] : words<Load>) {
+    for (const auto& [boundary_name, boundary] : words<Boundary>) {
+      for (const auto method : methods) {
+        const auto* test = find_preferred_test(result.tests, load, boundary, method);
+        const auto share = test == nullptr ? std::nullopt : grid_share_of(*test);
+        if (share) largest = std::max(largest.value_or(0.0), *share);
+      }
     }
   }
   return largest;
@@ -150,11 +147,6 @@ std::optional<double> BoundsAtTime::crossing() const {
   return share > least ? std::optional(share) : std::nullopt;
 }
 
-std::optional<double> BoundsAtTime::grid_share() const {
-  if (!grid_half_band) return std::nullopt;
-  return *grid_half_band / std::min(upper.value_or(lower.value_or(0.0)), lower.value_or(upper.value_or(0.0)));
-}
-
 std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
   std::vector<LoadQuality> all;
   for (const auto& [name, load] : words<Load>) {
@@ -181,7 +173,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
                        .loads = bounds_of_tests(result)};
   quality.is_periodic =
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
-  quality.grid_share = largest_grid_share(quality.loads, result);
+  quality.grid_share = largest_grid_share(result);
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   if (stage.filler) {
     quality.fraction_asked = stage.filler->fraction;

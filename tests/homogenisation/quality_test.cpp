@@ -79,12 +79,7 @@ TEST(Quality, TellsDistancesWithTwoDigits) {
   EXPECT_EQ(bounds_of(1234.0, 1.0), "bounds a factor of 1234");
 }
 
-// The half band over the smaller of the two moduli.
-TEST(Quality, ComparesTheBandOfTheGridsWithTheModulus) {
-  EXPECT_EQ((BoundsAtTime{1.0, 4.0, 2.0, 0.5}).grid_share(), 0.25);
-  EXPECT_EQ((BoundsAtTime{1.0, 4.0, std::nullopt, 0.5}).grid_share(), 0.125);
-  EXPECT_EQ((BoundsAtTime{1.0, std::nullopt, 2.0, 0.5}).grid_share(), 0.25);
-  EXPECT_FALSE((BoundsAtTime{1.0, 4.0, 2.0, std::nullopt}).grid_share());
+TEST(Quality, KnowsNoDistanceOfASingleBound) {
   EXPECT_FALSE((BoundsAtTime{1.0, 4.0, std::nullopt, 0.5}).distance());
 }
 
@@ -100,7 +95,7 @@ TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
   EXPECT_NEAR(*quality.loads.at(0).times.front().distance(), 0.2, 1e-12);
   EXPECT_EQ(quality.loads.at(0).times.front().grid_half_band, 6.0);
   EXPECT_THAT(quality.grids, ElementsAre(50, 100));
-  EXPECT_THAT(summary_of(quality), HasSubstr("grid: error up to 6 %;")) << "of the lower one, to be safe";
+  EXPECT_THAT(summary_of(quality), HasSubstr("grid: error up to 5 %;")) << "6 of 120, and 2 of 100";
 }
 
 TEST(Quality, ReportsUnknownErrors) {

@@ -20,8 +20,6 @@ struct BoundsAtTime {
   /// 1 - upper / lower [-] where the upper bound is below the lower one by more than the half bands of both; nothing
   /// otherwise. Bounds that are crossed are no bounds: a test is wrong.
   [[nodiscard]] std::optional<double> crossing() const;
-  /// The half band over its modulus [-]; nothing for a single grid.
-  [[nodiscard]] std::optional<double> grid_share() const;
 };
 
 /// The bounds under one load and by one method; with several grids the extrapolated bounds.
@@ -41,7 +39,7 @@ struct StageQuality {
   std::vector<int> grids;                ///< cells per side, rising
   bool is_random = false;                ///< whether the packing depends on a seed
   bool is_periodic = false;              ///< whether a periodic test is finished, which gives no bound
-  std::optional<double> grid_share;      ///< largest half band over its modulus, of all tests [-]; see grid_share()
+  std::optional<double> grid_share;      ///< largest half band of a test over its modulus [-]; nothing for a single grid
   std::vector<LoadQuality> loads;        ///< of the finished tests
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.

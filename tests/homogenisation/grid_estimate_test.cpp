@@ -1,0 +1,45 @@
+#include "breccia/homogenisation/grid_estimate.hpp"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace breccia {
+namespace {
+
+/// The largest error of both bounds [-] of boxes like HB-1, between 10 ns and 10 ms, against eight cells in the
+/// narrowest gap and more; from docs/verification.md, "Cells in a gap".
+struct Measured {
+  double cells;
+  double of_series;
+};
+
+constexpr std::array<Measured, 5> measured = {{{1.0, 0.117}, {1.5, 0.058}, {2.0, 0.031}, {3.0, 0.014}, {4.0, 0.0083}}};
+
+TEST(GridEstimate, IsOfTheSizeOfMeasuredErrors) {
+  for (const auto& [cells, of_series] : measured) {
+    const auto expected = expected_grid_error(Mixing::series, cells);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(*expected, 0.7 * of_series) << cells;
+    EXPECT_LT(*expected, 1.3 * of_series) << cells;
+  }
+}
+
+TEST(GridEstimate, IsUnknownWhereGapsAreBridged) {
+  EXPECT_FALSE(expected_grid_error(Mixing::series, 0.99));
+  EXPECT_TRUE(expected_grid_error(Mixing::series, 1.0));
+  EXPECT_FALSE(expected_grid_error(Mixing::points, 2.9));
+  EXPECT_TRUE(expected_grid_error(Mixing::points, 3.0));
+}
+
+TEST(GridEstimate, TellsTheCellsForAnError) {
+  for (const auto mixing : {Mixing::series, Mixing::points}) {
+    for (const double error : {0.05, 0.01, 0.001}) {
+      EXPECT_NEAR(expected_grid_error(mixing, cells_per_gap_for(mixing, error)).value(), error, 1e-12);
+    }
+  }
+  EXPECT_EQ(cells_per_gap_for(Mixing::series, 0.5), 1.0) << "below that the error may be of any size";
+}
+
+}  // namespace
+}  // namespace breccia
