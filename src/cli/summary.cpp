@@ -98,7 +98,7 @@ std::string describe_filler(const Stage& stage) {
 std::string describe(const Stage& stage) {
   const auto points = 4LL * stage.cells * stage.cells;
   const auto grids = stage.coarser_cells.empty() ? ""
-                                                 : fmt::format("             extrapolated with {} cells per side\n",
+                                                 : fmt::format("             and one of {} cells per side\n",
                                                                fmt::join(stage.coarser_cells, " and "));
   auto text = fmt::format(
       "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,

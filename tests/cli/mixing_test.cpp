@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,34 @@ TEST(Mixing, StagesBuildOnStagesAndTheFinestGridGivesTheResult) {
   const auto limit = of_second_stage(points, "extrapolated");
   ASSERT_EQ(limit.size(), fine.size());
   for (std::size_t i = 0; i < limit.size(); ++i) EXPECT_NEAR(fine[i] / limit[i], 1.0, 0.03) << i;
+}
+
+/// Moduli [Pa] of the second stage by load, in order of time.
+std::map<std::string, std::vector<double>> of_second_stage_by(const StudyDirectory& study, const std::string& method) {
+  const auto table = read_csv(study.result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
+  std::map<std::string, std::vector<double>> moduli;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text("stage")[row] != "coarse" || table.text("method")[row] != method) continue;
+    moduli[table.text("load")[row]].push_back(table.numbers("modulus_Pa")[row]);
+  }
+  return moduli;
+}
+
+// The matrix relaxes in bulk as in shear; the mixtures' terms follow from both.
+TEST(Mixing, BothMethodsAgreeWithAStageAsMatrix) {
+  const StudyDirectory study(stages_on_two_grids);
+  const auto run = study.breccia(
+      "run", with(mixed, {"--set", "stages.*.cells=16", "--set", R"(tests.times=["10 us", "30 ms"])", "--set",
+                          R"(tests.loads=["shear", "bulk"])", "--set", R"(tests.boundaries=["displacement"])"}));
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto slow = of_second_stage_by(study, "quasistatic"), fast = of_second_stage_by(study, "dynamic");
+  for (const auto* load : {"shear", "bulk"}) {
+    ASSERT_EQ(slow.at(load).size(), fast.at(load).size());
+    ASSERT_FALSE(slow.at(load).empty());
+    for (std::size_t i = 0; i < slow.at(load).size(); ++i) {
+      EXPECT_NEAR(fast.at(load)[i] / slow.at(load)[i], 1.0, 0.015) << load << ", " << i;
+    }
+  }
 }
 
 TEST(Mixing, InSeriesIsRefusedWithStrainsOfPoints) {

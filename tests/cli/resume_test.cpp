@@ -1,3 +1,7 @@
+#include <cmath>
+#include <filesystem>
+#include <string>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -23,10 +27,15 @@ using Json = nlohmann::json;
 /// A study that ends at the first moment at which it can, time and again, until it is done.
 class Resume : public testing::Test {
  protected:
+  /// A time limit that grows with the number of interruptions, so that slow builds end, too.
+  static std::string time_limit(int interruptions) {
+    return std::to_string(50.0 * std::pow(1.1, interruptions)) + " ms";
+  }
+
   /// Returns how often it was interrupted.
   int run_bit_by_bit() {
     for (int interruptions = 0;; ++interruptions) {
-      const auto outcome = study_.breccia("run", {"--resume", "--time-limit", "50 ms"});
+      const auto outcome = study_.breccia("run", {"--resume", "--time-limit", time_limit(interruptions)});
       if (outcome.exit_code == 0) return interruptions;
       EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
       EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
@@ -39,12 +48,18 @@ class Resume : public testing::Test {
 };
 
 TEST_F(Resume, EndsWithTheBytesOfARunInOneGo) {
-  const StudyDirectory whole(test::model_deck);
-  ASSERT_EQ(whole.breccia("run").exit_code, 0);
-  EXPECT_GT(run_bit_by_bit(), 0);
-  EXPECT_EQ(study_.results(), whole.results());
-  for (const auto* file : {"curves.csv", "prony.csv", "A/fields.vtkhdf", "A/modulus.svg"}) {
-    EXPECT_EQ(read_text(study_.result(file)), read_text(whole.result(file))) << file;
+  const auto averaged = test::replaced(std::string(test::model_deck), "\"standard\"", "\"averaged\"");
+  const auto mixed = test::replaced(averaged, "method     = \"dynamic\"", R"(method = ["quasistatic", "dynamic"])");
+  for (const auto& deck : {std::string(test::model_deck), mixed}) {
+    study_.write("deck.toml", deck);
+    const StudyDirectory whole(deck);
+    ASSERT_EQ(whole.breccia("run").exit_code, 0);
+    EXPECT_GT(run_bit_by_bit(), 0);
+    EXPECT_EQ(study_.results(), whole.results());
+    for (const auto* file : {"curves.csv", "prony.csv", "A/fields.vtkhdf", "A/modulus.svg"}) {
+      EXPECT_EQ(read_text(study_.result(file)), read_text(whole.result(file))) << file;
+    }
+    std::filesystem::remove_all(study_.path() / "out");
   }
 }
 
@@ -60,7 +75,8 @@ double wall_time_of_packing(const StudyDirectory& study) {
 
 TEST_F(Resume, PackingDoesNotChangeTheResultsOfARun) {
   // Until the second of two tests has left its state.
-  while (study_.breccia("run", {"--resume", "--time-limit", "50 ms"}).exit_code == 130 &&
+  int interruptions = 0;
+  while (study_.breccia("run", {"--resume", "--time-limit", time_limit(interruptions++)}).exit_code == 130 &&
          Json::parse(read_text(study_.result("study.json")))["stages"][0]["tests"].empty()) {
   }
   const auto before = read_text(study_.result("study.json"));

@@ -143,7 +143,7 @@ function choicesOf(curves, shown, draw) {
     {shear: "shear", "shear-xx-yy": "shear xx-yy"}), shown.loads);
   const several = study.stages.some((stage) => stage.cells.length > 1);
   const coarser = gridsOfStudy().filter((grid) => grid !== "extrapolated");
-  if (several) add("grid", [["best", "h → 0"], ...coarser.map((grid) => [grid, gridName(grid)])], shown.grids);
+  if (several) add("grid", [["best", "all grids"], ...coarser.map((grid) => [grid, gridName(grid)])], shown.grids);
   const extras = [["matrix", "matrix"]];
   if (curves.some((curve) => curve.role === "measured")) extras.unshift(["measured", "measured"]);
   if (curves.some((curve) => curve.band !== undefined)) extras.push(["band", "band"]);

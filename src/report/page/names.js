@@ -14,9 +14,10 @@ export const quantities = [
   {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
-/// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the limit of vanishing cells.
+/// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the result of all grids (the
+/// limit of vanishing cells with points, the finest grid with mixed cells, and the band of both).
 export function gridName(cells) {
-  return cells === "extrapolated" ? "h → 0" : `${cells} cells`;
+  return cells === "extrapolated" ? "all grids" : `${cells} cells`;
 }
 
 /// The cells of a table that name a test.
