@@ -33,13 +33,13 @@ class PartCounter {
   /// `parts` is the number of parts along each side of the square.
   void count(const Vector<2>& corner, double side, int parts) {
     const double half = 0.5 * side;
-    const auto label = labelling_({corner[0] + half, corner[1] + half});
-    if (parts == 1 || label.clearance > std::numbers::sqrt2 * half) {
-      if (label.phase >= counts_.size()) {
+    const auto place = labelling_({corner[0] + half, corner[1] + half});
+    if (parts == 1 || place.clearance > std::numbers::sqrt2 * half) {
+      if (place.phase >= counts_.size()) {
         throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
-                                     label.phase, counts_.size()));
+                                     place.phase, counts_.size()));
       }
-      counts_[label.phase] += parts * parts;
+      counts_[place.phase] += parts * parts;
       return;
     }
     for (const double y : {corner[1], corner[1] + half}) {

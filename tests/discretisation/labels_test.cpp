@@ -18,12 +18,12 @@ double distance_to(const Disc& disc, const Vector<2>& place) {
   return std::hypot(place[0] - disc.centre[0], place[1] - disc.centre[1]) - 0.5 * disc.diameter;
 }
 
-Label in_disc(const Vector<2>& place) {
+PhaseAt in_disc(const Vector<2>& place) {
   const double distance = distance_to(disc, place);
   return {static_cast<PhaseIndex>(distance <= 0.0 ? 1 : 0), std::abs(distance)};
 }
 
-Label in_disc_without_clearance(const Vector<2>& place) {
+PhaseAt in_disc_without_clearance(const Vector<2>& place) {
   return {in_disc(place).phase};
 }
 
@@ -37,7 +37,7 @@ TEST(Labels, GiveThePointsOfTheSameBall) {
   const Ball<3> ball = {{0.5, 0.45, 0.55}, 0.7};
   const auto painted = discretise(Microstructure<3>{1.0, Walls::hard, {ball}}, 12, 0, 1);
   const auto labelled = discretise<3>(
-      painted.grid(), [&](const Vector<3>& place) { return Label{static_cast<PhaseIndex>(ball.contains(place))}; });
+      painted.grid(), [&](const Vector<3>& place) { return PhaseAt{static_cast<PhaseIndex>(ball.contains(place))}; });
   EXPECT_EQ(labelled.cells(), painted.cells());
 }
 
@@ -85,7 +85,7 @@ TEST(Labels, FindAFilmOfATwentiethOfACell) {
   constexpr double width = 0.005;
   const auto film = [](const Vector<2>& place) {
     const double distance = std::abs(0.6 * (place[0] - 0.5) - 0.8 * (place[1] - 0.43)) - 0.5 * width;
-    return Label{static_cast<PhaseIndex>(distance <= 0.0 ? 1 : 0), std::abs(distance)};
+    return PhaseAt{static_cast<PhaseIndex>(distance <= 0.0 ? 1 : 0), std::abs(distance)};
   };
   const auto mixed = discretise_mixed({{10, 10}, 0.1}, film, 2);
   // The film leaves the box at its left and right sides.
@@ -94,7 +94,7 @@ TEST(Labels, FindAFilmOfATwentiethOfACell) {
 
 TEST(Labels, OfThreePhasesInOneCellHoldAll) {
   const auto bands = [](const Vector<2>& place) {
-    return Label{static_cast<PhaseIndex>(place[0] < 0.25 ? 0 : place[0] < 0.375 ? 1 : 2)};
+    return PhaseAt{static_cast<PhaseIndex>(place[0] < 0.25 ? 0 : place[0] < 0.375 ? 1 : 2)};
   };
   const auto mixed = discretise_mixed({{1, 1}, 1.0}, bands, 3);
   const Mixture expected = {{0, 0.25}, {1, 0.125}, {2, 0.625}};

@@ -8,7 +8,7 @@
 namespace breccia {
 
 /// What is at a place of a microstructure.
-struct Label {
+struct PhaseAt {
   PhaseIndex phase = 0;
   /// Radius of a ball around the place that holds nothing but this phase [m]; 0 where that is not known. Interfaces
   /// are found sooner, and thin parts with certainty, where it is.
@@ -17,7 +17,7 @@ struct Label {
 
 /// A microstructure of any kind: what is at a position [m].
 template <int dim>
-using Labelling = std::function<Label(const Vector<dim>& position)>;
+using Labelling = std::function<PhaseAt(const Vector<dim>& position)>;
 
 /// The points of a microstructure: every point has the phase at its place. Instantiated for 2 and 3 dimensions.
 template <int dim>
