@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "contact_time.hpp"
+#include "uniform.hpp"
 #include "vector_algebra.hpp"
 
 namespace breccia {
@@ -15,11 +16,6 @@ constexpr std::uint64_t events_per_ball_and_epoch = 20;
 // Least speed at which balls separate after a contact: with less, roundoff could make them touch again at once,
 // forever.
 constexpr double least_parting_speed = 1e-9;
-
-/// Uniform in [0, 1), the same on every platform.
-double uniform(std::mt19937_64& engine) {
-  return static_cast<double>(engine() >> 11) * 0x1p-53;
-}
 
 }  // namespace
 

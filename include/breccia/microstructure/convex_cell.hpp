@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "breccia/microstructure/vector.hpp"
+
+namespace breccia {
+
+// Instantiated for 2 and 3 dimensions. In 2D a volume is an area and the measure of a face is a length.
+
+/// The places x with normal . x <= offset.
+template <int dim>
+struct HalfSpace {
+  Vector<dim> normal;    ///< of the plane that bounds it, outward, of length 1 [-]
+  double offset;         ///< of this plane from the origin, along the normal [m]
+  std::uint32_t behind;  ///< number of what lies behind this plane, for whoever cuts
+
+  /// Of a place above the plane [m]; negative inside.
+  [[nodiscard]] double height(const Vector<dim>& place) const noexcept {
+    double height = -offset;
+    for (std::size_t axis = 0; axis < normal.size(); ++axis) height += normal[axis] * place[axis];
+    return height;
+  }
+};
+
+/// A convex polygon or polyhedron, from which half-spaces cut parts off. Its corners are simple: `dim` planes meet in
+/// each. Planes that pass through a corner within roundoff cut nothing.
+template <int dim>
+class ConvexCell {
+ public:
+  struct Corner {
+    Vector<dim> position;  ///< [m]
+    /// Numbers of the planes that meet here. In 2D counter-clockwise: the corner is the end of the first edge and the
+    /// beginning of the second.
+    std::array<std::uint32_t, static_cast<std::size_t>(dim)> planes;
+  };
+
+  /// Numbers of what lies below and above a box along each axis.
+  using BoxSides = std::array<std::array<std::uint32_t, 2>, static_cast<std::size_t>(dim)>;
+
+  ConvexCell() = default;
+  /// The box between two corners [m].
+  ConvexCell(const Vector<dim>& lower, const Vector<dim>& upper, const BoxSides& behind);
+
+  [[nodiscard]] bool is_empty() const noexcept { return corners_.empty(); }
+  [[nodiscard]] std::span<const Corner> corners() const noexcept { return corners_; }
+  /// Those that have been cut off themselves are among them until trim().
+  [[nodiscard]] std::span<const HalfSpace<dim>> half_spaces() const noexcept { return half_spaces_; }
+  /// Largest distance of a corner from the origin [m].
+  [[nodiscard]] double reach() const noexcept;
+  /// Number of the corner at the other end of the edge that leaves a corner and its plane `slot`.
+  [[nodiscard]] std::size_t corner_across(std::size_t corner, std::size_t slot) const noexcept;
+
+  /// Keeps what lies in the half-space. True if it has cut something off.
+  bool cut(const HalfSpace<dim>& half_space);
+  /// Forgets the half-spaces that have no face any more, and numbers the others anew.
+  void trim();
+  /// The places whose distance from all faces is at least `distance` [m].
+  [[nodiscard]] ConvexCell eroded(double distance) const;
+
+ private:
+  std::vector<Corner> corners_;
+  std::vector<HalfSpace<dim>> half_spaces_;
+  double tolerance_ = 0.0;  // height of a corner above a plane that is roundoff [m]
+};
+
+/// [m^dim]
+template <int dim>
+[[nodiscard]] double volume(const ConvexCell<dim>& cell);
+
+/// Of the face of each half-space [m^(dim - 1)].
+template <int dim>
+[[nodiscard]] std::vector<double> face_measures(const ConvexCell<dim>& cell);
+
+template <int dim>
+struct Moments {
+  double volume = 0.0;                                                  ///< [m^dim]
+  Vector<dim> centroid{};                                               ///< [m]
+  std::array<Vector<dim>, static_cast<std::size_t>(dim)> covariance{};  ///< of the places in the cell [m^2]
+};
+
+/// Volume, centroid and mean square distances from it. Zeros for an empty cell.
+template <int dim>
+[[nodiscard]] Moments<dim> moments(const ConvexCell<dim>& cell);
+
+/// Square root of the ratio of the largest to the smallest principal covariance [-]: the ratio of the axes, for an
+/// ellipse. 1 for an empty cell.
+template <int dim>
+[[nodiscard]] double aspect_ratio(const Moments<dim>& moments);
+
+/// The corners counter-clockwise [m].
+[[nodiscard]] std::vector<Vector<2>> polygon(const ConvexCell<2>& cell);
+
+}  // namespace breccia

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "breccia/microstructure/tessellation.hpp"
+
+namespace breccia {
+
+/// What is at a place of a tessellation.
+struct GrainPlace {
+  std::uint32_t site = 0;  ///< the cell that the place is in
+  /// Of the place inside its grain [m]: the distance from the nearest film. Negative in the film: no grain is nearer
+  /// than -depth.
+  double depth = 0.0;
+  [[nodiscard]] bool is_in_grain() const noexcept { return depth >= 0.0; }
+};
+
+template <int dim>
+class SiteTree;
+
+/// Tells for any place of a tessellation which grain it is in, or that it is in the film. Instantiated for 2 and 3
+/// dimensions.
+template <int dim>
+class GrainLocator {
+ public:
+  /// `film` is the thickness of the film [m]. Throws InputError if it is negative or not finite. The tessellation need
+  /// not outlive the locator.
+  GrainLocator(const Tessellation<dim>& tessellation, double film);
+  GrainLocator(GrainLocator&&) noexcept;
+  GrainLocator& operator=(GrainLocator&&) noexcept;
+  GrainLocator(const GrainLocator&) = delete;
+  GrainLocator& operator=(const GrainLocator&) = delete;
+  ~GrainLocator();
+
+  /// What is at a position [m]. A periodic tessellation continues beyond the box; with hard walls a position outside is
+  /// in the film.
+  [[nodiscard]] GrainPlace at(const Vector<dim>& position) const;
+
+ private:
+  struct Face {
+    Vector<dim> normal;
+    double offset;
+  };
+
+  double film_;
+  std::unique_ptr<SiteTree<dim>> tree_;
+  std::vector<std::size_t> first_face_;  // of each cell; behind them the number of all
+  std::vector<Face> faces_;              // seen from the site of their cell
+};
+
+extern template class GrainLocator<2>;
+extern template class GrainLocator<3>;
+
+}  // namespace breccia

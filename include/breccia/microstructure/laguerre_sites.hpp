@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "breccia/microstructure/microstructure.hpp"
+
+namespace breccia {
+
+/// What a grain of a tessellation grows from.
+template <int dim>
+struct Site {
+  Vector<dim> position;  ///< [m]
+  double weight = 0.0;   ///< the larger, the larger is the grain [m^2]
+};
+
+/// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a place x belongs to the site with
+/// the least |x - position|^2 - weight (theory, Eq. 44). In a periodic box all images of a site count; hard walls cut
+/// the cells. A number that is added to all weights changes nothing.
+template <int dim>
+struct LaguerreSites {
+  double side = 0.0;  ///< [m]
+  Walls walls = Walls::periodic;
+  std::vector<Site<dim>> sites;
+};
+
+/// What is wrong with one site.
+struct SiteMistake {
+  std::size_t site;  ///< its number, from 0
+  std::string text;
+};
+
+/// Everything that is wrong, in the order of the sites: a position that is not in the box, a weight that is not finite;
+/// if there is nothing of that kind, the sites without a place that belongs to them. Throws InputError if the box has
+/// no size or there are no sites or more than most_particles. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] std::vector<SiteMistake> mistakes(const LaguerreSites<dim>& sites);
+
+}  // namespace breccia

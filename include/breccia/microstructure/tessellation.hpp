@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "breccia/microstructure/convex_cell.hpp"
+#include "breccia/microstructure/laguerre_sites.hpp"
+
+namespace breccia {
+
+// Instantiated for 2 and 3 dimensions. In 2D a volume is an area and a surface a length.
+
+/// A Laguerre tessellation: convex cells that fill a box, one for each site. A film of uniform thickness t between the
+/// cells leaves of each of them a grain, the places whose distance from all faces of the cell is at least t/2; so
+/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 45).
+template <int dim>
+class Tessellation {
+ public:
+  /// Throws InputError that lists what is wrong with the sites (see mistakes()).
+  explicit Tessellation(LaguerreSites<dim> sites);
+
+  [[nodiscard]] double side() const noexcept { return sites_.side; }  ///< of the box [m]
+  [[nodiscard]] Walls walls() const noexcept { return sites_.walls; }
+  [[nodiscard]] const LaguerreSites<dim>& sites() const noexcept { return sites_; }
+  [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }  ///< number of grains
+  /// The cell of a site, seen from its position; in a periodic box it may reach beyond the sides.
+  [[nodiscard]] const ConvexCell<dim>& cell(std::size_t site) const { return cells_[site]; }
+  /// The cell without its share of the film, seen in the same way. Empty if the film leaves nothing.
+  [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const { return cells_[site].eroded(0.5 * film); }
+  /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
+  [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
+
+ private:
+  LaguerreSites<dim> sites_;
+  std::vector<ConvexCell<dim>> cells_;
+};
+
+/// Volumes of the cells [m^dim], by site.
+template <int dim>
+[[nodiscard]] std::vector<double> cell_volumes(const Tessellation<dim>& tessellation);
+
+/// Volume of the grains per volume of the box, if the film has this thickness [m]. Throws InputError if the thickness
+/// is negative or not finite.
+template <int dim>
+[[nodiscard]] double grain_fraction(const Tessellation<dim>& tessellation, double film);
+
+/// Thickness of the film [m] with which the grains fill this fraction of the box, to rounding. Throws InputError unless
+/// the fraction is above 0 and at most 1.
+template <int dim>
+[[nodiscard]] double film_thickness(const Tessellation<dim>& tessellation, double fraction);
+
+}  // namespace breccia

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "breccia/microstructure/tessellation.hpp"
+
+namespace breccia {
+
+// Instantiated for 2 and 3 dimensions. In 2D a volume is an area and a surface a length.
+
+/// One cell of a tessellation and the grain that a film leaves of it.
+template <int dim>
+struct GrainGeometry {
+  Vector<dim> centroid;    ///< of the cell; inside the box if the walls are hard [m]
+  double cell_volume;      ///< [m^dim]
+  double grain_volume;     ///< 0 if the film leaves nothing [m^dim]
+  double grain_surface;    ///< [m^(dim - 1)]
+  double diameter;         ///< of the ball with the grain's volume [m]
+  double aspect_ratio;     ///< of the cell, from its second moments [-]
+  std::size_t neighbours;  ///< faces of the cell that are not on a wall
+};
+
+/// All grains, by site. `film` is the thickness of the film [m].
+template <int dim>
+[[nodiscard]] std::vector<GrainGeometry<dim>> grain_geometries(const Tessellation<dim>& tessellation, double film);
+
+struct Spread {
+  double mean = 0.0;
+  double deviation = 0.0;  ///< standard deviation
+  double smallest = 0.0;
+  double largest = 0.0;
+};
+
+struct TessellationStatistics {
+  std::size_t grains = 0;     ///< number of cells
+  std::size_t vanished = 0;   ///< cells of which the film leaves nothing
+  double fraction = 0.0;      ///< volume of the grains per volume of the box [-]
+  double film_surface = 0.0;  ///< middle surface of the films per volume of the box [1/m]
+  Spread cell_volume;         ///< [m^dim]
+  Spread diameter;            ///< of the balls with the grains' volumes [m]
+  Spread aspect_ratio;        ///< [-]
+  double mean_neighbours = 0.0;
+};
+
+template <int dim>
+[[nodiscard]] TessellationStatistics statistics(const Tessellation<dim>& tessellation, double film);
+
+/// Largest relative difference of the volume of a cell from the one asked for; `volumes` are in proportion to those
+/// asked for. Throws InputError if there is not one for each site.
+template <int dim>
+[[nodiscard]] double largest_volume_error(const Tessellation<dim>& tessellation, std::span<const double> volumes);
+
+}  // namespace breccia

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "breccia/microstructure/convex_cell.hpp"
+#include "breccia/microstructure/laguerre_sites.hpp"
+
+namespace breccia {
+
+// The parts of mistakes(), for those who have the cells. Instantiated for 2 and 3 dimensions.
+
+/// Positions outside the box and weights that are not finite. Throws InputError if the box has no size or there are no
+/// sites or more than most_particles.
+template <int dim>
+[[nodiscard]] std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites);
+
+/// Sites without a place that belongs to them.
+template <int dim>
+[[nodiscard]] std::vector<SiteMistake> empty_cells(const LaguerreSites<dim>& sites,
+                                                   const std::vector<ConvexCell<dim>>& cells);
+
+/// Throws InputError that lists the mistakes (up to twenty, sites counted from 1) if there are any.
+void require_none(const std::vector<SiteMistake>& mistakes);
+
+}  // namespace breccia

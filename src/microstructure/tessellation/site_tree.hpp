@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "breccia/microstructure/laguerre_sites.hpp"
+
+namespace breccia {
+
+/// Finds the site to which a place belongs. The box is divided into halves along all axes, and the parts again, until
+/// few sites can own a place in a part.
+template <int dim>
+class SiteTree {
+ public:
+  explicit SiteTree(const LaguerreSites<dim>& sites);
+
+  struct Owner {
+    std::uint32_t site;
+    Vector<dim> place;  ///< seen from the nearest image of the site [m]
+  };
+  /// The site to which a place belongs.
+  [[nodiscard]] Owner owner(const Vector<dim>& place) const;
+
+ private:
+  struct Candidate {  // a site or an image of it
+    Vector<dim> position;
+    double weight;
+    std::uint32_t site;
+  };
+  struct Node {
+    std::uint32_t first;  // candidate of a leaf, or else part
+    std::uint32_t count;  // of candidates; 0 for a divided node
+  };
+  struct Part {
+    Vector<dim> centre;
+    double half_side;
+    int depth;
+  };
+
+  void build(std::size_t node, const Part& part, const std::vector<Candidate>& candidates);
+  [[nodiscard]] static double power(const Candidate& candidate, const Vector<dim>& place) noexcept;
+  [[nodiscard]] static std::vector<Candidate> possible_owners(const Part& part,
+                                                              const std::vector<Candidate>& candidates);
+
+  double side_;
+  Walls walls_;
+  std::vector<Node> nodes_;
+  std::vector<Candidate> candidates_;  // of the leaves, one after the other
+};
+
+}  // namespace breccia

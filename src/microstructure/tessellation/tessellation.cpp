@@ -1,0 +1,101 @@
+#include "breccia/microstructure/tessellation.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "cell_builder.hpp"
+#include "site_mistakes.hpp"
+
+namespace breccia {
+
+namespace {
+
+/// The fraction of the box that grains fill, and how it changes with the thickness of the film [1/m].
+struct Filling {
+  double fraction = 0.0;
+  double slope = 0.0;
+};
+
+/// Each face of a grain recedes by half of what the film grows.
+template <int dim>
+Filling filling(const Tessellation<dim>& tessellation, double film) {
+  const double box = times_power<dim>(1.0, tessellation.side());
+  Filling result;
+  for (std::size_t site = 0; site < tessellation.size(); ++site) {
+    const auto grain = tessellation.grain(site, film);
+    const auto faces = face_measures(grain);
+    result.fraction += volume(grain) / box;
+    result.slope -= 0.5 * std::accumulate(faces.begin(), faces.end(), 0.0) / box;
+  }
+  return result;
+}
+
+}  // namespace
+
+template <int dim>
+Tessellation<dim>::Tessellation(LaguerreSites<dim> sites) : sites_(std::move(sites)) {
+  require_none(mistakes_of_numbers(sites_));
+  cells_ = CellBuilder<dim>(sites_).cells();
+  require_none(empty_cells(sites_, cells_));
+}
+
+template <int dim>
+std::optional<std::size_t> Tessellation<dim>::neighbour(const HalfSpace<dim>& face) noexcept {
+  if (face.behind == Behind<dim>::wall) return std::nullopt;
+  return Behind<dim>::site(face.behind);
+}
+
+template <int dim>
+std::vector<double> cell_volumes(const Tessellation<dim>& tessellation) {
+  std::vector<double> volumes;
+  volumes.reserve(tessellation.size());
+  for (std::size_t site = 0; site < tessellation.size(); ++site) volumes.push_back(volume(tessellation.cell(site)));
+  return volumes;
+}
+
+template <int dim>
+double grain_fraction(const Tessellation<dim>& tessellation, double film) {
+  if (!(film >= 0.0) || !std::isfinite(film)) {
+    throw InputError(
+        fmt::format("tessellation: the thickness of the film must be finite and not negative, got {} m", film));
+  }
+  return filling(tessellation, film).fraction;
+}
+
+template <int dim>
+double film_thickness(const Tessellation<dim>& tessellation, double fraction) {
+  if (!(fraction > 0.0 && fraction <= 1.0)) {
+    throw InputError(
+        fmt::format("tessellation: the fraction of the grains must be above 0 and at most 1, got {}", fraction));
+  }
+  // Newton steps from a film of zero, kept between the thicknesses that are known to be too small and too large.
+  constexpr double smallest_step = 1e-12;  // of the thickness
+  double low = 0.0;
+  double high = 2.0 * tessellation.side();  // no cell is so thick
+  double film = 0.0;
+  for (double step = high; fraction < 1.0 && std::abs(step) > smallest_step * film;) {
+    const auto [present, slope] = filling(tessellation, film);
+    (present >= fraction ? low : high) = film;
+    double next = film - (present - fraction) / slope;
+    if (!(next > low && next < high)) next = std::midpoint(low, high);
+    step = next - film;
+    film = next;
+  }
+  return film;
+}
+
+template class Tessellation<2>;
+template class Tessellation<3>;
+template std::vector<double> cell_volumes(const Tessellation<2>&);
+template std::vector<double> cell_volumes(const Tessellation<3>&);
+template double grain_fraction(const Tessellation<2>&, double);
+template double grain_fraction(const Tessellation<3>&, double);
+template double film_thickness(const Tessellation<2>&, double);
+template double film_thickness(const Tessellation<3>&, double);
+
+}  // namespace breccia

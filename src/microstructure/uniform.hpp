@@ -1,0 +1,12 @@
+#pragma once
+
+#include <random>
+
+namespace breccia {
+
+/// Uniform in [0, 1), the same on every platform.
+[[nodiscard]] inline double uniform(std::mt19937_64& engine) {
+  return static_cast<double>(engine() >> 11) * 0x1p-53;
+}
+
+}  // namespace breccia
