@@ -6,7 +6,7 @@
 namespace breccia {
 namespace {
 
-/// Theory, Eq. 44: the error with c cells in the narrowest gap is at most about error_of_one c^-order.
+/// Theory, Eq. 43a: the error with c cells in the narrowest gap is at most about error_of_one c^-order.
 struct ErrorRule {
   double error_of_one;  ///< [-]
   double order;         ///< [-]

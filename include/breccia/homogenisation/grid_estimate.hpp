@@ -7,7 +7,7 @@
 namespace breccia {
 
 /// The largest relative error [-] to be expected of the moduli of a stage on one grid with this many cells in its
-/// narrowest gap: an empirical rule (theory, Eq. 44). Nothing where a gap has so few cells that the error may be of any
+/// narrowest gap: an empirical rule (theory, Eq. 43a). Nothing where a gap has so few cells that the error may be of any
 /// size.
 std::optional<double> expected_grid_error(Mixing mixing, double cells_per_gap);
 
