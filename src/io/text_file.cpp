@@ -1,8 +1,10 @@
 #include "breccia/io/text_file.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
+#include <limits>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -56,12 +58,21 @@ void AtomicFile::commit() {
 }
 
 std::string read_text(const std::filesystem::path& path) {
+  return read_beginning(path, std::numeric_limits<std::size_t>::max());
+}
+
+std::string read_beginning(const std::filesystem::path& path, std::size_t most) {
   if (std::filesystem::is_directory(status_of(path))) {
     throw FileError(fmt::format("{}: cannot read: it is a directory", path.string()));
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw FileError(fmt::format("{}: cannot read: {}", path.string(), last_system_error()));
-  std::string text(std::istreambuf_iterator<char>(file), {});
+  std::string text;
+  std::array<char, 65536> piece{};
+  while (file && text.size() < most) {
+    file.read(piece.data(), static_cast<std::streamsize>(std::min(piece.size(), most - text.size())));
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  }
   if (file.bad()) throw FileError(fmt::format("{}: cannot read: {}", path.string(), last_system_error()));
   return text;
 }

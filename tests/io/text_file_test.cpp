@@ -25,6 +25,15 @@ TEST(TextFile, RoundTripKeepsEveryByte) {
   EXPECT_EQ(count_files(directory.path()), 1U);
 }
 
+TEST(TextFile, BeginningOfAFileIsNoLongerThanTheFile) {
+  const test::TemporaryDirectory directory;
+  const auto path = directory.written("file", std::string(100000, 'a') + "b");
+  EXPECT_EQ(read_beginning(path, 3), "aaa");
+  EXPECT_EQ(read_beginning(path, 0), "");
+  EXPECT_EQ(read_beginning(path, 100001), read_text(path));
+  EXPECT_EQ(read_beginning(path, 200000).size(), 100001U);
+}
+
 TEST(TextFile, WritingReplacesAnOlderFile) {
   const test::TemporaryDirectory directory;
   const auto path = directory.written("file", "old");

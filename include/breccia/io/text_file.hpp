@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -33,6 +34,9 @@ class AtomicFile {
 
 /// The bytes of a file. Throws FileError.
 std::string read_text(const std::filesystem::path& path);
+
+/// The first `most` bytes of a file, or all of a shorter one. Throws FileError.
+std::string read_beginning(const std::filesystem::path& path, std::size_t most);
 
 /// Writes a file atomically; its directory must exist. Throws FileError.
 void write_text(const std::filesystem::path& path, std::string_view text);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace breccia {
+
+/// What ImageJ notes in the ImageDescription of a TIFF file: lines such as `ImageJ=1.54f`, `images=12`, `unit=micron`.
+struct ImagejDescription {
+  std::size_t images = 1;         ///< in the whole file
+  std::size_t channels = 1;       ///< of each point
+  std::size_t frames = 1;         ///< points in time
+  std::optional<double> unit;     ///< of the resolution [m]; nothing for pixels and unknown units
+  std::optional<double> spacing;  ///< of layers, in this unit
+};
+
+/// Nothing if the text is not from ImageJ.
+std::optional<ImagejDescription> read_imagej_description(std::string_view text);
+
+}  // namespace breccia

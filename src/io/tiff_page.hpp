@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "raster_elements.hpp"
+#include "tiff_file.hpp"
+
+namespace breccia {
+
+/// How the present page of a TIFF file holds its pixels.
+struct TiffPage {
+  std::size_t width, height;
+  unsigned bits;         ///< of a sample
+  std::size_t channels;  ///< samples of a pixel
+  ElementType type;      ///< of samples of whole bytes
+  bool is_from_the_top;  ///< the first row is the top one
+};
+
+/// Throws InputError for a page that does not hold labels: colours that are not in a palette, parts of a pixel,
+/// rotated.
+TiffPage page_layout(const TiffFile& tiff);
+
+/// Appends the values of the present page, row by row as they stand in the file. Throws InputError.
+void append_page(std::vector<std::int32_t>& values, const TiffFile& tiff, const TiffPage& page);
+
+}  // namespace breccia
