@@ -19,15 +19,16 @@ struct ValueCount {
   std::size_t pixels;
 };
 
-/// How many pixels have each value, the smallest value first.
-std::vector<ValueCount> count_values(std::span<const std::int32_t> values) {
-  std::unordered_map<std::int32_t, std::size_t> counts;
-  for (const auto value : values) ++counts[value];
-  std::vector<ValueCount> sorted;
-  sorted.reserve(counts.size());
-  for (const auto& [value, pixels] : counts) sorted.push_back({value, pixels});
-  std::ranges::sort(sorted, {}, &ValueCount::value);
-  return sorted;
+/// How many times each value stands in a list, the smallest value first.
+std::vector<ValueCount> count_values(std::vector<std::int32_t> values) {
+  std::ranges::sort(values);
+  std::vector<ValueCount> counts;
+  for (auto first = values.begin(); first != values.end();) {
+    const auto last = std::upper_bound(first, values.end(), *first);
+    counts.push_back({*first, static_cast<std::size_t>(last - first)});
+    first = last;
+  }
+  return counts;
 }
 
 /// "7 (120 pixels, 1.2 %), 0 (3 pixels, 0.03 %)": the most frequent ones first.
@@ -44,28 +45,33 @@ std::string list_of_values(std::vector<ValueCount> counts, std::size_t pixels) {
   return fmt::format("{}", fmt::join(listed, ", "));
 }
 
-bool has_value(std::span<const ValueCount> sorted, std::int32_t value) {
-  return std::ranges::binary_search(sorted, value, {}, &ValueCount::value);
-}
-
 }  // namespace
 
 std::vector<std::string> label_mistakes(std::span<const std::int32_t> values, std::span<const ValueLabel> table) {
-  const auto found = count_values(values);
-  auto unlabelled = found;
-  std::erase_if(unlabelled, [&](const ValueCount& count) {
-    return std::ranges::find(table, count.value, &ValueLabel::value) != table.end();
-  });
+  std::unordered_map<std::int32_t, bool> occurs;
   std::vector<std::string> mistakes;
-  if (!unlabelled.empty()) {
-    mistakes.push_back(fmt::format("values without a label: {}", list_of_values(unlabelled, values.size())));
+  for (const auto& entry : table) {
+    if (!occurs.emplace(entry.value, false).second) {
+      mistakes.push_back(fmt::format("the value {} has two labels", entry.value));
+    }
   }
-  for (auto entry = table.begin(); entry != table.end(); ++entry) {
-    const auto is_same = [&](const ValueLabel& other) { return other.value == entry->value; };
-    if (std::any_of(table.begin(), entry, is_same)) {
-      mistakes.push_back(fmt::format("the value {} has two labels", entry->value));
-    } else if (!has_value(found, entry->value)) {
-      mistakes.push_back(fmt::format("no pixel has the value {}", entry->value));
+  std::vector<std::int32_t> unlabelled;
+  for (const auto value : values) {
+    const auto labelled = occurs.find(value);
+    if (labelled != occurs.end()) {
+      labelled->second = true;
+    } else {
+      unlabelled.push_back(value);
+    }
+  }
+  if (!unlabelled.empty()) {
+    mistakes.push_back(
+        fmt::format("values without a label: {}", list_of_values(count_values(std::move(unlabelled)), values.size())));
+  }
+  for (const auto& entry : table) {
+    // A value that stands in the table twice is reported once.
+    if (!std::exchange(occurs[entry.value], true)) {
+      mistakes.push_back(fmt::format("no pixel has the value {}", entry.value));
     }
   }
   return mistakes;
