@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,24 @@ ElementType element_type(const std::filesystem::path& file, const std::string& n
                                file.string(), shown_value(name)));
 }
 
+/// MATLAB stores arrays column by column: the last index of the data set counts rows.
+bool is_from_matlab(const Hdf5Handle& dataset) {
+  return H5Aexists(dataset.id(), "MATLAB_class") > 0;
+}
+
+/// Values that stand column by column, in each layer, row by row. The extents are those of the file, along which they
+/// stand.
+std::vector<std::int32_t> with_columns_as_rows(const std::vector<std::int32_t>& values,
+                                               std::span<const std::size_t> extents) {
+  const auto height = extents[0], width = extents[1], layer = width * height;
+  std::vector<std::int32_t> turned(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto row = i % height, column = i / height % width;
+    turned[i / layer * layer + row * width + column] = values[i];
+  }
+  return turned;
+}
+
 }  // namespace
 
 Raster read_hdf5_raster(const std::filesystem::path& path, const std::string& array) {
@@ -121,6 +140,10 @@ Raster read_hdf5_raster(const std::filesystem::path& path, const std::string& ar
   std::vector<std::int32_t> values;
   values.reserve(pixels);
   append_elements(values, path, bytes, type);
+  if (is_from_matlab(dataset)) {
+    values = with_columns_as_rows(values, extents);
+    std::swap(extents[0], extents[1]);
+  }
   return raster_from_top(std::move(extents), std::move(values));
 }
 

@@ -71,8 +71,8 @@ Raster read_npy(const std::filesystem::path& file, std::string_view bytes) {
   const auto pixels = pixel_count(file, extents);
   bytes.remove_prefix(header.size);
   if (bytes.size() != pixels * type.bytes) {
-    throw InputError(fmt::format("{}: {} bytes of numbers; expected {} for {} of {} bytes each", file.string(),
-                                 bytes.size(), pixels * type.bytes, pixels, type.bytes));
+    throw InputError(fmt::format("{}: {} bytes of numbers; expected {} for {} pixels of type {}", file.string(),
+                                 bytes.size(), pixels * type.bytes, pixels, header.type));
   }
   std::vector<std::int32_t> values;
   values.reserve(pixels);

@@ -13,8 +13,8 @@ namespace breccia {
 struct ElementType {
   enum class Kind { signed_integer, unsigned_integer, floating_point };
 
-  Kind kind;
-  std::size_t bytes;  ///< 1, 2, 4 or 8; 4 or 8 for floating point
+  Kind kind = Kind::unsigned_integer;
+  std::size_t bytes = 1;  ///< 1, 2, 4 or 8; 4 or 8 for floating point
   std::endian order = std::endian::native;
 };
 

@@ -11,11 +11,11 @@ namespace breccia {
 
 /// How the present page of a TIFF file holds its pixels.
 struct TiffPage {
-  std::size_t width, height;
-  unsigned bits;         ///< of a sample
-  std::size_t channels;  ///< samples of a pixel
-  ElementType type;      ///< of samples of whole bytes
-  bool is_from_the_top;  ///< the first row is the top one
+  std::size_t width = 0, height = 0;
+  unsigned bits = 0;            ///< of a sample
+  std::size_t channels = 0;     ///< samples of a pixel
+  ElementType type;             ///< of samples of whole bytes
+  bool is_from_the_top = true;  ///< the first row is the top one
 };
 
 /// Throws InputError for a page that does not hold labels: colours that are not in a palette, parts of a pixel,

@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/printable.hpp"
 
@@ -22,40 +23,40 @@ constexpr std::string_view appended_tag = "<AppendedData";
 }  // namespace
 
 VtiDocument::VtiDocument(std::filesystem::path file, std::string_view bytes) : file_(std::move(file)), bytes_(bytes) {
-  const auto tag = bytes.find(appended_tag);
-  auto text = std::string(bytes.substr(0, tag));
-  if (tag != std::string_view::npos) {
-    const auto inside = after_tag(tag);
-    text += bytes.substr(tag, inside - tag);
-    text += "</AppendedData></VTKFile>";
-    const auto underscore = bytes.find('_', inside);
-    appended_ = bytes.substr(std::min(underscore, bytes.size() - 1) + 1);
-  }
-  const auto parsed = xml_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
-  if (!parsed) {
-    const auto end = text.begin() + std::min<std::ptrdiff_t>(parsed.offset, std::ssize(text));
-    throw InputError(fmt::format("{}:{}: damaged XML: {}", file_.string(), std::count(text.begin(), end, '\n') + 1,
-                                 parsed.description()));
-  }
+  parse();
   const std::string_view type = root().attribute("type").value();
   if (type != "ImageData") refuse(fmt::format("a VTK file of type {}", shown_value(type)), "ImageData");
-  const std::string_view order = root().attribute("byte_order").as_string("LittleEndian");
-  if (order != "LittleEndian" && order != "BigEndian") refuse(shown_value(order), "a byte_order that VTK knows");
-  byte_order_ = order == "BigEndian" ? std::endian::big : std::endian::little;
-  const std::string_view header = root().attribute("header_type").as_string("UInt32");
-  if (header != "UInt32" && header != "UInt64") refuse(shown_value(header), "a header_type that VTK knows");
-  bytes_per_header_number_ = header == "UInt64" ? 8 : 4;
-  const std::string_view compressor = root().attribute("compressor").value();
-  if (!compressor.empty() && compressor != "vtkZLibDataCompressor") {
-    refuse(shown_value(compressor), "data that are not compressed, or by zlib (vtkZLibDataCompressor)");
-  }
-  is_compressed_ = !compressor.empty();
+  byte_order_ = has_second("byte_order", "LittleEndian", "BigEndian") ? std::endian::big : std::endian::little;
+  bytes_per_header_number_ = has_second("header_type", "UInt32", "UInt64") ? 8 : 4;
+  is_compressed_ = has_second("compressor", "", "vtkZLibDataCompressor");
 }
 
-std::size_t VtiDocument::after_tag(std::size_t tag) const {
-  const auto end = bytes_.find('>', tag);
-  if (end == std::string_view::npos) refuse("an element <AppendedData> that does not end", "binary data behind it");
-  return end + 1;
+/// Parses the XML, where binary data stand behind it without them.
+void VtiDocument::parse() {
+  const auto tag = bytes_.find(appended_tag);
+  std::string text(bytes_.substr(0, tag));
+  if (tag != std::string_view::npos) {
+    const auto end = bytes_.find('>', tag);
+    if (end == std::string_view::npos) refuse("an element <AppendedData> that does not end", "binary data behind it");
+    text += bytes_.substr(tag, end + 1 - tag);
+    text += "</AppendedData></VTKFile>";
+    const auto underscore = std::min(bytes_.find('_', end), bytes_.size() - 1);
+    appended_ = bytes_.substr(underscore + 1);
+  }
+  const auto parsed = xml_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (parsed) return;
+  const auto mistake = text.begin() + std::min<std::ptrdiff_t>(parsed.offset, std::ssize(text));
+  throw InputError(fmt::format("{}:{}: damaged XML: {}", file_.string(), std::count(text.begin(), mistake, '\n') + 1,
+                               parsed.description()));
+}
+
+/// Whether an attribute of the file has the second of its two values; the first one is its default.
+bool VtiDocument::has_second(const char* attribute, const char* first, const char* second) const {
+  const std::string_view value = root().attribute(attribute).as_string(first);
+  if (value != first && value != second) {
+    refuse(fmt::format("{}={}", attribute, shown_value(value)), fmt::format("\"{}\" or \"{}\"", first, second));
+  }
+  return value == second;
 }
 
 std::string VtiDocument::array_bytes(const pugi::xml_node& array, std::size_t count) const {
@@ -64,7 +65,7 @@ std::string VtiDocument::array_bytes(const pugi::xml_node& array, std::size_t co
   const auto said = header_number(stored, 0);
   if (said != count) refuse(fmt::format("an array of {} bytes", said), fmt::format("{} for the extent", count));
   const auto available = stored.size() - bytes_per_header_number_;
-  if (available < count) refuse(fmt::format("{} bytes of an array", available), fmt::to_string(count));
+  if (available < count) refuse(fmt::format("{} of an array", display_count(available, "byte")), fmt::to_string(count));
   return stored.substr(bytes_per_header_number_, count);
 }
 

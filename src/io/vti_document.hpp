@@ -33,7 +33,8 @@ class VtiDocument {
 
  private:
   [[nodiscard]] pugi::xml_node root() const { return xml_.child("VTKFile"); }
-  [[nodiscard]] std::size_t after_tag(std::size_t tag) const;
+  void parse();
+  [[nodiscard]] bool has_second(const char* attribute, const char* first, const char* second) const;
   [[nodiscard]] std::string stored_bytes(const pugi::xml_node& array) const;
   [[nodiscard]] std::size_t header_number(std::string_view bytes, std::size_t index) const;
   [[nodiscard]] std::string inflated(std::string_view stored, std::size_t count) const;

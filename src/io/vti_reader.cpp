@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/io/display.hpp"
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/nearest_name.hpp"
 
@@ -167,7 +168,8 @@ std::vector<std::int32_t> numbers_of_text(const VtiDocument& document, std::stri
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   }
   if (values.size() != count) {
-    document.refuse(fmt::format("an array of {} numbers", values.size()), fmt::format("{} for the extent", count));
+    document.refuse(fmt::format("an array of {}", display_count(values.size(), "number")),
+                    fmt::format("{} for the extent", count));
   }
   return values;
 }

@@ -9,14 +9,13 @@
 namespace breccia {
 
 /// Reads an image of labels from a file whose content tells its format:
-///
-/// | format | what is read |
-/// |---|---|
-/// | PNG | grey levels of 1 to 16 bits as they are stored (0 and 1 for 1 bit), numbers of palette colours |
-/// | TIFF, BigTIFF | the same, and integers of 32 and 64 bits, in strips or tiles, with any compression of libtiff;
-/// several pages are layers | | NumPy `.npy` 1 to 3 | booleans, integers, little- or big-endian, in the order of C or
-/// Fortran | | VTK ImageData `.vti` | one array of cells or points in one piece: text, base64 or raw, with or without
-/// zlib | | HDF5 | a data set of booleans or integers, also in a MATLAB 7.3 file |
+/// - PNG: grey levels of 1 to 16 bits as they are stored (0 and 1 for 1 bit), or numbers of the colours of a palette;
+/// - TIFF and BigTIFF: the same, and numbers of 32 and 64 bits, in strips or tiles, with any compression that libtiff
+///   knows; several pages are layers;
+/// - NumPy .npy of versions 1 to 3: booleans and integers, little- or big-endian, in the order of C or Fortran;
+/// - VTK ImageData .vti: an array of the cells or the points, in one piece, as text, base64 or raw, compressed by zlib
+///   or not;
+/// - HDF5: a data set of booleans or integers; arrays of MATLAB (version 7.3) have their rows and columns as in MATLAB.
 ///
 /// Floating-point numbers are read if all are whole, and colours if all are grey (red = green = blue). The side of a
 /// pixel is known for TIFF alone: from its resolution per inch or centimetre, or from what ImageJ has noted. Many

@@ -209,10 +209,13 @@ def hdf5():
         file["labels"] = plane.astype(np.float32)
     with open_new("plane-bool-mod2.h5") as file:
         file["labels"] = (plane % 2).astype(bool)
-    with open_new("plane-user-block.mat", userblock_size=512) as file:
-        file["labels"] = plane.astype(np.float64)
-    with open(path("plane-user-block.mat"), "r+b") as file:
-        file.write(b"MATLAB 7.3 MAT-file")
+    for name, data in (("plane", plane), ("stack", stack)):
+        # As MATLAB 7.3 does: behind a block of 512 bytes, column by column.
+        with open_new(f"{name}-matlab.mat", userblock_size=512) as file:
+            file["labels"] = np.swapaxes(data, -1, -2).astype(np.float64)
+            file["labels"].attrs["MATLAB_class"] = np.bytes_("double")
+        with open(path(f"{name}-matlab.mat"), "r+b") as file:
+            file.write(b"MATLAB 7.3 MAT-file")
     with h5py.File(path("stack-two.h5"), "w") as file:
         file.create_dataset("phase", data=stack.astype(">i4"), chunks=(2, 2, 2), compression="gzip", shuffle=True)
         file["grain"] = np.arange(60, dtype=np.int64).reshape(3, 4, 5)
