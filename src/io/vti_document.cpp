@@ -54,7 +54,7 @@ void VtiDocument::parse() {
 bool VtiDocument::has_second(const char* attribute, const char* first, const char* second) const {
   const std::string_view value = root().attribute(attribute).as_string(first);
   if (value != first && value != second) {
-    refuse(fmt::format("{}={}", attribute, shown_value(value)), fmt::format("\"{}\" or \"{}\"", first, second));
+    refuse(fmt::format("{}={}", attribute, shown_value(value)), fmt::format(R"("{}" or "{}")", first, second));
   }
   return value == second;
 }

@@ -1,8 +1,10 @@
 #include "breccia/io/raster_reader.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <numeric>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -45,8 +47,8 @@ struct ImageOfAnotherProgram {
   std::string array;
 };
 
-void PrintTo(const ImageOfAnotherProgram& image, std::ostream* stream) {
-  *stream << image.file << ' ' << image.array;
+std::ostream& operator<<(std::ostream& stream, const ImageOfAnotherProgram& image) {
+  return stream << image.file << ' ' << image.array;
 }
 
 class ReadRaster : public testing::TestWithParam<ImageOfAnotherProgram> {};
@@ -243,7 +245,7 @@ std::string vti(const std::string& array, const std::string& attributes = "byte_
 }
 
 std::string ascii_array(const std::string& numbers, const std::string& attributes = "type=\"UInt8\"") {
-  return "<DataArray Name=\"phase\" format=\"ascii\" " + attributes + ">" + numbers + "</DataArray>";
+  return R"(<DataArray Name="phase" format="ascii" )" + attributes + ">" + numbers + "</DataArray>";
 }
 
 TEST_F(RefuseRaster, VtiFilesWithMistakes) {
@@ -274,7 +276,7 @@ TEST_F(RefuseRaster, VtiFilesWithMistakes) {
 
 TEST_F(RefuseRaster, BinaryDataOfVtiFilesWithMistakes) {
   const auto binary = [](const std::string& text) {
-    return "<DataArray type=\"UInt8\" Name=\"phase\" format=\"binary\">" + text + "</DataArray>";
+    return R"(<DataArray type="UInt8" Name="phase" format="binary">)" + text + "</DataArray>";
   };
   // Four bytes with their number, 2, and the numbers 3 and 4.
   EXPECT_THAT(read_raster(directory.written("sound.vti", vti(binary("AgAAAAME")))).values, ElementsAre(3, 4));
