@@ -7,8 +7,8 @@
 namespace breccia {
 
 /// The largest relative error [-] to be expected of the moduli of a stage on one grid with this many cells in its
-/// narrowest gap: an empirical rule (theory, Eq. 43a). Nothing where a gap has so few cells that the error may be of any
-/// size.
+/// narrowest gap: an empirical rule (theory, Eq. 43a). Nothing where a gap has so few cells that the error may be of
+/// any size.
 std::optional<double> expected_grid_error(Mixing mixing, double cells_per_gap);
 
 /// Cells in the narrowest gap [-] on a grid from which no more than this relative error [-] is to be expected.

@@ -39,8 +39,8 @@ struct StageQuality {
   std::vector<int> grids;                ///< cells per side, rising
   bool is_random = false;                ///< whether the packing depends on a seed
   bool is_periodic = false;              ///< whether a periodic test is finished, which gives no bound
-  std::optional<double> grid_share;      ///< largest half band of a test over its modulus [-]; nothing for a single grid
-  std::vector<LoadQuality> loads;        ///< of the finished tests
+  std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
+  std::vector<LoadQuality> loads;    ///< of the finished tests
 
   /// The narrowest gap in cells of one of the grids, given by its cells per side.
   [[nodiscard]] double gap_cells_on(int grid) const { return gap_cells * grid / grids.back(); }
