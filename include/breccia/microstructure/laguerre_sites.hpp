@@ -16,7 +16,7 @@ struct Site {
 };
 
 /// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a place x belongs to the site with
-/// the least |x - position|^2 - weight (theory, Eq. 44). In a periodic box all images of a site count; hard walls cut
+/// the least |x - position|^2 - weight (theory, Eq. 48). In a periodic box all images of a site count; hard walls cut
 /// the cells. A number that is added to all weights changes nothing.
 template <int dim>
 struct LaguerreSites {

@@ -15,7 +15,7 @@ struct SiteWeights {
 };
 
 /// The weights for which the volumes (in 2D the areas) of the cells are in the proportion of `volumes`, whose unit does
-/// not matter. They exist and are unique but for a number added to all (theory, Eq. 46). The search begins with the
+/// not matter. They exist and are unique but for a number added to all (theory, Eq. 50). The search begins with the
 /// weights that the sites have, or with equal ones if these leave a cell empty, and ends when largest_error is at most
 /// `tolerance`. Throws InputError if there is not one positive volume for each site, if the sites have a mistake that
 /// no weights mend, or if the tolerance is not positive; NumericalError if roundoff keeps the search from its end.

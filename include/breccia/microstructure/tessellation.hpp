@@ -13,7 +13,7 @@ namespace breccia {
 
 /// A Laguerre tessellation: convex cells that fill a box, one for each site. A film of uniform thickness t between the
 /// cells leaves of each of them a grain, the places whose distance from all faces of the cell is at least t/2; so
-/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 45).
+/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 49).
 template <int dim>
 class Tessellation {
  public:

@@ -35,7 +35,7 @@ template <int dim>
 GrainLocator<dim>::~GrainLocator() = default;
 
 // The faces of the cell are enough. A ball around the place that reaches the nearest face is within the convex cell, so
-// it does not cross the plane of any other site: no such plane is nearer (theory, Eq. 45). In the film, at the distance
+// it does not cross the plane of any other site: no such plane is nearer (theory, Eq. 49). In the film, at the distance
 // d < t/2 from the nearest face, the cell's own grain is at least t/2 - d away, and another grain t/2 + d: it lies t/2
 // behind a plane that is d away or more.
 template <int dim>
