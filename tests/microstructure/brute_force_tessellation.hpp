@@ -15,55 +15,63 @@
 
 namespace breccia::test {
 
-/// What the definition says of a place.
-struct DefinedPlace {
-  std::size_t site = 0;  // with the least q = |x - c|^2 - w
-  double depth = std::numeric_limits<double>::infinity();
-};
-
-/// The definition itself: all images of all sites up to two boxes away, and the walls.
+/// The definition of a tessellation with films, site by site.
 template <int dim>
-DefinedPlace defined_place(const LaguerreSites<dim>& sites, double film, const Vector<dim>& place) {
-  struct Image {
-    Vector<dim> position;
-    double power;
-  };
-  const int copies = sites.walls == Walls::periodic ? 2 : 0;
-  Index<dim> first, end;
-  first.fill(-copies);
-  end.fill(copies + 1);
-  std::vector<Image> images;
-  DefinedPlace result;
-  std::size_t nearest = 0;
-  for (std::size_t site = 0; site < sites.sites.size(); ++site) {
-    for_each_index(first, end, [&](const Index<dim>& copy) {
-      Image image{sites.sites[site].position, -sites.sites[site].weight};
-      for (std::size_t axis = 0; axis < place.size(); ++axis) {
-        image.position[axis] += copy[axis] * sites.side;
-        image.power += (place[axis] - image.position[axis]) * (place[axis] - image.position[axis]);
-      }
-      images.push_back(image);
-      if (image.power < images[nearest].power) {
-        nearest = images.size() - 1;
-        result.site = site;
-      }
-    });
-  }
-  for (const Image& other : images) {
-    if (&other == &images[nearest]) continue;
-    double square = 0.0;
-    for (std::size_t axis = 0; axis < place.size(); ++axis) {
-      const double apart = other.position[axis] - images[nearest].position[axis];
-      square += apart * apart;
+class DefinedTessellation {
+ public:
+  /// Takes images of the sites up to so many boxes away.
+  DefinedTessellation(const LaguerreSites<dim>& sites, double film, int boxes)
+      : side_(sites.side), walls_(sites.walls), film_(film) {
+    if (walls_ == Walls::hard) boxes = 0;
+    Index<dim> first, end;
+    first.fill(-boxes);
+    end.fill(boxes + 1);
+    for (std::size_t site = 0; site < sites.sites.size(); ++site) {
+      for_each_index(first, end, [&](const Index<dim>& box) {
+        Image image{site, sites.sites[site].position, sites.sites[site].weight};
+        for (std::size_t axis = 0; axis < dim; ++axis) image.position[axis] += box[axis] * side_;
+        images_.push_back(image);
+      });
     }
-    const double distance = (other.power - images[nearest].power) / (2.0 * std::sqrt(square));
-    result.depth = std::min(result.depth, distance - 0.5 * film);
   }
-  if (sites.walls == Walls::hard) {
-    for (const double x : place) result.depth = std::min(result.depth, std::min(x, sites.side - x) - 0.5 * film);
+
+  struct Place {
+    std::size_t site;  // with the least q = |x - c|^2 - w
+    double depth;      // the least (q' - q) / (2 |c' - c|) - t/2, or that to a wall
+  };
+  [[nodiscard]] Place at(const Vector<dim>& place) const {
+    std::vector<double> powers;
+    for (const Image& image : images_) powers.push_back(squared_distance(place, image.position) - image.weight);
+    const auto nearest = static_cast<std::size_t>(std::ranges::min_element(powers) - powers.begin());
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < images_.size(); ++other) {
+      if (other == nearest) continue;
+      const double apart = std::sqrt(squared_distance(images_[other].position, images_[nearest].position));
+      distance = std::min(distance, (powers[other] - powers[nearest]) / (2.0 * apart));
+    }
+    if (walls_ == Walls::hard) {
+      for (const double x : place) distance = std::min(distance, std::min(x, side_ - x));
+    }
+    return {images_[nearest].site, distance - 0.5 * film_};
   }
-  return result;
-}
+
+ private:
+  struct Image {
+    std::size_t site;
+    Vector<dim> position;
+    double weight;
+  };
+  static double squared_distance(const Vector<dim>& a, const Vector<dim>& b) {
+    double sum = 0.0;
+    for (std::size_t axis = 0; axis < dim; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+    return sum;
+  }
+
+  double side_;
+  Walls walls_;
+  double film_;
+  std::vector<Image> images_;
+};
 
 /// Random places in the box [0, side]^dim.
 template <int dim>

@@ -176,10 +176,10 @@ TEST(Tessellation, ANumberAddedToAllWeightsChangesNothing) {
 
 TEST(Tessellation, FilmOfAFraction) {
   const Tessellation<2> plane(random_sites<2>({1e-3, Walls::periodic, diameters_of_ratio(300, 50.0), 5, 2, 1e-6}));
-  for (const double fraction : {0.05, 0.5, 0.8, 0.937, 0.97, 0.999, 1.0 - 1e-9}) {
+  for (const double fraction : {0.05, 0.5, 0.8, 0.937, 0.97, 0.999, 1.0 - 1e-9, 1.0 - 1e-15, 1.0}) {
     EXPECT_NEAR(grain_fraction(plane, film_thickness(plane, fraction)), fraction, 1e-13) << fraction;
   }
-  EXPECT_EQ(film_thickness(plane, 1.0), 0.0);
+  EXPECT_NEAR(film_thickness(plane, 1.0), 0.0, 1e-17);
   EXPECT_NEAR(grain_fraction(plane, 0.0), 1.0, 1e-12);
   EXPECT_EQ(grain_fraction(plane, 1e-3), 0.0);
   const Tessellation<3> space(random_sites<3>({1e-3, Walls::hard, diameters_of_ratio(60, 5.0), 5, 1, 1e-6}));

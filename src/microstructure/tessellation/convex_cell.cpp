@@ -137,8 +137,8 @@ bool ConvexCell<dim>::cut(const HalfSpace<dim>& half_space) {
   if (std::ranges::all_of(corners_, is_kept)) return false;
   const auto plane = static_cast<std::uint32_t>(half_spaces_.size());
   half_spaces_.push_back(half_space);
-  const auto removed = std::ranges::partition(corners_, is_kept);
-  const auto kept = static_cast<std::size_t>(removed.begin() - corners_.begin());
+  const auto removed = std::partition(corners_.begin(), corners_.end(), is_kept);
+  const auto kept = static_cast<std::size_t>(removed - corners_.begin());
   const std::size_t all = corners_.size();
   // An edge from a kept corner to a removed one now ends at the new plane.
   for (std::size_t corner = kept; corner < all; ++corner) {

@@ -1,5 +1,6 @@
 #include "breccia/microstructure/tessellation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -74,17 +75,17 @@ double film_thickness(const Tessellation<dim>& tessellation, double fraction) {
         fmt::format("tessellation: the fraction of the grains must be above 0 and at most 1, got {}", fraction));
   }
   // Newton steps from a film of zero, kept between the thicknesses that are known to be too small and too large.
-  constexpr double smallest_step = 1e-12;  // of the thickness
+  constexpr int most_steps = 200;
   double low = 0.0;
   double high = 2.0 * tessellation.side();  // no cell is so thick
   double film = 0.0;
-  for (double step = high; fraction < 1.0 && std::abs(step) > smallest_step * film;) {
+  for (int count = 0; count < most_steps; ++count) {
     const auto [present, slope] = filling(tessellation, film);
+    const double step = (fraction - present) / slope;
+    if (std::abs(step) <= 1e-12 * film + 1e-15 * tessellation.side()) return std::max(0.0, film + step);  // roundoff
     (present >= fraction ? low : high) = film;
-    double next = film - (present - fraction) / slope;
-    if (!(next > low && next < high)) next = std::midpoint(low, high);
-    step = next - film;
-    film = next;
+    film += step;
+    if (!(film > low && film < high)) film = std::midpoint(low, high);
   }
   return film;
 }
