@@ -27,10 +27,11 @@ std::string describe(const Stage& stage, const StageResult& result) {
 std::string describe_error(const QuasistaticResponse& response) {
   const double per_cent = 100.0 * response.error_estimate;
   if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
-  const auto [softest, stiffest] =
-      std::ranges::minmax(response.reduced->snapshots, {}, [](const Snapshot& one) { return one.matrix.shear; });
+  const auto [softest, stiffest] = std::ranges::minmax(response.reduced->snapshots, {},
+                                                       [](const Snapshot& one) { return one.moduli.front().shear; });
   return fmt::format("error of the basis (at Laplace variables, matrix from {} to {}) about {:.1g} %",
-                     display(softest.matrix.shear, "Pa"), display(stiffest.matrix.shear, "Pa"), per_cent);
+                     display(softest.moduli.front().shear, "Pa"), display(stiffest.moduli.front().shear, "Pa"),
+                     per_cent);
 }
 
 /// A line about a quasi-static test; for dynamic tests there is a line for each time domain instead.

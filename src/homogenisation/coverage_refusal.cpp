@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,6 +41,7 @@ std::optional<TimeWindow> common(const std::optional<TimeWindow>& one, const std
 
 /// Advice on how to cover more times.
 std::string remedy_for(const StoredResponses& stored) {
+  if (!stored.other_phases.empty()) return "a new study with these materials covers all of them";
   if (stored.range == SampledRange::times) {
     return "the study was run with tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers its "
            "own matrix at every temperature";
@@ -46,28 +49,37 @@ std::string remedy_for(const StoredResponses& stored) {
   return "a new study with this material as its matrix covers all of it";
 }
 
-std::string describe(const char* modulus, const Material& matrix, const TimeWindow& window, const ModuliRange& shown,
-                     const ModuliRange& sampled, double Moduli::*of) {
+/// What a phase is not covered for: its shear modulus or, where that is covered, its bulk modulus.
+std::string describe(const PhaseCoverage& found, const Material& material, const TimeWindow& window) {
+  const auto* name = found.is_shear_covered ? "bulk" : "shear";
+  const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;
   return fmt::format("from {} to {} {} shows a {} modulus from {} to {}; the study has sampled {} to {}",
-                     seconds(window.begin), seconds(window.end), matrix.name, modulus, pascals(shown.least.*of),
-                     pascals(shown.most.*of), pascals(sampled.least.*of), pascals(sampled.most.*of));
+                     seconds(window.begin), seconds(window.end), material.name, name, pascals(found.shown.least.*of),
+                     pascals(found.shown.most.*of), pascals(found.sampled.least.*of), pascals(found.sampled.most.*of));
 }
 
 }  // namespace
+
+std::vector<Material> materials_for(const StoredResponses& stored, const ReducedResponse& response,
+                                    const Material& matrix) {
+  auto by_phase = stored.other_phases;
+  by_phase.insert_or_assign(std::string(name_of_matrix_phase), matrix);
+  return response.materials(by_phase);
+}
 
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
   std::vector<std::string> lines;
   std::optional<TimeWindow> covered = window;
   for (const auto& [cells, response] : stored.entries) {
-    const auto& material = matrix(response.boundary);
-    const auto found = coverage(response, material, window);
+    const auto materials = materials_for(stored, response, matrix(response.boundary));
+    const auto found = coverage(response, materials, window);
     if (found.is_whole()) continue;
     covered = common(covered, found.times);
-    const auto name = found.is_shear_covered ? "bulk" : "shear";
-    const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;
-    auto line =
-        fmt::format("stage {}: {}", stored.stage, describe(name, material, window, found.shown, found.sampled, of));
-    if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      if (found.phases[i].is_whole()) continue;
+      auto line = fmt::format("stage {}: {}", stored.stage, describe(found.phases[i], materials[i], window));
+      if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
+    }
   }
   if (lines.empty()) return;
   if (covered) covered = rounded_within(*covered, window);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
@@ -12,6 +13,11 @@ namespace breccia {
 
 /// The matrix of a stage for each boundary.
 using MatrixUnder = std::function<const Material&(Boundary)>;
+
+/// The materials of the phases of a reduced response of a stage that vary, in their order: this matrix, and those of
+/// the other phases. Throws InputError where one is missing.
+std::vector<Material> materials_for(const StoredResponses& stored, const ReducedResponse& response,
+                                    const Material& matrix);
 
 /// Throws NotCovered if a reduced response of a stage does not cover a window of times [s] with its matrix.
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window);

@@ -14,6 +14,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/filler_sizes.hpp"
 
@@ -64,21 +65,25 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   // Strains of the second phase of mixed cells beside the two displacements a cell of each nodal vector.
   const double vectors = 1.0 + 0.5 * CellShape<2>::modes * share_of_mixed_cells(study, stage, cells);
   constexpr double dozen = 12.0 * sizeof(double);
-  double steps = 0.0;
+  constexpr double vector = sizeof(double);
+  // The residual of a reduced basis takes a nodal vector for each modulus that varies, among the dozen for the matrix.
+  double further = 2.0 * vector * vectors * static_cast<double>(other_varying_phases(stage).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
     // A nodal vector for each term, in the run with fine and in that with coarse time steps.
-    const auto matrix = expected_matrix(study, stage);
-    const auto terms = matrix.bulk.terms().size() + matrix.shear.terms().size();
-    steps = 2.0 * sizeof(double) * vectors * static_cast<double>(terms * loads_of(study, stage).size());
+    std::size_t terms = 0;
+    for (const auto& material : materials_of(stage, expected_matrix(study, stage))) {
+      terms += material.bulk.terms().size() + material.shear.terms().size();
+    }
+    further = 2.0 * vector * vectors * static_cast<double>(terms * loads_of(study, stage).size());
   }
   if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
-    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + steps);
+    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + further);
   }
   // Substructures and a dozen nodal vectors; fields take as much again.
   constexpr double substructures = 340.0 - dozen;
   const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;
-  return unknowns * (fields * (substructures + dozen * vectors) + steps);
+  return unknowns * (fields * (substructures + dozen * vectors) + further);
 }
 
 std::vector<std::string> lacking_memory(const Study& study, double available) {

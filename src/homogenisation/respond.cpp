@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/quasistatic/sampled_moduli.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/identity.hpp"
@@ -20,14 +21,15 @@
 namespace breccia {
 namespace {
 
-TestResult test_of(const StoredResponses::Entry& entry, const Material& matrix, const TimeWindow& window,
-                   int points_per_decade) {
+/// The test of a response whose varying phases are of these materials.
+TestResult test_of(const StoredResponses::Entry& entry, const std::vector<Material>& materials,
+                   const TimeWindow& window, int points_per_decade) {
   const auto& response = entry.response;
   QuasistaticRecord record;
   record.response.load = response.load;
-  record.response.error_estimate = largest_error(response, matrix, window);
+  record.response.error_estimate = largest_error(response, materials, window);
   record.response.reduced = response;
-  const auto compliance = creep_compliance(response, matrix);
+  const auto compliance = creep_compliance(response, materials);
   TestResult test{.id = {response.load, response.boundary, Method::quasistatic, TestGrid(entry.cells)}};
   test.series = relaxation_modulus(compliance);
   for (const double time : logarithmic_times(window, points_per_decade)) {
@@ -66,7 +68,8 @@ StageResult respond_within(const StoredResponses& stored, const MatrixUnder& mat
   result.cells = stage.cells;
   result.microstructure.fraction = stored.filler_fraction;
   for (const auto& entry : stored.entries) {
-    result.tests.push_back(test_of(entry, matrix(entry.response.boundary), times, stored.points_per_decade));
+    const auto materials = materials_for(stored, entry.response, matrix(entry.response.boundary));
+    result.tests.push_back(test_of(entry, materials, times, stored.points_per_decade));
   }
   std::ranges::stable_sort(result.tests, {}, [](const TestResult& test) { return test.id.grid; });
   for (auto& test : extrapolate_tests(stage, result.tests, stored.mixing)) result.tests.push_back(std::move(test));
@@ -155,13 +158,23 @@ const Material& material_named(const std::string& name, const std::map<std::stri
   throw InputError(fmt::format("no new material for \"{}\", which is the matrix of a stage", name));
 }
 
+/// The responses of a stage with those of its phases other than the matrix replaced that a new material is given for,
+/// by the name of the old one.
+StoredResponses with_new_phases(StoredResponses stored, const std::map<std::string, Material>& materials) {
+  for (auto& [phase, material] : stored.other_phases) {
+    const auto replacement = materials.find(material.name);
+    if (replacement != materials.end()) material = replacement->second;
+  }
+  return stored;
+}
+
 /// Computes all stages in the order in which they build on each other, with new materials by the names of the old ones.
 std::vector<StageResult> respond_within(const std::vector<StoredResponses>& stored,
                                         const std::map<std::string, Material>& matrices, const TimeWindow& window) {
   const auto study = study_of(stored, window);
   std::vector<StageResult> done;
   while (done.size() < stored.size()) {
-    const auto& next = *next_stage(stored, done);
+    const auto next = with_new_phases(*next_stage(stored, done), matrices);
     auto stage = stage_of(next);
     if (std::holds_alternative<Material>(stage.matrix)) stage.matrix = material_named(name_of(next.matrix), matrices);
     const MatrixUnder matrix_under = [&](Boundary boundary) -> const Material& {
@@ -185,6 +198,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
   const auto& tests = study.tests;
   StoredResponses responses = {.stage = stage.name,
                                .matrix = stage.matrix,
+                               .other_phases = other_varying_phases(stage),
                                .filler_density = stage.filler ? stage.filler->material.density : 0.0,
                                .filler_fraction = result.microstructure.fraction,
                                .side = stage.side,

@@ -15,9 +15,9 @@
 #include "breccia/study/chain.hpp"
 
 #include "comparison.hpp"
-#include "matrix_moduli.hpp"
 #include "stage_extrapolation.hpp"
 #include "stage_tests.hpp"
+#include "varying_moduli.hpp"
 
 namespace breccia {
 namespace {
@@ -51,7 +51,7 @@ class StageSolution {
   void run(const StageGrid& grid, Boundary boundary, Method method) {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
-      auto moduli = matrix_moduli(study_, stage_, result_.stages, boundary);
+      auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
       for (auto& test : run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_)) {
         add(std::move(test));
       }

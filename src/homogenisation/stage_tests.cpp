@@ -55,13 +55,13 @@ PronySeries fitted(const Curve& curve) {
 }
 
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
-                                        std::vector<Moduli> matrix_moduli, Boundary boundary,
+                                        std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink) {
   const auto& stage = *grid.stage;
   const TestId first{loads_of(*grid.study, stage).front(), boundary, Method::quasistatic, grid_of(grid)};
   const auto checkpoint = sink.test_checkpoint(stage, first);
   auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
-  test.matrix_moduli = std::move(matrix_moduli);
+  test.relaxation = std::move(relaxation);
   auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(first)), [&] {
     // The first elastic solution may take long.
     if (observer.progress) observer.progress(stage, first, 0.0, "begun");

@@ -22,7 +22,7 @@ struct StageGrid {
 /// Runs all loads under one boundary by the quasi-static method, with a matrix and its moduli [Pa] over its whole
 /// relaxation.
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
-                                        std::vector<Moduli> matrix_moduli, Boundary boundary,
+                                        std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink);
 
 /// Runs one load under one boundary by the dynamic method.

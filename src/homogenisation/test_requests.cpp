@@ -4,6 +4,7 @@
 
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
+#include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/study/chain.hpp"
 
 #include "mixtures.hpp"
@@ -39,7 +40,7 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
   options.linear.threads = threads;
   return {.discretisation = discretisation,
           .materials = materials_of(stage, matrix),
-          .matrix = phases_of(stage).index_of(name_of_matrix_phase),
+          .varying = varying_phases(stage),
           .boundary = boundary,
           .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},

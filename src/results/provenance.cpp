@@ -76,6 +76,18 @@ Json json_of(const LinearEffort& effort) {
           {"largest_residual", effort.largest_residual}};
 }
 
+/// The moduli of the first phase, the matrix, then those of the others by name.
+Json json_of(const Snapshot& snapshot, const std::vector<std::string>& phases) {
+  const auto& [moduli, error] = snapshot;
+  Json json = {{"shear_Pa", moduli.front().shear},
+               {"bulk_Pa", moduli.front().bulk},
+               {"error_before", error > 0.0 ? Json(error) : Json()}};
+  for (std::size_t k = 1; k < phases.size(); ++k) {
+    json["phases"][phases[k]] = {{"shear_Pa", moduli[k].shear}, {"bulk_Pa", moduli[k].bulk}};
+  }
+  return json;
+}
+
 Json json_of(const WholeFiller& filler) {
   Json materials = Json::array();
   for (const auto& [material, fraction, mass_fraction] : filler.materials) {
@@ -105,9 +117,8 @@ struct DescribeRecord {
     json["tolerance"] = options.quasistatic.sampling.tolerance;
     json["range"] = name_of(options.quasistatic.range);
     json["snapshots"] = Json::array();
-    for (const auto& [matrix, error] : response.reduced->snapshots) {
-      json["snapshots"].push_back(
-          {{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}, {"error_before", error > 0.0 ? Json(error) : Json()}});
+    for (const auto& snapshot : response.reduced->snapshots) {
+      json["snapshots"].push_back(json_of(snapshot, response.reduced->phases()));
     }
     return json;
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,13 +18,29 @@
 namespace breccia {
 namespace {
 
-constexpr std::int64_t format_version = 4;
+/// Format of a file in which the moduli of the matrix alone vary, and of one with other phases that vary.
+constexpr std::int64_t format_of_matrix = 4, format_of_phases = 5;
 
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 stores matrices by rows, Eigen by columns.
   const Eigen::MatrixXd rows = matrix.transpose();
   file.write(name, std::span(rows.data(), static_cast<std::size_t>(rows.size())),
              {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+}
+
+/// Moduli of a phase in the snapshots: columns of shear and bulk modulus [Pa].
+Eigen::MatrixXd snapshots_of(const ReducedResponse& response, std::size_t phase) {
+  Eigen::MatrixXd moduli(static_cast<Eigen::Index>(response.snapshots.size()), 2);
+  for (Eigen::Index i = 0; i < moduli.rows(); ++i) {
+    const auto& [bulk, shear] = response.snapshots[static_cast<std::size_t>(i)].moduli[phase];
+    moduli.row(i) << shear, bulk;
+  }
+  return moduli;
+}
+
+/// Name of the group of one of the phases other than the matrix, which are counted from 1.
+std::string group_of_phase(const std::string& parent, std::size_t phase) {
+  return fmt::format("{}/phase_{}", parent, phase);
 }
 
 void write_response(Hdf5Writer& file, const std::string& group, const ReducedResponse& response) {
@@ -32,12 +50,44 @@ void write_response(Hdf5Writer& file, const std::string& group, const ReducedRes
   write_matrix(file, group + "/load_forces", response.load_forces);
   write_matrix(file, group + "/residual_products", response.residual_products);
   Eigen::MatrixXd snapshots(static_cast<Eigen::Index>(response.snapshots.size()), 3);
+  snapshots.leftCols(2) = snapshots_of(response, 0);
   for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
-    const auto& [matrix, error] = response.snapshots[static_cast<std::size_t>(i)];
-    snapshots.row(i) << matrix.shear, matrix.bulk, error;
+    snapshots(i, 2) = response.snapshots[static_cast<std::size_t>(i)].error_before;
   }
   write_matrix(file, group + "/snapshots_shear_bulk_error", snapshots);
+  const auto phases = response.phases();
+  for (std::size_t phase = 1; phase < phases.size(); ++phase) {
+    const auto of_phase = group_of_phase(group, phase);
+    write_matrix(file, of_phase + "/shear", response.part({phases[phase], ElasticModulus::shear}));
+    write_matrix(file, of_phase + "/bulk", response.part({phases[phase], ElasticModulus::bulk}));
+    write_matrix(file, of_phase + "/snapshots_shear_bulk", snapshots_of(response, phase));
+    file.write_attribute(of_phase, "phase", phases[phase]);
+  }
   file.write_attribute(group, "residual_scale", response.residual_scale);
+}
+
+void write_series(Hdf5Writer& file, const std::string& group, const std::string& name, const PronySeries& series) {
+  Eigen::MatrixXd terms(static_cast<Eigen::Index>(series.terms().size()), 2);
+  for (Eigen::Index i = 0; i < terms.rows(); ++i) {
+    const auto& [time, modulus] = series.terms()[static_cast<std::size_t>(i)];
+    terms.row(i) << time, modulus;
+  }
+  file.write_attribute(group, name + "_equilibrium_Pa", series.equilibrium());
+  if (terms.rows() > 0) write_matrix(file, fmt::format("{}/{}_terms_s_Pa", group, name), terms);
+}
+
+/// The materials of the phases other than the matrix whose moduli vary.
+void write_materials(Hdf5Writer& file, const std::map<std::string, Material>& by_phase) {
+  std::size_t number = 0;
+  for (const auto& [phase, material] : by_phase) {
+    const auto group = group_of_phase("", ++number);
+    file.create_group(group);
+    file.write_attribute(group, "phase", phase);
+    file.write_attribute(group, "material", material.name);
+    file.write_attribute(group, "density_kg_per_m3", material.density);
+    write_series(file, group, "bulk", material.bulk);
+    write_series(file, group, "shear", material.shear);
+  }
 }
 
 /// A group of a file that is being read.
@@ -69,14 +119,33 @@ Eigen::MatrixXd read_matrix(const Group& group, const std::string& name) {
 /// Checks that all matrices of a response have the same size of the basis.
 void require_consistent(const ReducedResponse& response, const Group& group) {
   const auto size = response.constant.rows();
-  const auto is_square = [size](const Eigen::MatrixXd& matrix) {
-    return matrix.rows() == size && matrix.cols() == size;
+  const auto is_square = [](const Eigen::MatrixXd& matrix, Eigen::Index side) {
+    return matrix.rows() == side && matrix.cols() == side;
   };
-  const bool fits = size > 0 && is_square(response.constant) && is_square(response.part(ElasticModulus::shear)) &&
-                    is_square(response.part(ElasticModulus::bulk)) && response.load_forces.size() == size &&
-                    response.residual_products.rows() == 3 * size + 1 &&
-                    response.residual_products.cols() == 3 * size + 1 && !response.snapshots.empty();
+  const auto parts = static_cast<Eigen::Index>(response.parts.size());
+  const bool fits =
+      size > 0 && is_square(response.constant, size) &&
+      std::ranges::all_of(response.parts, [&](const auto& part) { return is_square(part.stiffness, size); }) &&
+      response.load_forces.size() == size && is_square(response.residual_products, (parts + 1) * size + 1) &&
+      !response.snapshots.empty();
   group.require(fits, "matrices of one size");
+}
+
+/// Adds the parts and the moduli of a phase other than the matrix.
+void read_phase(const Group& group, ReducedResponse& response) {
+  const auto phase = group.file.attribute<std::string>(group.name, "phase");
+  const auto known = response.phases();
+  group.require(std::ranges::find(known, phase) == known.end(), "each phase once");
+  auto shear = read_matrix(group, "shear"), bulk = read_matrix(group, "bulk");
+  response.parts.push_back({{phase, ElasticModulus::shear}, std::move(shear)});
+  response.parts.push_back({{phase, ElasticModulus::bulk}, std::move(bulk)});
+  const auto snapshots = read_matrix(group, "snapshots_shear_bulk");
+  const auto count = static_cast<Eigen::Index>(response.snapshots.size());
+  group.require(snapshots.cols() == 2 && snapshots.rows() == count, "shear and bulk modulus of each snapshot");
+  for (Eigen::Index i = 0; i < count; ++i) {
+    response.snapshots[static_cast<std::size_t>(i)].moduli.push_back(
+        {.bulk = snapshots(i, 1), .shear = snapshots(i, 0)});
+  }
 }
 
 ReducedResponse read_response(const Group& group) {
@@ -91,10 +160,54 @@ ReducedResponse read_response(const Group& group) {
   const auto snapshots = read_matrix(group, "snapshots_shear_bulk_error");
   group.require(snapshots.cols() == 3, "three columns of snapshots");
   for (Eigen::Index i = 0; i < snapshots.rows(); ++i) {
-    response.snapshots.push_back({{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}, snapshots(i, 2)});
+    response.snapshots.push_back({{{.bulk = snapshots(i, 1), .shear = snapshots(i, 0)}}, snapshots(i, 2)});
+  }
+  for (std::size_t phase = 1; group.file.has(group_of_phase(group.name, phase)); ++phase) {
+    read_phase({group.file, group.path, group_of_phase(group.name, phase)}, response);
   }
   require_consistent(response, group);
   return response;
+}
+
+PronySeries read_series(const Group& group, const std::string& name) {
+  std::vector<MaxwellTerm> terms;
+  const auto dataset = name + "_terms_s_Pa";
+  if (group.file.has(group.name + "/" + dataset)) {
+    const auto values = read_matrix(group, dataset);
+    group.require(values.cols() == 2, "times and moduli of terms");
+    for (Eigen::Index i = 0; i < values.rows(); ++i) terms.push_back({values(i, 0), values(i, 1)});
+  }
+  const auto equilibrium = group.file.attribute<double>(group.name, name + "_equilibrium_Pa");
+  try {
+    return {equilibrium, std::move(terms)};
+  } catch (const InputError& error) {
+    throw FileError(fmt::format("{}: {}: {}", group.path.string(), group.name, error.what()));
+  }
+}
+
+/// The materials of the phases other than the matrix whose moduli vary.
+std::map<std::string, Material> read_materials(const Hdf5Reader& file, const std::filesystem::path& path) {
+  std::map<std::string, Material> by_phase;
+  for (std::size_t number = 1; file.has(group_of_phase("", number)); ++number) {
+    const Group group = {file, path, group_of_phase("", number)};
+    Material material = {.name = file.attribute<std::string>(group.name, "material"),
+                         .density = file.attribute<double>(group.name, "density_kg_per_m3"),
+                         .bulk = read_series(group, "bulk"),
+                         .shear = read_series(group, "shear")};
+    by_phase.emplace(file.attribute<std::string>(group.name, "phase"), std::move(material));
+  }
+  return by_phase;
+}
+
+/// Throws FileError unless every response has a material for each phase that varies beside the matrix.
+void require_materials(const StoredResponses& stored, const Group& root) {
+  for (const auto& [cells, response] : stored.entries) {
+    auto names = response.phases();
+    std::erase(names, name_of_matrix_phase);
+    const bool fits = names.size() == stored.other_phases.size() &&
+                      std::ranges::all_of(names, [&](const auto& name) { return stored.other_phases.contains(name); });
+    root.require(fits, "a material for each phase of its responses");
+  }
 }
 
 /// The responses under one boundary and load, on all grids.
@@ -151,7 +264,7 @@ StoredResponses read_stage(const Group& root) {
 void write_responses(const std::filesystem::path& directory, const StoredResponses& responses) {
   if (responses.entries.empty()) return;
   Hdf5Writer file(directory / "response.h5");
-  file.write_attribute("/", "format_version", format_version);
+  file.write_attribute("/", "format_version", responses.other_phases.empty() ? format_of_matrix : format_of_phases);
   file.write_attribute("/", "deck_hash", responses.deck_hash);
   file.write_attribute("/", "stage", responses.stage);
   file.write_attribute("/", "matrix", name_of(responses.matrix));
@@ -165,6 +278,7 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
   file.write_attribute("/", "mixing", name_of(responses.mixing));
   file.write_attribute("/", "fit_tolerance", responses.fit_tolerance);
   file.write_attribute("/", "points_per_decade", std::int64_t{responses.points_per_decade});
+  write_materials(file, responses.other_phases);
   for (const auto& [cells, response] : responses.entries) {
     write_response(
         file, fmt::format("/{}/{}/{}", name_of(response.boundary), name_of(response.load), name_of(TestGrid(cells))),
@@ -176,11 +290,13 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
 StoredResponses read_responses(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   const auto version = file.attribute<std::int64_t>("/", "format_version");
-  if (version != format_version) {
-    throw FileError(
-        fmt::format("{}: written in format {}; this program reads format {}", path.string(), version, format_version));
+  if (version != format_of_matrix && version != format_of_phases) {
+    throw FileError(fmt::format("{}: written in format {}; this program reads formats {} and {}", path.string(),
+                                version, format_of_matrix, format_of_phases));
   }
-  auto stored = read_stage({file, path, "/"});
+  const Group root = {file, path, "/"};
+  auto stored = read_stage(root);
+  stored.other_phases = read_materials(file, path);
   for (const auto& [boundary_name, boundary] : words<Boundary>) {
     for (const auto& [load_name, load] : words<Load>) {
       const auto group = fmt::format("/{}/{}", boundary_name, load_name);
@@ -188,6 +304,7 @@ StoredResponses read_responses(const std::filesystem::path& path) {
       for (auto& entry : read_entries({file, path, group}, boundary, load)) stored.entries.push_back(std::move(entry));
     }
   }
+  require_materials(stored, root);
   return stored;
 }
 

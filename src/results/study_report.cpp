@@ -36,7 +36,8 @@ Json json_of(const Eigen::MatrixXd& matrix) {
 Json json_of(const StoredResponses::Entry& entry) {
   const auto& response = entry.response;
   Json snapshots = Json::array();
-  for (const auto& [matrix, error] : response.snapshots) {
+  for (const auto& snapshot : response.snapshots) {
+    const auto& matrix = snapshot.moduli.front();
     snapshots.push_back({{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}});
   }
   return {{"load", name_of(response.load)},
@@ -62,6 +63,8 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   const int finest =
       stored.entries.empty() ? 0 : std::ranges::max(stored.entries, {}, &StoredResponses::Entry::cells).cells;
   Json responses = Json::array();
+  // The page computes with new materials of the matrix alone.
+  if (!stored.other_phases.empty()) return responses;
   for (const auto& entry : stored.entries) {
     if (stored.mixing == Mixing::points || entry.cells == finest) responses.push_back(json_of(entry));
   }

@@ -29,26 +29,49 @@ QuasistaticProblem problem_of(const QuasistaticTest& test) {
           .linear = test.options.linear};
 }
 
-/// Training set of the reduced basis: moduli of the matrix [Pa], from stiff to soft.
-std::vector<Moduli> training_set(const QuasistaticTest& test) {
-  const auto& matrix = test.materials[test.matrix];
+/// Materials of the phases that vary, in their order.
+std::vector<Material> varying_materials(const QuasistaticTest& test) {
+  std::vector<Material> materials;
+  for (const auto& [index, name] : test.varying) materials.push_back(test.materials[index]);
+  return materials;
+}
+
+/// Moduli of all points of a path.
+std::vector<std::vector<Moduli>> moduli_of(const std::vector<CarsonPoint>& path) {
+  std::vector<std::vector<Moduli>> moduli;
+  for (const auto& point : path) moduli.push_back(point.moduli);
+  return moduli;
+}
+
+/// Does the path of the training set end before these moduli? (theory, section 10)
+bool is_beyond_the_path(const std::vector<Moduli>& moduli) {
+  return std::ranges::any_of(moduli, is_like_softer);
+}
+
+/// In the order of falling shear moduli; those of the first phase come first.
+bool is_stiffer(const std::vector<Moduli>& one, const std::vector<Moduli>& other) {
+  return std::ranges::lexicographical_compare(one, other, std::ranges::greater(), &Moduli::shear, &Moduli::shear);
+}
+
+/// Training set of the reduced basis, from stiff to soft.
+TrainingPath training_set(const QuasistaticTest& test, const std::vector<Material>& materials) {
   // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
   // training set has both.
-  auto path = carson_path(matrix, test.times);
+  TrainingPath path = {.phases = test.varying, .points = moduli_of(carson_path(materials, test.times))};
   if (test.options.range == SampledRange::times) return path;
-  const auto whole = test.matrix_moduli.empty() ? relaxation_path(matrix, test.times) : test.matrix_moduli;
-  std::ranges::copy_if(whole, std::back_inserter(path), [](const Moduli& moduli) { return !is_like_softer(moduli); });
-  std::ranges::stable_sort(path, std::ranges::greater(), &Moduli::shear);
+  const auto whole = test.relaxation.empty() ? moduli_of(relaxation_path(materials, test.times)) : test.relaxation;
+  std::ranges::copy_if(whole, std::back_inserter(path.points), std::not_fn(is_beyond_the_path));
+  std::ranges::stable_sort(path.points, is_stiffer);
   return path;
 }
 
 void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                  Checkpoint* checkpoint) {
-  const auto& matrix = test.materials[test.matrix];
-  const auto path = training_set(test);
+  const auto materials = varying_materials(test);
+  const auto path = training_set(test, materials);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
   auto sampled = sample_responses(
-      problem_of(test), test.matrix, test.loads, path, test.options.sampling,
+      problem_of(test), test.loads, path, test.options.sampling,
       [&](const SamplingProgress& progress) {
         if (!observer) return;
         observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
@@ -60,18 +83,26 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
   for (auto& reduced : sampled.responses) {
     auto& response = result.responses.emplace_back();
     response.load = reduced.load;
-    const auto compliance = creep_compliance(reduced, matrix);
+    const auto compliance = creep_compliance(reduced, materials);
     response.series = relaxation_modulus(compliance);
     for (const double time : times) {
       response.modulus.push_back({time, response.series.at(time)});
       if (test.boundary == Boundary::traction) response.compliance.push_back({time, compliance.at(time)});
     }
-    for (const auto& moduli : path) {
+    for (const auto& moduli : path.points) {
       response.error_estimate = std::max(response.error_estimate, reduced.error_estimate(moduli));
     }
     response.reduced = std::move(reduced);
   }
-  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, matrix, time)});
+  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, materials, time)});
+}
+
+void require_varying_phases(const QuasistaticTest& test) {
+  for (const auto& [index, name] : test.varying) {
+    if (index < test.materials.size()) continue;
+    throw InputError(fmt::format("quasi-static test: expected one of the {} phases as the {}, got number {}",
+                                 test.materials.size(), name, index));
+  }
 }
 
 /// Times of the steps: from well before the first requested time to the last one.
@@ -160,10 +191,7 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Qu
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
-  if (test.options.solver == Solver::reduced && test.matrix >= test.materials.size()) {
-    throw InputError(fmt::format("quasi-static test: expected one of the {} phases as the matrix, got number {}",
-                                 test.materials.size(), test.matrix));
-  }
+  if (test.options.solver == Solver::reduced) require_varying_phases(test);
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

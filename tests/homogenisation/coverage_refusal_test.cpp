@@ -21,7 +21,7 @@ using testing::HasSubstr;
 /// Sampled from 1 to 100 MPa in shear, at 2 GPa in bulk; usable 5 % and 10 % beyond.
 ReducedResponse sampled(Boundary boundary) {
   return test::one_vector_response(Load::shear, boundary, {3.0, 2.0, 0.0},
-                                   {{{.bulk = 2e9, .shear = 1e8}, 0.0}, {{.bulk = 2e9, .shear = 1e6}, 0.0}});
+                                   {{{{.bulk = 2e9, .shear = 1e8}}, 0.0}, {{{.bulk = 2e9, .shear = 1e6}}, 0.0}});
 }
 
 StoredResponses stored() {

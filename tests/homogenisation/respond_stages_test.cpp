@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/homogenisation/respond.hpp"
 
 #include "messages.hpp"
@@ -30,7 +31,7 @@ StoredResponses linear_stage(const std::string& name, StageMatrix matrix, double
   stored.deck_hash = "0123456789abcdef";
   stored.fit_tolerance = 0.03;
   stored.times = {1e-3, 50e-3};
-  const std::vector<Snapshot> snapshots = {{{.bulk = 1e9, .shear = 1e8}, 0.0}, {{.bulk = 1e9, .shear = 1e3}, 0.0}};
+  const std::vector<Snapshot> snapshots = {{{{.bulk = 1e9, .shear = 1e8}}, 0.0}, {{{.bulk = 1e9, .shear = 1e3}}, 0.0}};
   for (const auto& [load, composite] : {std::pair{Load::shear, test::LinearComposite{0.0, in_shear, 0.0}},
                                         std::pair{Load::bulk, test::LinearComposite{0.0, in_shear / 3.0, 1.0}}}) {
     stored.entries.push_back({12, test::one_vector_response(load, Boundary::traction, composite, snapshots)});
@@ -96,6 +97,50 @@ TEST(Respond, TakesAMaterialForEachThatStagesHaveAsTheirMatrix) {
                 static_cast<void>(respond(stored, {{"binder", soft}}));
               }),
               HasSubstr("no new material for \"glass\", which is the matrix of a stage"));
+}
+
+/// The binder and a coating: the modulus 2 G + 5 G_coating, sampled from 10 to 100 kPa of the coating.
+StoredResponses coated_stage() {
+  auto stored = linear_stage("fine", test::binder, 2.0);
+  stored.entries.pop_back();
+  auto& response = stored.entries.front().response;
+  response.parts.push_back({{"coating", ElasticModulus::shear}, Eigen::MatrixXd::Constant(1, 1, 5.0)});
+  response.parts.push_back({{"coating", ElasticModulus::bulk}, Eigen::MatrixXd::Zero(1, 1)});
+  response.residual_products = Eigen::MatrixXd::Zero(6, 6);
+  for (auto& snapshot : response.snapshots) snapshot.moduli.push_back({.bulk = 1e9, .shear = 1e5});
+  response.snapshots.back().moduli.back().shear = 1e4;
+  stored.other_phases.emplace("coating",
+                              Material{"interphase", 1e3, PronySeries(1e9), PronySeries(2e4, {{1e-2, 7e4}})});
+  return stored;
+}
+
+TEST(RespondWithSeveralPhases, KeepsTheCoatingOrTakesAnotherByTheNameOfItsMaterial) {
+  const auto stored = coated_stage();
+  const Material soft{"soft", 1e3, PronySeries(1e9), PronySeries(1e4, {{2e-2, 1e5}})};
+  const Material stiffer{"stiffer", 1e3, PronySeries(1e9), PronySeries(5e4, {{5e-3, 5e4}})};
+  const auto modulus = [](const std::vector<StageResult>& answer, double time) {
+    return preferred_test(answer.at(0).tests, Load::shear, Boundary::traction).series.at(time);
+  };
+  const auto kept = respond(std::vector{stored}, {{"binder", soft}});
+  const auto replaced = respond(std::vector{stored}, {{"binder", soft}, {"interphase", stiffer}});
+  for (const double time : {1e-3, 1e-2, 5e-2}) {
+    const auto& interphase = stored.other_phases.at("coating");
+    EXPECT_NEAR(modulus(kept, time) / (2.0 * soft.shear.at(time) + 5.0 * interphase.shear.at(time)), 1.0, 1e-9);
+    EXPECT_NEAR(modulus(replaced, time) / (2.0 * soft.shear.at(time) + 5.0 * stiffer.shear.at(time)), 1.0, 1e-9);
+  }
+}
+
+TEST(RespondWithSeveralPhases, RefusesACoatingBeyondWhatWasSampled) {
+  const Material hard{"hard", 1e3, PronySeries(1e9), PronySeries(1e6)};
+  EXPECT_EQ(test::message_of<NotCovered>([&] {
+              static_cast<void>(respond(std::vector{coated_stage()}, {{"binder", test::binder}, {"interphase", hard}}));
+            }),
+            "stage fine: from 1 ms to 50 ms hard shows a shear modulus from 1 MPa to 1 MPa; the study has sampled 9.5 "
+            "kPa to 105 kPa\na new study with these materials covers all of them");
+  auto incomplete = coated_stage();
+  incomplete.other_phases.clear();
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(respond(incomplete, test::binder)); }),
+              HasSubstr("the phase coating has no material"));
 }
 
 }  // namespace

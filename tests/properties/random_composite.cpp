@@ -76,7 +76,7 @@ Composite random_composite(std::uint64_t seed, FillerKind kind) {
 QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) {
   QuasistaticTest test{.discretisation = discretise(composite.box, cells, matrix, filler),
                        .materials = composite.materials,
-                       .matrix = matrix,
+                       .varying = {{matrix, "matrix"}},
                        .boundary = boundary,
                        .loads = {Load::shear, Load::bulk},
                        .times = window,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -53,6 +54,25 @@ TEST(RelaxationPath, OfAnElasticMaterialIsAPoint) {
   EXPECT_EQ(path.front().shear, 3e6);
 }
 
+TEST(RelaxationPath, OfSeveralMaterialsIsTakenAtEqualLaplaceVariables) {
+  const std::vector materials = {with_shear(PronySeries(1e5, {{1e-9, 1e9}})),
+                                 with_shear(PronySeries(1e6, {{1e3, 1e6}})), with_shear(PronySeries(5e9))};
+  const auto path = relaxation_path(materials, window);
+  EXPECT_TRUE(std::isinf(path.front().laplace_variable));
+  EXPECT_EQ(path.back().laplace_variable, 0.0);
+  EXPECT_EQ(path.front().moduli[1].shear, 2e6);
+  EXPECT_EQ(path.back().moduli[0].shear, 1e5);
+  for (const auto& [s, moduli] : path) {
+    ASSERT_EQ(moduli.size(), 3U);
+    for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(moduli[m].shear, carson_moduli(materials[m], s).shear) << s;
+  }
+  // Every material goes as smoothly as on a path of its own, where it relaxes and where another one does.
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    EXPECT_LT(path[i].laplace_variable, path[i - 1].laplace_variable);
+    for (std::size_t m = 0; m < 3; ++m) EXPECT_GT(path[i].moduli[m].shear, 0.7 * path[i - 1].moduli[m].shear);
+  }
+}
+
 TEST(RelaxationPath, HoldsWhatTheMaterialShowsAtAnyTemperature) {
   const auto material = with_shear(PronySeries(1e5, {{1e-6, 1e9}, {1e-2, 1e7}, {1e3, 1e6}}));
   const auto path = relaxation_path(material, window);
@@ -66,14 +86,16 @@ TEST(RelaxationPath, HoldsWhatTheMaterialShowsAtAnyTemperature) {
 
 /// The composite with an elastic matrix, without any reduction: a single solution.
 double solved(const QuasistaticProblem& problem, Load load, const Moduli& matrix) {
-  return sample_responses(problem, 0, std::array{load}, std::array{matrix}).responses.front().modulus(matrix);
+  return sample_responses(problem, std::array{load}, matrix_path(0, std::array{matrix}))
+      .responses.front()
+      .modulus(matrix);
 }
 
 /// Responses that are sampled over the path of their matrix are as good everywhere on it as the tolerance asks.
 void expect_good_all_along(const QuasistaticProblem& problem) {
   const std::array loads = {Load::shear, Load::bulk};
   const auto path = relaxation_path(problem.materials.front(), {1e-7, 1e-3});
-  const auto responses = sample_responses(problem, 0, loads, path).responses;
+  const auto responses = sample_responses(problem, loads, matrix_path(0, path)).responses;
   for (std::size_t i = 0; i < path.size(); i += path.size() / 9) {
     for (std::size_t l = 0; l < loads.size(); ++l) {
       const double exact = solved(problem, loads[l], path[i]);

@@ -17,8 +17,8 @@ namespace {
 constexpr std::array field_times = {1e-7, 1e-5, 1e-3};
 
 SampledResponses sampled(const QuasistaticProblem& problem, Load load) {
-  return sample_responses(problem, 0, std::array{load},
-                          carson_path(problem.materials.front(), test::relaxation_window));
+  return sample_responses(problem, std::array{load},
+                          matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)));
 }
 
 Stress<2> mean_stress(const PointFields<2>& fields) {
@@ -56,7 +56,7 @@ TEST(Fields, AverageToTheCurve) {
         const auto& matrix = problem.materials.front();
         const auto compliance = creep_compliance(found.responses[0], matrix);
         for (const double time : field_times) {
-          const auto fields = found.fields(0, matrix, time);
+          const auto fields = found.fields(0, std::array{matrix}, time);
           const double stress = modulus_of(load, mean_stress(fields)),
                        strain = compliance_of(load, mean_strain(fields));
           if (boundary == Boundary::traction) {
@@ -92,11 +92,11 @@ TEST(Fields, OfTheReducedBasisAreThoseOfStepping) {
       const std::vector kept = {times[180], times.back()};
       const auto stepped = run_log_time_stepping(problem, std::array{Load::shear}, times, {}, kept);
       ASSERT_EQ(stepped.fields.size(), kept.size());
-      const auto found =
-          sample_responses(problem, 0, std::array{Load::shear},
-                           carson_path(problem.materials.front(), test::relaxation_window), {.tolerance = 1e-9});
+      const auto found = sample_responses(
+          problem, std::array{Load::shear},
+          matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)), {.tolerance = 1e-9});
       for (const auto& [time, exact] : stepped.fields) {
-        const auto fields = found.fields(0, problem.materials.front(), time);
+        const auto fields = found.fields(0, std::span(problem.materials).first(1), time);
         EXPECT_LT(difference(exact.displacement, fields.displacement), 3e-3) << time;
         EXPECT_LT(difference(exact.strain, fields.strain), 3e-3) << time;
         EXPECT_LT(difference(exact.stress, fields.stress), 3e-3) << time;
@@ -111,9 +111,10 @@ TEST(Fields, OfAHomogeneousBoxAreUniform) {
   const Material matrix = {"m", 1000.0, PronySeries(2e6, {{3e-3, 1e6}}), PronySeries(0.1e6, {{1e-3, 0.5e6}})};
   for (const auto boundary : test::boundaries) {
     const auto problem = test::homogeneous(matrix, boundary);
-    const auto found = sample_responses(problem, 0, std::array{Load::shear}, carson_path(matrix, {1e-4, 1.0}));
+    const auto found =
+        sample_responses(problem, std::array{Load::shear}, matrix_path(0, carson_path(matrix, {1e-4, 1.0})));
     for (const double time : {1e-4, 2e-3, 1.0}) {
-      const auto fields = found.fields(0, matrix, time);
+      const auto fields = found.fields(0, std::array{matrix}, time);
       const bool creeps = boundary == Boundary::traction;
       const double stress = creeps ? 1.0 : matrix.shear.at(time);
       const double strain = creeps ? creep_compliance(matrix.shear).at(time) : 1.0;

@@ -20,7 +20,8 @@ namespace {
 constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
 
 std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double tolerance = 1e-6) {
-  return sample_responses(problem, 0, shear_and_bulk, carson_path(problem.materials.front(), test::relaxation_window),
+  return sample_responses(problem, shear_and_bulk,
+                          matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)),
                           {.tolerance = tolerance})
       .responses;
 }
@@ -77,7 +78,8 @@ TEST(ReducedResponse, AHomogeneousBoxIsItsMatrix) {
   for (const auto boundary : test::boundaries) {
     const auto problem = test::homogeneous(matrix, boundary);
     const auto responses =
-        sample_responses(problem, 0, std::array{Load::diagonal_shear}, carson_path(matrix, {1e-4, 1.0})).responses;
+        sample_responses(problem, std::array{Load::diagonal_shear}, matrix_path(0, carson_path(matrix, {1e-4, 1.0})))
+            .responses;
     EXPECT_NEAR(responses[0].modulus({.bulk = 7e6, .shear = 3e6}) / 3e6, 1.0, 1e-9);
     const auto found = relaxation_modulus(creep_compliance(responses[0], matrix));
     for (const double time : test::logarithmic(1e-5, 1.0, 4))
@@ -90,7 +92,8 @@ TEST(ReducedResponse, ABoxOfOneMaterialWithAnElasticBulkModulusShowsItsShearModu
   for (const auto boundary : test::boundaries) {
     const auto problem = test::homogeneous(matrix, boundary);
     const auto response =
-        sample_responses(problem, 0, std::array{Load::shear}, carson_path(matrix, {1e-4, 0.1})).responses[0];
+        sample_responses(problem, std::array{Load::shear}, matrix_path(0, carson_path(matrix, {1e-4, 0.1})))
+            .responses[0];
     const auto found = relaxation_modulus(creep_compliance(response, matrix));
     for (const double time : test::logarithmic(1e-4, 0.1, 4)) {
       EXPECT_NEAR(found.at(time) / matrix.shear.at(time), 1.0, 1e-8);
@@ -183,11 +186,12 @@ TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
 TEST(Sampling, NeedsAnElasticFillerAndCanFailToMeetATolerance) {
   auto problem = test::random_composite(12, 7, Boundary::displacement);
   const auto path = carson_path(problem.materials.front(), test::relaxation_window);
-  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, path, {.tolerance = 1e-9, .most_snapshots = 4}),
-               NumericalError);
-  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, {}), InputError);
+  EXPECT_THROW(
+      sample_responses(problem, shear_and_bulk, matrix_path(0, path), {.tolerance = 1e-9, .most_snapshots = 4}),
+      NumericalError);
+  EXPECT_THROW(sample_responses(problem, shear_and_bulk, matrix_path(0, {})), InputError);
   problem.materials[1].shear = PronySeries(1e9, {{1e-6, 1e9}});
-  EXPECT_THROW(sample_responses(problem, 0, shear_and_bulk, path), InputError);
+  EXPECT_THROW(sample_responses(problem, shear_and_bulk, matrix_path(0, path)), InputError);
 }
 
 }  // namespace

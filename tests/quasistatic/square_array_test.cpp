@@ -58,7 +58,9 @@ double found(const Reference& reference, int n, Volumetric volumetric, Mixing mi
       .volumetric = volumetric,
       .boundary = Boundary::periodic};
   const Moduli matrix = {.bulk = reference.bulk_ratio, .shear = 1.0};
-  return sample_responses(problem, 0, std::array{reference.load}, std::array{matrix}).responses[0].modulus(matrix);
+  return sample_responses(problem, std::array{reference.load}, matrix_path(0, std::array{matrix}))
+      .responses[0]
+      .modulus(matrix);
 }
 
 struct Errors {

@@ -22,7 +22,7 @@ struct Solved {
 
 Solved solved(QuasistaticProblem problem, LinearMethod method, const Moduli& matrix) {
   problem.linear.method = method;
-  const auto sampled = sample_responses(problem, 0, loads, std::array{matrix});
+  const auto sampled = sample_responses(problem, loads, matrix_path(0, std::array{matrix}));
   Solved solved = {{}, sampled.effort};
   for (const auto& response : sampled.responses) solved.moduli.push_back(response.modulus(matrix));
   return solved;
@@ -71,7 +71,7 @@ TEST(SubstructuringWithAGuess, TakesFewIterationsUnderEveryBoundary) {
     auto problem = test::random_composite(32, 10, boundary);
     problem.linear.method = LinearMethod::iterative;
     const auto iterations = [&](const std::vector<Moduli>& training_set) {
-      return sample_responses(problem, 0, shear, training_set, {.tolerance = 1.0}).effort.iterations;
+      return sample_responses(problem, shear, matrix_path(0, training_set), {.tolerance = 1.0}).effort.iterations;
     };
     const int first = iterations({matrix}), both = iterations({nearly, matrix});
     EXPECT_LT(2 * (both - first), first) << name_of(boundary);

@@ -82,8 +82,9 @@ TEST_F(WriteProvenance, TellsHowAReducedResponseWasMade) {
   auto test = test::test_with({Load::bulk, Boundary::traction, Method::quasistatic, TestGrid(12)}, {{1.0, 1.0}});
   QuasistaticRecord record;
   record.response.error_estimate = 1e-6;
-  record.response.reduced = test::one_vector_response(
-      Load::bulk, Boundary::traction, {}, {{{.bulk = 2.0, .shear = 1.0}, 0.0}, {{.bulk = 2.0, .shear = 0.5}, 0.01}});
+  record.response.reduced =
+      test::one_vector_response(Load::bulk, Boundary::traction, {},
+                                {{{{.bulk = 2.0, .shear = 1.0}}, 0.0}, {{{.bulk = 2.0, .shear = 0.5}}, 0.01}});
   record.effort = {.is_direct = false,
                    .unknowns = 288,
                    .factorisations = 2,

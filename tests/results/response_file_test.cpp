@@ -30,7 +30,7 @@ ReducedResponse two_vector_response() {
   response.load_forces = Eigen::VectorXd{{13.0, 14.0}};
   response.residual_products = Eigen::MatrixXd::Random(7, 7);
   response.residual_scale = 15.0;
-  response.snapshots = {{{.bulk = 16.0, .shear = 17.0}, 0.0}, {{.bulk = 18.0, .shear = 19.0}, 1e-3}};
+  response.snapshots = {{{{.bulk = 16.0, .shear = 17.0}}, 0.0}, {{{.bulk = 18.0, .shear = 19.0}}, 1e-3}};
   return response;
 }
 
@@ -48,7 +48,7 @@ StoredResponses two_responses() {
   stored.mixing = Mixing::points;
   stored.range = SampledRange::times;
   stored.entries = {{24, test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 1.0},
-                                                   {{{.bulk = 2.0, .shear = 1.0}, 0.0}})},
+                                                   {{{{.bulk = 2.0, .shear = 1.0}}, 0.0}})},
                     {150, two_vector_response()}};
   return stored;
 }
@@ -133,11 +133,72 @@ TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
   EXPECT_EQ(response.residual_products, original.residual_products);
   EXPECT_EQ(response.residual_scale, 15.0);
   ASSERT_EQ(response.snapshots.size(), 2U);
-  EXPECT_EQ(response.snapshots[1].matrix.bulk, 18.0);
-  EXPECT_EQ(response.snapshots[1].matrix.shear, 19.0);
+  EXPECT_EQ(response.snapshots[1].moduli[0].bulk, 18.0);
+  EXPECT_EQ(response.snapshots[1].moduli[0].shear, 19.0);
   EXPECT_EQ(response.snapshots[1].error_before, 1e-3);
   // HDF5 counts rows first.
   EXPECT_THAT(Hdf5Reader(path).read_numbers("/traction/bulk/150/filler_Pa"), ElementsAre(1.0, 1.0 / 3.0, 2.0, 4.0));
+}
+
+/// A stage whose coating varies beside the matrix.
+StoredResponses with_a_coating() {
+  auto stored = two_responses();
+  stored.entries.erase(stored.entries.begin());
+  auto& response = stored.entries.front().response;
+  response.parts.push_back({{"coating", ElasticModulus::shear}, Eigen::MatrixXd{{20.0, 21.0}, {22.0, 23.0}}});
+  response.parts.push_back({{"coating", ElasticModulus::bulk}, Eigen::MatrixXd{{24.0, 25.0}, {26.0, 27.0}}});
+  response.residual_products = Eigen::MatrixXd::Random(11, 11);
+  response.snapshots[0].moduli.push_back({.bulk = 28.0, .shear = 29.0});
+  response.snapshots[1].moduli.push_back({.bulk = 30.0, .shear = 31.0});
+  stored.other_phases.emplace(
+      "coating", Material{"interphase", 1200.0, PronySeries(32.0), PronySeries(33.0, {{34.0, 35.0}, {36.0, 37.0}})});
+  return stored;
+}
+
+TEST_F(ResponseFile, KeepsThePhasesThatVaryBesideTheMatrix) {
+  const auto written = with_a_coating();
+  write_responses(directory.path(), written);
+  const auto read = read_responses(path);
+  EXPECT_EQ(read.other_phases, written.other_phases);
+  const auto &response = read.entries.at(0).response, &original = written.entries[0].response;
+  ASSERT_EQ(response.parts.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(response.parts[i].parameter, original.parts[i].parameter) << i;
+    EXPECT_EQ(response.parts[i].stiffness, original.parts[i].stiffness) << i;
+  }
+  EXPECT_EQ(response.residual_products, original.residual_products);
+  ASSERT_EQ(response.snapshots.at(1).moduli.size(), 2U);
+  EXPECT_EQ(response.snapshots[1].moduli[1].bulk, 30.0);
+  EXPECT_EQ(response.snapshots[1].moduli[1].shear, 31.0);
+  EXPECT_EQ(response.snapshots[1].error_before, 1e-3);
+}
+
+// Programs that read the responses of a matrix alone go on to read them.
+TEST_F(ResponseFile, HasTheOlderFormatWhereTheMatrixAloneVaries) {
+  const auto format = [&] { return Hdf5Reader(path).attribute<std::int64_t>("/", "format_version"); };
+  write_responses(directory.path(), two_responses());
+  EXPECT_EQ(format(), 4);
+  write_responses(directory.path(), with_a_coating());
+  EXPECT_EQ(format(), 5);
+}
+
+TEST_F(ResponseFile, IsRefusedWhereItsPhasesAreNotWhole) {
+  const auto refusal_of = [&](const auto& change) {
+    auto stored = with_a_coating();
+    change(stored);
+    write_responses(directory.path(), stored);
+    return refusal();
+  };
+  EXPECT_THAT(refusal_of([](auto& stored) { stored.other_phases.clear(); }),
+              HasSubstr("expected a material for each phase of its responses"));
+  EXPECT_THAT(refusal_of([](auto& stored) {
+                auto material = stored.other_phases.extract("coating");
+                material.key() = "shell";
+                stored.other_phases.insert(std::move(material));
+              }),
+              HasSubstr("expected a material for each phase of its responses"));
+  EXPECT_THAT(refusal_of([](auto& stored) { stored.entries[0].response.parts[3].stiffness.setZero(3, 3); }),
+              HasSubstr("expected matrices of one size"));
 }
 
 TEST_F(ResponseFile, TellsAStageFromAMaterial) {
@@ -164,7 +225,7 @@ TEST_F(ResponseFile, IsRefusedWhereItIsTornOrOfAnotherFormat) {
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   EXPECT_THAT(refusal(), HasSubstr("response.h5: cannot"));
   EXPECT_THAT(refusal_with("format_version", std::int64_t{2}),
-              HasSubstr("response.h5: written in format 2; this program reads format 4"));
+              HasSubstr("response.h5: written in format 2; this program reads formats 4 and 5"));
   EXPECT_THAT(refusal_with("format_version", 3.0), HasSubstr("has another type"));
 }
 

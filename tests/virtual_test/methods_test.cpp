@@ -22,7 +22,7 @@ class Methods : public testing::TestWithParam<std::tuple<Boundary, Load>> {
     std::tie(test.boundary, test.load) = GetParam();
     const QuasistaticTest still = {.discretisation = test.discretisation,
                                    .materials = test.materials,
-                                   .matrix = composites::matrix,
+                                   .varying = {{composites::matrix, "matrix"}},
                                    .boundary = test.boundary,
                                    .loads = {test.load},
                                    .times = test.times,

@@ -18,7 +18,7 @@ QuasistaticTest one_particle(PhaseIndex matrix, PhaseIndex filler) {
   QuasistaticTest test = {
       .discretisation = discretise<2>({6e-3, Walls::hard, {{{2e-3, 3e-3}, 3e-3}}}, 12, matrix, filler),
       .materials = {composites::binder, composites::binder},
-      .matrix = matrix,
+      .varying = {{matrix, "matrix"}},
       .loads = {Load::shear, Load::bulk},
       .times = {1e-3, 0.1},
       .points_per_decade = 4};
@@ -37,15 +37,17 @@ TEST(RunQuasistaticTest, AnyPhaseMayBeTheMatrix) {
 
 TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   auto test = one_particle(0, 1);
-  test.matrix = no_phase;
+  test.varying = {{no_phase, "matrix"}};
   EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(run_quasistatic_test(test)); }),
             "quasi-static test: expected one of the 2 phases as the matrix, got number 255");
-  test.matrix = 2;
+  test.varying.clear();
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
-  // With the particle as its matrix the binder would be a filler that relaxes.
-  test.matrix = 1;
+  test.varying = {{2, "matrix"}};
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
-  test.matrix = no_phase;
+  // With the particle as its matrix the binder relaxes without varying.
+  test.varying = {{1, "matrix"}};
+  EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
+  test.varying = {{no_phase, "matrix"}};
   test.options.solver = Solver::stepping;
   EXPECT_NO_THROW(static_cast<void>(run_quasistatic_test(test)));
 }

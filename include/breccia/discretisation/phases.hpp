@@ -21,6 +21,8 @@ class Phases {
   explicit Phases(std::vector<std::string> names);
 
   [[nodiscard]] std::size_t size() const noexcept { return names_.size(); }
+  /// The names, by PhaseIndex.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
   /// Throws InputError when there is no phase of this name.
   [[nodiscard]] PhaseIndex index_of(std::string_view name) const;

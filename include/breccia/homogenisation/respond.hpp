@@ -22,7 +22,9 @@ struct StoredResponses {
   };
 
   std::string stage;
-  StageMatrix matrix;                         ///< an earlier stage or a material; a file keeps only the name
+  StageMatrix matrix;  ///< an earlier stage or a material; a file keeps only the name
+  /// Materials of the other phases whose moduli vary, by the names of the phases.
+  std::map<std::string, Material> other_phases = {};
   double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
   double filler_fraction = 0.0;               ///< [-]
   double side = 0.0;                          ///< side of the box [m]
@@ -54,7 +56,9 @@ StageResult respond(const StoredResponses& stored, const Material& matrix, std::
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored, const Material& matrix,
                                  std::optional<TimeWindow> times = {});
 
-/// The same with several new materials; each is given under the name of the material of the study that it replaces.
+/// The same with several new materials; each is given under the name of the material of the study that it replaces:
+/// that of a matrix, or that of another phase whose moduli vary (StoredResponses::other_phases). Every matrix that is a
+/// material needs one; another phase without one keeps the material of the study.
 std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
                                  const std::map<std::string, Material>& matrices, std::optional<TimeWindow> times = {});
 

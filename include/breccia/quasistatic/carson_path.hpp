@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "breccia/discretisation/moduli.hpp"
@@ -9,13 +10,22 @@
 namespace breccia {
 
 /// Carson moduli s K~(s) and s G~(s) [Pa] of a material: the moduli of the elastic problem that its Laplace transform
-/// is at a real Laplace variable s [1/s].
+/// is at a real Laplace variable s [1/s], 0 to infinity.
 Moduli carson_moduli(const Material& material, double s);
+
+/// Carson moduli of several materials at one Laplace variable.
+struct CarsonPoint {
+  double laplace_variable;     ///< s [1/s]: infinite for the unrelaxed moduli, 0 for those at equilibrium
+  std::vector<Moduli> moduli;  ///< [Pa] by material
+};
 
 /// Carson moduli [Pa] of a material from stiff to soft, for s from margin / window.begin to 1 / (margin window.end):
 /// the training set of a reduced basis. The response of a composite at a time t depends on the Carson moduli of its
 /// matrix near s = 1/t; those far from it have little influence.
 std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin = 30.0);
+/// The joint path of several materials, at equal Laplace variables.
+std::vector<CarsonPoint> carson_path(std::span<const Material> materials, const TimeWindow& window,
+                                     double margin = 30.0);
 
 /// Is a matrix of these moduli so soft in shear, compared with its bulk modulus, that softening it further changes the
 /// modulus of a composite by a factor alone? Its solutions then serve for all softer matrices too.
@@ -26,5 +36,8 @@ bool is_like_softer(const Moduli& moduli);
 /// the longest relaxation time, or at the end of carson_path() of the window if that is softer. Whatever its
 /// temperature, the Carson moduli of the material lie on this path (theory, section 10).
 std::vector<Moduli> relaxation_path(const Material& material, const TimeWindow& window);
+/// The joint path of several materials at equal Laplace variables, from where none of them has relaxed to where all of
+/// them have.
+std::vector<CarsonPoint> relaxation_path(std::span<const Material> materials, const TimeWindow& window);
 
 }  // namespace breccia

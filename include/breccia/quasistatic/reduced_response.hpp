@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +16,9 @@
 
 namespace breccia {
 
-/// One solution of a reduced basis: the elastic composite for one pair of matrix moduli.
+/// One solution of a reduced basis: the elastic composite for one choice of the moduli that vary.
 struct Snapshot {
-  Moduli matrix = {};  ///< moduli of the matrix [Pa]
+  std::vector<Moduli> moduli = {};  ///< [Pa] of the phases that vary, in the order of ReducedResponse::phases()
   /// Relative error of the reduced modulus at these moduli just before the snapshot was added [-]. It is measured for
   /// the snapshots of the greedy selection, and 0 for the initial ones.
   double error_before = 0.0;
@@ -47,14 +48,15 @@ struct AffinePart {
 std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk);
 
 /// The stiffness of one microstructure under one load and boundary condition as an affine function of the moduli p_i
-/// that vary, such as those of the matrix: the Galerkin projection of K(p) = K_0 + sum_i p_i K_i on a reduced basis of
-/// r vectors (theory, Eq. 18). The modulus of the projection is never below that of the unreduced composite, under any
-/// boundary condition. Parameters p_i are in Pa and in the order of the parts; where the moduli of the matrix alone
-/// vary, they can be given as such.
+/// that vary, those of the matrix and of any other phase: the Galerkin projection of K(p) = K_0 + sum_i p_i K_i on a
+/// reduced basis of r vectors (theory, Eq. 18). The modulus of the projection is never below that of the unreduced
+/// composite, under any boundary condition. Parameters p_i are in Pa and in the order of the parts; moduli and
+/// materials of the phases that vary are in the order of phases(). Where the moduli of the matrix alone vary, they can
+/// be given as such.
 struct ReducedResponse {
   Load load = Load::shear;
   Boundary boundary = Boundary::displacement;
-  Eigen::MatrixXd constant;       ///< K_0, the stiffness of the elastic phases: r x r [Pa]
+  Eigen::MatrixXd constant;       ///< K_0, the stiffness of the phases that do not vary: r x r [Pa]
   std::vector<AffinePart> parts;  ///< K_i
   Eigen::VectorXd load_forces;    ///< e, r; the compliance is e' K^-1 e
   /// Scalar products of the parts of the residual, with n parts and the r vectors v: K_0 v, then K_i v part by part,
@@ -63,23 +65,38 @@ struct ReducedResponse {
   double residual_scale = 0.0;  ///< largest ratio of a measured error to its estimate from the residual [-]
   std::vector<Snapshot> snapshots;
 
-  /// K_i of a modulus of the matrix. Throws InputError when the response has no such part.
+  /// Names of the phases whose moduli vary, in the order of their first parts.
+  [[nodiscard]] std::vector<std::string> phases() const;
+  /// K_i of a modulus of a phase. Throws InputError when the response has no such part.
+  [[nodiscard]] const Eigen::MatrixXd& part(const PhaseModulus& parameter) const;
+  /// K_i of a modulus of the matrix.
   [[nodiscard]] const Eigen::MatrixXd& part(ElasticModulus modulus) const;
+
+  /// Parameters p_i for these moduli [Pa] of the phases that vary. Throws InputError when they are not as many.
+  [[nodiscard]] std::vector<double> parameters(std::span<const Moduli> of_phases) const;
   /// Parameters p_i for a matrix of these moduli [Pa]. Throws InputError when moduli of another phase vary too.
   [[nodiscard]] std::vector<double> parameters(const Moduli& matrix) const;
+  /// Materials given by the names of the phases that vary, in the order of phases(). Throws InputError when a phase has
+  /// no material, and when a name is not that of a phase that varies.
+  [[nodiscard]] std::vector<Material> materials(const std::map<std::string, Material>& by_phase) const;
 
   /// K(p), r x r [Pa].
   [[nodiscard]] Eigen::MatrixXd stiffness(std::span<const double> parameters) const;
   /// Modulus of the elastic composite [Pa].
   [[nodiscard]] double modulus(std::span<const double> parameters) const;
+  [[nodiscard]] double modulus(std::span<const Moduli> of_phases) const;
   [[nodiscard]] double modulus(const Moduli& matrix) const;
   /// Estimate of the relative error of that modulus, from the residual of the reduced solution [-].
   [[nodiscard]] double error_estimate(std::span<const double> parameters) const;
+  [[nodiscard]] double error_estimate(std::span<const Moduli> of_phases) const;
   [[nodiscard]] double error_estimate(const Moduli& matrix) const;
 };
 
-/// Creep compliance [1/Pa] of the composite with a viscoelastic matrix. It is exact for the reduced stiffness (theory,
-/// Eqs. 19 and 20). The relaxation modulus follows from it by interconversion.
+/// Creep compliance [1/Pa] of the composite whose varying phases are of these materials. It is exact for the reduced
+/// stiffness (theory, Eqs. 19 and 20). The relaxation modulus follows from it by interconversion. Throws InputError
+/// when the materials are not as many as the phases.
+CreepCompliance creep_compliance(const ReducedResponse& response, std::span<const Material> of_phases);
+/// The same where the moduli of the matrix alone vary.
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix);
 
 }  // namespace breccia

@@ -7,6 +7,7 @@
 #include "breccia/discretisation/point_fields.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/quasistatic/training_path.hpp"
 
 namespace breccia {
 
@@ -25,26 +26,26 @@ struct SamplingProgress {
 };
 
 struct SampledResponses {
-  /// Fields of the points per unit load at a time [s] after a load was applied to the composite with a viscoelastic
-  /// matrix (theory, Eqs. 34 and 35). `load` is the index in the list of loads. On the first process; zero on the
-  /// others.
-  using Recovery = std::function<PointFields<2>(std::size_t load, const Material& matrix, double time)>;
+  /// Fields of the points per unit load at a time [s] after a load was applied to the composite whose varying phases
+  /// are of these materials, in their order (theory, Eqs. 34 and 35). `load` is the index in the list of loads. On the
+  /// first process; zero on the others.
+  using Recovery = std::function<PointFields<2>(std::size_t load, std::span<const Material> of_phases, double time)>;
 
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;
   Recovery fields;  ///< owns the vectors of the basis
 };
 
-/// Builds a reduced response for each load from snapshots: elastic solutions for moduli of the matrix [Pa] taken from a
-/// training set, which is ordered from stiff to soft. The initial snapshots are its middle and both ends; then a greedy
-/// selection adds a snapshot where the error estimate is largest and measures the error there, until the tolerance is
-/// met. The moduli of the matrix in the problem are not used; all other materials must be elastic. With a checkpoint,
-/// the state is saved between solutions when that is due, and an earlier state is resumed, with the same bits as in one
-/// run.
-/// Throws InputError when there are no loads, a point has no material or another material relaxes, NumericalError when
-/// a system cannot be solved or the tolerance cannot be met.
-SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
-                                  std::span<const Moduli> training_set, const SamplingOptions& options = {},
+/// Builds a reduced response for each load from snapshots: elastic solutions for moduli [Pa] taken from a training set.
+/// The initial snapshots are its middle and both ends; then a greedy selection adds a snapshot where the error estimate
+/// is largest and measures the error there, until the tolerance is met. The materials of the phases that vary are not
+/// used; all others must be elastic. With a checkpoint, the state is saved between solutions when that is due, and an
+/// earlier state is resumed, with the same bits as in one run.
+/// Throws InputError when there are no loads, a point has no material, the training set is empty, has a point without
+/// the moduli of each of its phases or names a phase twice or one without material, or another material relaxes;
+/// NumericalError when a system cannot be solved or the tolerance cannot be met.
+SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<const Load> loads,
+                                  const TrainingPath& training_set, const SamplingOptions& options = {},
                                   const std::function<void(const SamplingProgress&)>& observer = {},
                                   Checkpoint* checkpoint = nullptr);
 

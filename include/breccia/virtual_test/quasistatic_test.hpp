@@ -19,16 +19,16 @@ class Checkpoint;
 /// How the quasi-static method integrates through time.
 enum class Solver {
   reduced,  ///< reduced basis of a few elastic solutions, with exact poles in time
-  stepping  ///< log-time stepping: the reference, and the only method when a filler relaxes
+  stepping  ///< log-time stepping: the reference
 };
 
 template <>
 inline constexpr auto words<Solver> = std::to_array<Word<Solver>>({{"reduced", Solver::reduced},
                                                                    {"stepping", Solver::stepping}});
 
-/// Training set of a reduced response: moduli of the matrix.
+/// Training set of a reduced response: moduli of the matrix and of the other phases that vary.
 enum class SampledRange {
-  matrix,  ///< the whole relaxation of the matrix: the response then holds for every temperature
+  matrix,  ///< the whole relaxation of these phases: that of a matrix alone then holds for every temperature
   times    ///< the moduli that matter at the times of the test
 };
 
@@ -50,12 +50,13 @@ struct QuasistaticOptions {
 struct QuasistaticTest {
   Discretisation<2> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
-  /// The phase whose moduli vary in the reduced basis; all others must be elastic. The stepping solver does not use it.
-  PhaseIndex matrix = no_phase;
-  /// Carson moduli [Pa] of the matrix over its whole relaxation, from stiff to soft. They are given when the matrix is
-  /// itself a composite, whose series is a fit to some times alone; empty, they follow from its series. Used with
-  /// SampledRange::matrix alone.
-  std::vector<Moduli> matrix_moduli = {};
+  /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
+  /// solver does not use them.
+  std::vector<VaryingPhase> varying = {};
+  /// Carson moduli [Pa] of these phases, in their order, over their whole relaxation, from stiff to soft. They are
+  /// given when the matrix is itself a composite, whose series is a fit to some times alone; empty, they follow from
+  /// the series. Used with SampledRange::matrix alone.
+  std::vector<std::vector<Moduli>> relaxation = {};
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;
   TimeWindow times;                      ///< times of the curves [s]

@@ -1,9 +1,12 @@
 #include "reduced/affine_stiffness.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 
@@ -20,25 +23,52 @@ std::vector<Moduli> AffineStiffness::moduli_at(std::span<const double> parameter
   return moduli;
 }
 
-AffineStiffness affine_stiffness(const std::vector<Material>& materials, PhaseIndex matrix) {
-  const auto count = materials.size();
-  AffineStiffness stiffness = {std::vector<Moduli>(count, {0.0, 0.0}), {}};
-  for (std::size_t m = 0; m < count; ++m) {
-    const auto& [name, density, bulk, shear] = materials[m];
-    if (m == matrix) continue;
-    if (!bulk.is_elastic() || !shear.is_elastic()) {
-      throw InputError(
-          fmt::format("reduced basis: {} relaxes; with a filler that relaxes, take solver = \"stepping\"", name));
+namespace {
+
+/// Throws InputError, with every mistake, where phases cannot be those that vary among these materials.
+void require_phases_that_can_vary(const std::vector<Material>& materials, std::span<const VaryingPhase> varying) {
+  std::vector<std::string> mistakes;
+  if (varying.empty()) mistakes.emplace_back("expected at least one phase whose moduli vary");
+  for (auto one = varying.begin(); one != varying.end(); ++one) {
+    const auto& [index, name] = *one;
+    if (index >= materials.size()) {
+      mistakes.push_back(fmt::format("the phase {} has number {}, but there are materials for {} phases", name, index,
+                                     materials.size()));
     }
-    stiffness.constant[m] = {bulk.equilibrium(), shear.equilibrium()};
+    const bool is_twice = std::any_of(varying.begin(), one, [&](const VaryingPhase& earlier) {
+      return earlier.index == index || earlier.name == name;
+    });
+    if (is_twice) mistakes.push_back(fmt::format("the phase {}, number {}, is given twice", name, index));
   }
-  const auto add_part = [&](ElasticModulus modulus, const Moduli& one) {
-    std::vector<Moduli> unit(count, {0.0, 0.0});
-    unit.at(matrix) = one;
-    stiffness.parts.push_back({{std::string(name_of_matrix_phase), modulus}, std::move(unit)});
-  };
-  add_part(ElasticModulus::shear, {.bulk = 0.0, .shear = 1.0});
-  add_part(ElasticModulus::bulk, {.bulk = 1.0, .shear = 0.0});
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    const auto& material = materials[m];
+    const bool is_elastic = material.bulk.is_elastic() && material.shear.is_elastic();
+    if (is_elastic || std::ranges::find(varying, m, &VaryingPhase::index) != varying.end()) continue;
+    mistakes.push_back(fmt::format(
+        "{} relaxes: expected its phase among those whose moduli vary, or stepping through time", material.name));
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("reduced basis: {}", fmt::join(mistakes, "; ")));
+}
+
+}  // namespace
+
+AffineStiffness affine_stiffness(const std::vector<Material>& materials, std::span<const VaryingPhase> varying) {
+  require_phases_that_can_vary(materials, varying);
+  AffineStiffness stiffness;
+  for (const auto& material : materials) {
+    stiffness.constant.push_back({material.bulk.equilibrium(), material.shear.equilibrium()});
+  }
+  for (const auto& [index, name] : varying) {
+    stiffness.constant[index] = {0.0, 0.0};
+    const auto add_part = [&stiffness, count = materials.size(), phase = index, &phase_name = name](
+                              ElasticModulus modulus, const Moduli& one) {
+      std::vector<Moduli> unit(count, {0.0, 0.0});
+      unit[phase] = one;
+      stiffness.parts.push_back({{phase_name, modulus}, phase, std::move(unit)});
+    };
+    add_part(ElasticModulus::shear, {.bulk = 0.0, .shear = 1.0});
+    add_part(ElasticModulus::bulk, {.bulk = 1.0, .shear = 0.0});
+  }
   return stiffness;
 }
 

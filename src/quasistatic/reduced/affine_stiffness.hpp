@@ -6,6 +6,7 @@
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/quasistatic/training_path.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::quasistatic {
@@ -15,6 +16,7 @@ namespace breccia::quasistatic {
 struct AffineStiffness {
   struct Part {
     PhaseModulus parameter;    ///< whose modulus p_i is
+    PhaseIndex phase;          ///< the number of that phase
     std::vector<Moduli> unit;  ///< K_i, by material: 1 for this modulus of this phase, 0 for all others [-]
   };
   std::vector<Moduli> constant;  ///< K_0, by material: the moduli of the elastic phases [Pa]; 0 for those that vary
@@ -24,8 +26,9 @@ struct AffineStiffness {
   [[nodiscard]] std::vector<Moduli> moduli_at(std::span<const double> parameters) const;
 };
 
-/// The affine stiffness of a composite in which the moduli of the matrix vary and all other materials are elastic.
-/// Throws InputError when another material relaxes.
-AffineStiffness affine_stiffness(const std::vector<Material>& materials, PhaseIndex matrix);
+/// The affine stiffness of a composite in which both moduli of these phases vary, and all other materials are elastic.
+/// Throws InputError, with every mistake, when there are no such phases, one of them is named twice or has no material,
+/// or another material relaxes.
+AffineStiffness affine_stiffness(const std::vector<Material>& materials, std::span<const VaryingPhase> varying);
 
 }  // namespace breccia::quasistatic

@@ -21,7 +21,7 @@ std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span
   const auto& first = problem.materials[any];
   const Moduli moduli = {.bulk = first.bulk.equilibrium(), .shear = first.shear.equilibrium()};
   std::vector<double> apparent;
-  for (const auto& response : sample_responses(problem, any, loads, std::array{moduli}).responses) {
+  for (const auto& response : sample_responses(problem, loads, matrix_path(any, std::array{moduli})).responses) {
     apparent.push_back(response.modulus(moduli));
   }
   return apparent;

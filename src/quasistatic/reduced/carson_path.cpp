@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace breccia {
 namespace {
@@ -10,38 +13,62 @@ constexpr double least_change = 0.05, rounding = 1e-9;
 
 /// s M~(s) = M_inf + sum_k M_k s tau_k / (1 + s tau_k)
 double carson_modulus(const PronySeries& series, double s) {
+  if (std::isinf(s)) return series.unrelaxed();
   double modulus = series.equilibrium();
   for (const auto& [time, strength] : series.terms()) modulus += strength * s * time / (1.0 + s * time);
   return modulus;
 }
 
-/// Adds moduli to a path if one of the two differs from the last point by more than a relative change.
-void append(std::vector<Moduli>& path, const Moduli& moduli, double least) {
-  // The bulk modulus of a stage's result may rise while the shear modulus falls.
-  const double change =
-      std::max(std::abs(moduli.bulk / path.back().bulk - 1.0), std::abs(moduli.shear / path.back().shear - 1.0));
-  if (change > least) path.push_back(moduli);
+CarsonPoint point_at(std::span<const Material> materials, double s) {
+  CarsonPoint point = {.laplace_variable = s, .moduli = {}};
+  for (const auto& material : materials) point.moduli.push_back(carson_moduli(material, s));
+  return point;
+}
+
+/// Largest relative change of a modulus from one point to the next. The bulk modulus of a stage's result may rise while
+/// the shear modulus falls.
+double largest_change(const CarsonPoint& from, const CarsonPoint& to) {
+  double change = 0.0;
+  for (std::size_t m = 0; m < to.moduli.size(); ++m) {
+    const auto &before = from.moduli[m], &after = to.moduli[m];
+    change = std::max({change, std::abs(after.bulk / before.bulk - 1.0), std::abs(after.shear / before.shear - 1.0)});
+  }
+  return change;
+}
+
+/// Adds a point to a path if one of its moduli differs from that of the last point by more than a relative change.
+void append(std::vector<CarsonPoint>& path, CarsonPoint point, double least) {
+  if (largest_change(path.back(), point) > least) path.push_back(std::move(point));
 }
 
 /// Continues a path from one Laplace variable, whose moduli are its last point, down to another.
-void append_between(std::vector<Moduli>& path, const Material& material, double first, double last) {
+void append_between(std::vector<CarsonPoint>& path, std::span<const Material> materials, double first, double last) {
   constexpr double per_decade = 8.0;
   const int count = static_cast<int>(std::ceil(per_decade * std::log10(first / last)));
   for (int i = 1; i <= count; ++i) {
     const double s = first * std::pow(last / first, static_cast<double>(i) / count);
-    append(path, carson_moduli(material, s), i == count ? rounding : least_change);
+    append(path, point_at(materials, s), i == count ? rounding : least_change);
   }
 }
 
-/// A time window [s] that is widened to include the relaxation times of a material, with a factor beyond them.
-TimeWindow widened(const Material& material, TimeWindow window, double beyond) {
-  for (const auto* series : {&material.bulk, &material.shear}) {
-    for (const auto& term : series->terms()) {
-      window.begin = std::min(window.begin, term.relaxation_time / beyond);
-      window.end = std::max(window.end, term.relaxation_time * beyond);
+/// A time window [s] that is widened to include the relaxation times of materials, with a factor beyond them.
+TimeWindow widened(std::span<const Material> materials, TimeWindow window, double beyond) {
+  for (const auto& material : materials) {
+    for (const auto* series : {&material.bulk, &material.shear}) {
+      for (const auto& term : series->terms()) {
+        window.begin = std::min(window.begin, term.relaxation_time / beyond);
+        window.end = std::max(window.end, term.relaxation_time * beyond);
+      }
     }
   }
   return window;
+}
+
+/// The moduli of the only material of a path.
+std::vector<Moduli> moduli_of(const std::vector<CarsonPoint>& path) {
+  std::vector<Moduli> moduli;
+  for (const auto& point : path) moduli.push_back(point.moduli.front());
+  return moduli;
 }
 
 }  // namespace
@@ -50,11 +77,15 @@ Moduli carson_moduli(const Material& material, double s) {
   return {carson_modulus(material.bulk, s), carson_modulus(material.shear, s)};
 }
 
-std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin) {
+std::vector<CarsonPoint> carson_path(std::span<const Material> materials, const TimeWindow& window, double margin) {
   const double first = margin / window.begin, last = 1.0 / (margin * window.end);
-  std::vector<Moduli> path = {carson_moduli(material, first)};
-  append_between(path, material, first, last);
+  std::vector<CarsonPoint> path = {point_at(materials, first)};
+  append_between(path, materials, first, last);
   return path;
+}
+
+std::vector<Moduli> carson_path(const Material& material, const TimeWindow& window, double margin) {
+  return moduli_of(carson_path(std::span(&material, 1), window, margin));
 }
 
 bool is_like_softer(const Moduli& moduli) {
@@ -62,14 +93,20 @@ bool is_like_softer(const Moduli& moduli) {
   return moduli.shear < incompressible * moduli.bulk;
 }
 
-std::vector<Moduli> relaxation_path(const Material& material, const TimeWindow& window) {
-  constexpr double margin = 30.0, beyond = 100.0;
-  const auto [begin, end] = widened(material, {window.begin / margin, window.end * margin}, beyond);
-  std::vector<Moduli> path = {{material.bulk.unrelaxed(), material.shear.unrelaxed()}};
-  append_between(path, material, 1.0 / begin, 1.0 / end);
-  const Moduli relaxed = {material.bulk.equilibrium(), material.shear.equilibrium()};
-  if (relaxed.shear > 0.0) append(path, relaxed, rounding);
+std::vector<CarsonPoint> relaxation_path(std::span<const Material> materials, const TimeWindow& window) {
+  constexpr double margin = 30.0, beyond = 100.0, unrelaxed = std::numeric_limits<double>::infinity();
+  const auto [begin, end] = widened(materials, {window.begin / margin, window.end * margin}, beyond);
+  std::vector<CarsonPoint> path = {point_at(materials, unrelaxed)};
+  append_between(path, materials, 1.0 / begin, 1.0 / end);
+  auto relaxed = point_at(materials, 0.0);
+  const bool is_solid =
+      std::ranges::all_of(relaxed.moduli, [](const Moduli& at_equilibrium) { return at_equilibrium.shear > 0.0; });
+  if (is_solid) append(path, std::move(relaxed), rounding);
   return path;
+}
+
+std::vector<Moduli> relaxation_path(const Material& material, const TimeWindow& window) {
+  return moduli_of(relaxation_path(std::span(&material, 1), window));
 }
 
 }  // namespace breccia

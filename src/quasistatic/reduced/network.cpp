@@ -2,12 +2,17 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include <lapacke.h>
 
 #include "breccia/error.hpp"
+
+#include "reduced/part_series.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -20,40 +25,56 @@ Eigen::MatrixXd square_root(const Eigen::MatrixXd& matrix, double rounding) {
   return modes.eigenvalues().cwiseMax(rounding).cwiseSqrt().asDiagonal() * modes.eigenvectors().transpose();
 }
 
-/// The terms of both moduli [Pa] by relaxation time [s]. A bulk term may be negative; K + G/3 of a term, its stiffness
-/// in plane strain, is not.
-std::map<double, Moduli> terms_of(const Material& material) {
-  std::map<double, Moduli> terms;
-  for (const auto& [time, modulus] : material.shear.terms()) terms[time].shear += modulus;
-  for (const auto& [time, modulus] : material.bulk.terms()) terms[time].bulk += modulus;
+/// Stiffness of the parts of a response with these moduli [Pa], without the constant part.
+Eigen::MatrixXd stiffness_of_parts(const ReducedResponse& response, std::span<const double> moduli) {
+  const auto size = response.constant.rows();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t i = 0; i < moduli.size(); ++i) sum += moduli[i] * response.parts[i].stiffness;
+  return sum;
+}
+
+/// The terms of all moduli [Pa] by relaxation time [s], each a list by part. A bulk term may be negative; K + G/3 of a
+/// term, its stiffness in plane strain, is not.
+std::map<double, std::vector<double>> terms_of(const std::vector<const PronySeries*>& series) {
+  std::map<double, std::vector<double>> terms;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    for (const auto& [time, modulus] : series[i]->terms()) {
+      const auto term = terms.try_emplace(time, series.size(), 0.0).first;
+      term->second[i] += modulus;
+    }
+  }
   return terms;
 }
 
 /// The springs and dashpots of the network. The rows of S are springs: first the equilibrium springs, then the springs
 /// of every term, each in series with a dashpot.
 struct Network {
-  std::map<double, Moduli> terms;  ///< moduli [Pa] by relaxation time [s]
-  Eigen::MatrixXd springs;         ///< S
-  Eigen::VectorXd rates;           ///< relaxation rates of the springs with dashpots, the last rows of S [1/s]
+  std::vector<double> equilibrium;              ///< moduli [Pa] by part
+  std::map<double, std::vector<double>> terms;  ///< moduli [Pa] by part, by relaxation time [s]
+  Eigen::MatrixXd springs;                      ///< S
+  Eigen::VectorXd rates;  ///< relaxation rates of the springs with dashpots, the last rows of S [1/s]
 
   [[nodiscard]] Eigen::Index dashpots() const { return rates.size(); }
 };
 
-Network network_of(const ReducedResponse& response, const Material& matrix) {
-  const auto stiffness = [&](const Moduli& moduli) -> Eigen::MatrixXd {
-    return moduli.shear * response.part(ElasticModulus::shear) + moduli.bulk * response.part(ElasticModulus::bulk);
-  };
-  const Eigen::MatrixXd unrelaxed = response.constant + stiffness({matrix.bulk.unrelaxed(), matrix.shear.unrelaxed()});
+Network network_of(const ReducedResponse& response, std::span<const Material> of_phases) {
+  const auto series = series_of_parts(response, of_phases);
+  std::vector<double> at_first, at_rest;
+  for (const auto* modulus : series) {
+    at_first.push_back(modulus->unrelaxed());
+    at_rest.push_back(modulus->equilibrium());
+  }
+  const Eigen::MatrixXd unrelaxed = response.constant + stiffness_of_parts(response, at_first);
   const double rounding = 1e-16 * unrelaxed.diagonal().maxCoeff();
   const auto size = response.constant.rows();
-  Network network = {.terms = terms_of(matrix), .springs = {}, .rates = {}};
+  Network network = {.equilibrium = at_rest, .terms = terms_of(series), .springs = {}, .rates = {}};
   network.rates.resize(static_cast<Eigen::Index>(network.terms.size()) * size);
   network.springs.resize(size + network.dashpots(), size);
   network.springs.topRows(size) =
-      square_root(response.constant + stiffness({matrix.bulk.equilibrium(), matrix.shear.equilibrium()}), rounding);
+      square_root(response.constant + stiffness_of_parts(response, network.equilibrium), rounding);
   Eigen::Index row = 0;
   for (const auto& [time, moduli] : network.terms) {
-    network.springs.middleRows(size + row, size) = square_root(stiffness(moduli), rounding);
+    network.springs.middleRows(size + row, size) = square_root(stiffness_of_parts(response, moduli), rounding);
     network.rates.segment(row, size).setConstant(1.0 / time);
     row += size;
   }
@@ -165,10 +186,10 @@ Eigen::VectorXd displacement_of(const Network& network, const Loading& loading, 
 
 }  // namespace
 
-CreepCompliance network_compliance(const ReducedResponse& response, const Material& matrix) {
+CreepCompliance network_compliance(const ReducedResponse& response, std::span<const Material> of_phases) {
   // The retardation rates of the network are the squared singular values of N' D, where N is the part of M that belongs
   // to the springs with dashpots and D holds the square roots of their relaxation rates.
-  const auto network = network_of(response, matrix);
+  const auto network = network_of(response, of_phases);
   const auto dashpots = network.dashpots();
   const Factors factors(network.springs);
   const Eigen::VectorXd pulled = factors.r.transpose().triangularView<Eigen::Lower>().solve(response.load_forces);
@@ -185,8 +206,8 @@ CreepCompliance network_compliance(const ReducedResponse& response, const Materi
   return {pulled.squaredNorm(), std::move(terms), 0.0};
 }
 
-ReducedState network_state(const ReducedResponse& response, const Material& matrix, double time) {
-  const auto network = network_of(response, matrix);
+ReducedState network_state(const ReducedResponse& response, std::span<const Material> of_phases, double time) {
+  const auto network = network_of(response, of_phases);
   const auto loading = loading_of(response, network);
   const Factors factors(network.springs * loading.free);
   const auto crept = creep_of(network, loading, factors, time);
@@ -194,15 +215,13 @@ ReducedState network_state(const ReducedResponse& response, const Material& matr
   state.displacement = displacement_of(network, loading, factors, crept);
   // The moduli applied to the history of c: the equilibrium modulus times c, plus for every term its modulus times the
   // elongation of its springs.
-  state.shear = matrix.shear.equilibrium() * state.displacement;
-  state.bulk = matrix.bulk.equilibrium() * state.displacement;
+  for (const double modulus : network.equilibrium) state.applied.emplace_back(modulus * state.displacement);
   const auto size = loading.prescribed.size();
   Eigen::Index row = size;
   for (const auto& [relaxation_time, moduli] : network.terms) {
     const Eigen::VectorXd elongation =
         network.springs.middleRows(row, size).colPivHouseholderQr().solve(crept.spring_forces.segment(row, size));
-    state.shear += moduli.shear * elongation;
-    state.bulk += moduli.bulk * elongation;
+    for (std::size_t i = 0; i < moduli.size(); ++i) state.applied[i] += moduli[i] * elongation;
     row += size;
   }
   return state;

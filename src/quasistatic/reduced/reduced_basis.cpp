@@ -24,11 +24,11 @@ void enlarge(Eigen::MatrixXd& matrix) {
 }  // namespace
 
 ReducedBasis::ReducedBasis(const ElasticOperator<2>& elastic_operator, const AffineStiffness& stiffness, Load load,
-                           const Moduli& reference)
+                           std::vector<Moduli> reference)
     : elastic_operator_(&elastic_operator),
       stiffness_(&stiffness),
       load_(load),
-      reference_(reference),
+      reference_(std::move(reference)),
       load_forces_(elastic_operator.load_forces(load)) {
   response_.load = load;
   response_.boundary = elastic_operator.boundary();
@@ -60,8 +60,8 @@ bool ReducedBasis::normalise(Displacement& vector) const {
   return true;
 }
 
-void ReducedBasis::add(Displacement solution, const Moduli& matrix) {
-  response_.snapshots.push_back({matrix});
+void ReducedBasis::add(Displacement solution, std::vector<Moduli> moduli) {
+  response_.snapshots.push_back({std::move(moduli)});
   extend(std::move(solution));
 }
 
@@ -129,9 +129,9 @@ void ReducedBasis::extend_residual_products() {
   response_.residual_products = std::move(products);
 }
 
-Displacement ReducedBasis::approximation(const Moduli& matrix) const {
+Displacement ReducedBasis::approximation(std::span<const Moduli> moduli) const {
   if (vectors_.empty()) return elastic_operator_->zero();
-  const Eigen::VectorXd weights = response_.stiffness(response_.parameters(matrix)).ldlt().solve(response_.load_forces);
+  const Eigen::VectorXd weights = response_.stiffness(response_.parameters(moduli)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
   // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise. The forces
   // of the projection are those of the unit traction over the square root of the area.

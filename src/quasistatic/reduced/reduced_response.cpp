@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "reduced/network.hpp"
+#include "reduced/part_series.hpp"
 #include "reduced/residual_rounding.hpp"
 
 namespace breccia {
@@ -51,19 +54,37 @@ PronySeries combined(double p, double q, const PronySeries& series) {
   return {p + q * series.equilibrium(), std::move(terms)};
 }
 
-/// With an elastic bulk modulus the compliance is a sum of simple poles in G (theory, Eq. 19).
-CreepCompliance sum_of_poles(const ReducedResponse& response, double bulk, const PronySeries& shear) {
-  const Eigen::MatrixXd fixed = response.constant + bulk * response.part(ElasticModulus::bulk);
-  // The basis is orthonormal for the matrix of the first snapshot.
-  const double reference = response.snapshots.front().matrix.shear;
+/// Place of the part whose modulus is the only one that relaxes, where that is a shear modulus. Where no modulus
+/// relaxes, any shear modulus can be taken as the one that does.
+std::optional<std::size_t> only_relaxing_shear(const ReducedResponse& response,
+                                               const std::vector<const PronySeries*>& series) {
+  std::vector<std::size_t> relaxing, in_shear;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    if (!series[i]->is_elastic()) relaxing.push_back(i);
+    if (response.parts[i].parameter.modulus == ElasticModulus::shear) in_shear.push_back(i);
+  }
+  if (relaxing.empty() && !in_shear.empty()) return in_shear.front();
+  if (relaxing.size() == 1 && std::ranges::find(in_shear, relaxing.front()) != in_shear.end()) return relaxing.front();
+  return std::nullopt;
+}
+
+/// Where a single shear modulus relaxes, the compliance is a sum of simple poles in it (theory, Eq. 19).
+CreepCompliance sum_of_poles(const ReducedResponse& response, std::size_t relaxing,
+                             const std::vector<const PronySeries*>& series) {
+  Eigen::MatrixXd fixed = response.constant;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    if (i != relaxing) fixed += series[i]->equilibrium() * response.parts[i].stiffness;
+  }
+  // The basis is orthonormal for the moduli of the first snapshot.
+  const double reference = response.parameters(response.snapshots.front().moduli)[relaxing];
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
-      fixed, fixed + reference * response.part(ElasticModulus::shear));
+      fixed, fixed + reference * response.parts[relaxing].stiffness);
   double instantaneous = 0.0, fluidity = 0.0;
   std::vector<RetardationTerm> terms;
   for (Eigen::Index k = 0; k < modes.eigenvalues().size(); ++k) {
     const double share = std::clamp(modes.eigenvalues()[k], 0.0, 1.0);
     const double amplitude = modes.eigenvectors().col(k).dot(response.load_forces);
-    const auto mode = creep_compliance(combined(share, (1.0 - share) / reference, shear));
+    const auto mode = creep_compliance(combined(share, (1.0 - share) / reference, *series[relaxing]));
     instantaneous += amplitude * amplitude * mode.instantaneous();
     fluidity += amplitude * amplitude * mode.fluidity();
     for (auto [time, strength] : mode.terms()) terms.push_back({time, amplitude * amplitude * strength});
@@ -78,24 +99,67 @@ std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk
   return {{{phase, ElasticModulus::shear}, std::move(shear)}, {{phase, ElasticModulus::bulk}, std::move(bulk)}};
 }
 
-const Eigen::MatrixXd& ReducedResponse::part(ElasticModulus modulus) const {
-  const PhaseModulus wanted = {std::string(name_of_matrix_phase), modulus};
-  const auto found = std::ranges::find(parts, wanted, &AffinePart::parameter);
-  if (found == parts.end()) throw InputError("reduced response: no part of its stiffness belongs to the matrix");
-  return found->stiffness;
+const Eigen::MatrixXd& ReducedResponse::part(const PhaseModulus& parameter) const {
+  const auto found = std::ranges::find(parts, parameter, &AffinePart::parameter);
+  if (found != parts.end()) return found->stiffness;
+  throw InputError(fmt::format("reduced response: no part of its stiffness belongs to the {}", parameter.phase));
 }
 
-std::vector<double> ReducedResponse::parameters(const Moduli& matrix) const {
+const Eigen::MatrixXd& ReducedResponse::part(ElasticModulus modulus) const {
+  return part(PhaseModulus{std::string(name_of_matrix_phase), modulus});
+}
+
+std::vector<std::string> ReducedResponse::phases() const {
+  std::vector<std::string> names;
+  for (const auto& [parameter, stiffness] : parts) {
+    if (std::ranges::find(names, parameter.phase) == names.end()) names.push_back(parameter.phase);
+  }
+  return names;
+}
+
+std::vector<double> ReducedResponse::parameters(std::span<const Moduli> of_phases) const {
+  const auto names = phases();
+  if (of_phases.size() != names.size()) {
+    throw InputError(
+        fmt::format("reduced response: expected moduli of {} phases, got {}", names.size(), of_phases.size()));
+  }
   std::vector<double> parameters;
   parameters.reserve(parts.size());
   for (const auto& [parameter, stiffness] : parts) {
-    if (parameter.phase != name_of_matrix_phase) {
-      throw InputError(
-          fmt::format("reduced response: the moduli of {} vary too, not those of the matrix alone", parameter.phase));
-    }
-    parameters.push_back(parameter.modulus == ElasticModulus::shear ? matrix.shear : matrix.bulk);
+    const auto place = std::ranges::find(names, parameter.phase) - names.begin();
+    const auto& [bulk, shear] = of_phases[static_cast<std::size_t>(place)];
+    parameters.push_back(parameter.modulus == ElasticModulus::shear ? shear : bulk);
   }
   return parameters;
+}
+
+std::vector<double> ReducedResponse::parameters(const Moduli& matrix) const {
+  for (const auto& name : phases()) {
+    if (name == name_of_matrix_phase) continue;
+    throw InputError(fmt::format("reduced response: the moduli of {} vary too, not those of the matrix alone", name));
+  }
+  return parameters(std::span(&matrix, 1));
+}
+
+std::vector<Material> ReducedResponse::materials(const std::map<std::string, Material>& by_phase) const {
+  const auto names = phases();
+  std::vector<std::string> mistakes;
+  std::vector<Material> materials;
+  for (const auto& name : names) {
+    const auto material = by_phase.find(name);
+    if (material == by_phase.end()) {
+      mistakes.push_back(fmt::format("the phase {} has no material", name));
+    } else {
+      materials.push_back(material->second);
+    }
+  }
+  for (const auto& [name, material] : by_phase) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    mistakes.push_back(
+        fmt::format("{} is given for {}, expected one of the phases {}", material.name, name, fmt::join(names, ", ")));
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("reduced response: {}", fmt::join(mistakes, "; ")));
+  return materials;
 }
 
 Eigen::MatrixXd ReducedResponse::stiffness(std::span<const double> parameters) const {
@@ -106,6 +170,10 @@ Eigen::MatrixXd ReducedResponse::stiffness(std::span<const double> parameters) c
 
 double ReducedResponse::modulus(std::span<const double> parameters) const {
   return 1.0 / load_forces.dot(reduced_solution(*this, parameters));
+}
+
+double ReducedResponse::modulus(std::span<const Moduli> of_phases) const {
+  return modulus(parameters(of_phases));
 }
 
 double ReducedResponse::modulus(const Moduli& matrix) const {
@@ -120,22 +188,31 @@ double ReducedResponse::error_estimate(std::span<const double> parameters) const
   return residual_scale * squared / (softest_shear(*this, parameters) * load_forces.dot(solution));
 }
 
+double ReducedResponse::error_estimate(std::span<const Moduli> of_phases) const {
+  return error_estimate(parameters(of_phases));
+}
+
 double ReducedResponse::error_estimate(const Moduli& matrix) const {
   return error_estimate(parameters(matrix));
 }
 
-double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, const Moduli& matrix) {
+double quasistatic::rounding_of_error_estimate(const ReducedResponse& response, std::span<const Moduli> of_phases) {
   constexpr double of_a_sum = 4e-16;
-  const auto parameters = response.parameters(matrix);
+  const auto parameters = response.parameters(of_phases);
   const auto solution = reduced_solution(response, parameters);
   const Eigen::VectorXd weights = residual_weights(solution, parameters).cwiseAbs();
   const double squared = of_a_sum * weights.dot(response.residual_products.cwiseAbs() * weights);
   return response.residual_scale * squared / (softest_shear(response, parameters) * response.load_forces.dot(solution));
 }
 
+CreepCompliance creep_compliance(const ReducedResponse& response, std::span<const Material> of_phases) {
+  const auto series = quasistatic::series_of_parts(response, of_phases);
+  const auto relaxing = only_relaxing_shear(response, series);
+  return relaxing ? sum_of_poles(response, *relaxing, series) : quasistatic::network_compliance(response, of_phases);
+}
+
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix) {
-  if (matrix.bulk.is_elastic()) return sum_of_poles(response, matrix.bulk.equilibrium(), matrix.shear);
-  return quasistatic::network_compliance(response, matrix);
+  return creep_compliance(response, std::span(&matrix, 1));
 }
 
 }  // namespace breccia

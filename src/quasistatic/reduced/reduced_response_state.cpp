@@ -1,6 +1,7 @@
 // A reduced response as a part of the state of a calculation.
 #include "breccia/quasistatic/reduced_response_state.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -37,9 +38,11 @@ void save(StateWriter& state, const std::string& group, const ReducedResponse& r
   save_matrix(state, group + "/residual_products", response.residual_products);
   state.write(group + "/residual_scale", response.residual_scale);
   std::vector<double> shear, bulk, errors;
-  for (const auto& [matrix, error] : response.snapshots) {
-    shear.push_back(matrix.shear);
-    bulk.push_back(matrix.bulk);
+  for (const auto& [moduli, error] : response.snapshots) {
+    for (const auto& of_phase : moduli) {
+      shear.push_back(of_phase.shear);
+      bulk.push_back(of_phase.bulk);
+    }
     errors.push_back(error);
   }
   state.write(group + "/snapshots/shear_Pa", shear);
@@ -66,9 +69,13 @@ ReducedResponse read_response(const StateReader& state, const std::string& group
   response.residual_scale = state.number(group + "/residual_scale");
   const auto shear = state.numbers(group + "/snapshots/shear_Pa");
   const auto bulk = state.numbers(group + "/snapshots/bulk_Pa", shear.size());
-  const auto errors = state.numbers(group + "/snapshots/error_before", shear.size());
-  for (std::size_t i = 0; i < shear.size(); ++i) {
-    response.snapshots.push_back({{.bulk = bulk[i], .shear = shear[i]}, errors[i]});
+  const auto phases = response.phases().size();
+  const auto errors = state.numbers(group + "/snapshots/error_before", shear.size() / std::max(phases, std::size_t{1}));
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    auto& snapshot = response.snapshots.emplace_back(Snapshot{{}, errors[i]});
+    for (std::size_t k = i * phases; k < (i + 1) * phases; ++k) {
+      snapshot.moduli.push_back({.bulk = bulk[k], .shear = shear[k]});
+    }
   }
   return response;
 }

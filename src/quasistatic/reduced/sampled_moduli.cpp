@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 
 namespace breccia {
@@ -20,9 +24,10 @@ ModuliRange empty_range() {
   return {{infinite, infinite}, {-infinite, -infinite}};
 }
 
-ModuliRange usable_range(const ReducedResponse& response) {
+/// Moduli of the phase at a place in the list of those that vary for which a response can be used.
+ModuliRange usable_range(const ReducedResponse& response, std::size_t phase) {
   auto range = empty_range();
-  for (const auto& snapshot : response.snapshots) widen(range, snapshot.matrix);
+  for (const auto& snapshot : response.snapshots) widen(range, snapshot.moduli[phase]);
   // The ends of the range are snapshots. The error is of second order in the distance from a snapshot, so it is below
   // the tolerance for moduli that differ by the spacing of the training set. A bulk modulus off the training set does
   // little harm: the matrix is nearly incompressible, or its volume change has little influence.
@@ -30,8 +35,10 @@ ModuliRange usable_range(const ReducedResponse& response) {
   // The training set has eight points a decade, so its softest point is at most this factor above the shear modulus
   // from which on all softer matrices are alike.
   constexpr double spacing = 1.4;
-  const auto softest = std::ranges::min(response.snapshots, {}, [](const Snapshot& one) { return one.matrix.shear; });
-  const bool holds_for_softer = is_like_softer({softest.matrix.bulk, softest.matrix.shear / spacing});
+  const auto softest = std::ranges::min(response.snapshots, {}, [phase](const Snapshot& one) {
+                         return one.moduli[phase].shear;
+                       }).moduli[phase];
+  const bool holds_for_softer = is_like_softer({softest.bulk, softest.shear / spacing});
   return {{(1.0 - off_bulk) * range.least.bulk, holds_for_softer ? 0.0 : (1.0 - off_shear) * range.least.shear},
           {(1.0 + off_bulk) * range.most.bulk, (1.0 + off_shear) * range.most.shear}};
 }
@@ -51,20 +58,37 @@ std::vector<double> close_times(const TimeWindow& window) {
   return times;
 }
 
+/// Adds the moduli that a phase shows at one time. True when the response covers them.
+bool covers(PhaseCoverage& of_phase, const Moduli& moduli) {
+  const auto& [least, most] = of_phase.sampled;
+  widen(of_phase.shown, moduli);
+  const bool has_shear = is_within(moduli.shear, least.shear, most.shear);
+  const bool has_bulk = is_within(moduli.bulk, least.bulk, most.bulk);
+  of_phase.is_shear_covered = of_phase.is_shear_covered && has_shear;
+  of_phase.is_bulk_covered = of_phase.is_bulk_covered && has_bulk;
+  return has_shear && has_bulk;
+}
+
 }  // namespace
 
-Coverage coverage(const ReducedResponse& response, const Material& matrix, const TimeWindow& window) {
-  Coverage found{usable_range(response), empty_range()};
-  const auto& [least, most] = found.sampled;
+Coverage coverage(const ReducedResponse& response, std::span<const Material> of_phases, const TimeWindow& window) {
+  const auto names = response.phases();
+  if (of_phases.size() != names.size()) {
+    throw InputError(
+        fmt::format("reduced response: expected materials of {} phases, got {}", names.size(), of_phases.size()));
+  }
+  Coverage found;
+  for (std::size_t phase = 0; phase < names.size(); ++phase) {
+    found.phases.push_back({names[phase], usable_range(response, phase), empty_range()});
+  }
   std::optional<TimeWindow> stretch;
   for (const double time : close_times(window)) {
-    const auto moduli = carson_moduli(matrix, 1.0 / time);
-    widen(found.shown, moduli);
-    const bool has_shear = is_within(moduli.shear, least.shear, most.shear);
-    const bool has_bulk = is_within(moduli.bulk, least.bulk, most.bulk);
-    found.is_shear_covered = found.is_shear_covered && has_shear;
-    found.is_bulk_covered = found.is_bulk_covered && has_bulk;
-    if (!has_shear || !has_bulk) {
+    bool are_covered = true;
+    for (std::size_t phase = 0; phase < names.size(); ++phase) {
+      const bool is_covered = covers(found.phases[phase], carson_moduli(of_phases[phase], 1.0 / time));
+      are_covered = are_covered && is_covered;
+    }
+    if (!are_covered) {
       stretch.reset();
       continue;
     }
@@ -74,12 +98,12 @@ Coverage coverage(const ReducedResponse& response, const Material& matrix, const
   return found;
 }
 
-double largest_error(const ReducedResponse& response, const Material& matrix, const TimeWindow& window) {
+double largest_error(const ReducedResponse& response, std::span<const Material> of_phases, const TimeWindow& window) {
   // Without a margin, at s = 1/t of the window alone: moduli beyond it have less and less influence.
   constexpr double margin = 1.0;
   double error = 0.0;
-  for (const auto& moduli : carson_path(matrix, window, margin)) {
-    error = std::max(error, response.error_estimate(moduli));
+  for (const auto& point : carson_path(of_phases, window, margin)) {
+    error = std::max(error, response.error_estimate(point.moduli));
   }
   return error;
 }

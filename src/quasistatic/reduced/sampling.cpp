@@ -29,10 +29,11 @@ using quasistatic::ElasticOperator;
 using quasistatic::ElasticSolver;
 using quasistatic::ReducedBasis;
 
-/// The solution for an elastic matrix. The reduced solution is the initial guess.
+/// The solution for moduli [Pa] by material. The reduced solution is the initial guess; it is that for these moduli of
+/// the phases that vary.
 Displacement solve(const ElasticOperator<2>& elastic_operator, ElasticSolver& solver, const ReducedBasis& basis,
-                   const std::vector<Moduli>& moduli, const Moduli& matrix) {
-  auto solution = basis.approximation(matrix);
+                   const std::vector<Moduli>& moduli, std::span<const Moduli> varying) {
+  auto solution = basis.approximation(varying);
   auto forces = elastic_operator.zero();
   double macroscopic = 0.0;
   if (elastic_operator.boundary() == Boundary::traction) {
@@ -58,7 +59,7 @@ double modulus_of(const ElasticOperator<2>& elastic_operator, const ReducedBasis
 
 /// The candidate for the next snapshot: where in the training set the error estimate is largest.
 struct Candidate {
-  Moduli moduli{};
+  std::vector<Moduli> moduli;  ///< [Pa] of the phases that vary
   double estimate = -1.0;
 };
 
@@ -66,9 +67,9 @@ struct Candidate {
 /// operator and to the affine stiffness.
 class GreedySampling {
  public:
-  GreedySampling(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
-                 const Moduli& reference)
-      : stiffness_(quasistatic::affine_stiffness(problem.materials, matrix)),
+  GreedySampling(const QuasistaticProblem& problem, std::span<const VaryingPhase> varying, std::span<const Load> loads,
+                 const std::vector<Moduli>& reference)
+      : stiffness_(quasistatic::affine_stiffness(problem.materials, varying)),
         elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary),
         scales_(loads.size(), 0.0),
         measured_(loads.size()) {
@@ -83,13 +84,13 @@ class GreedySampling {
   [[nodiscard]] double error() const noexcept { return error_; }
 
   /// Adds the snapshot at these moduli to the basis of each load, without measuring the error there.
-  void add_initial_snapshot(ElasticSolver& solver, const Moduli& at) {
+  void add_initial_snapshot(ElasticSolver& solver, const std::vector<Moduli>& at) {
     add_snapshot(solver, at, [](std::size_t, const Displacement&) { return 0.0; });
     error_ = 1.0;
   }
 
   /// Measures the error of each reduced response at these moduli, and adds the snapshot.
-  void add_selected_snapshot(ElasticSolver& solver, const Moduli& at, double tolerance) {
+  void add_selected_snapshot(ElasticSolver& solver, const std::vector<Moduli>& at, double tolerance) {
     error_ = 0.0;
     add_snapshot(solver, at, [&](std::size_t load, const Displacement& solution) {
       const double error = measure_error(load, solution, at, tolerance);
@@ -101,7 +102,7 @@ class GreedySampling {
   /// The moduli of the training set with the largest error estimate of all loads. Estimates are scaled by the ratios of
   /// error to residual measured so far. One that rounding alone may have caused counts as no error, since no further
   /// snapshot would reduce it.
-  [[nodiscard]] Candidate greedy_choice(std::span<const Moduli> training_set) const {
+  [[nodiscard]] Candidate greedy_choice(std::span<const std::vector<Moduli>> training_set) const {
     Candidate choice, within_rounding;
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       auto response = bases_[l].response();
@@ -149,14 +150,14 @@ class GreedySampling {
   }
 
  private:
-  /// Moduli by material [Pa] of the composite with a matrix of these moduli [Pa].
-  [[nodiscard]] std::vector<Moduli> moduli_at(const Moduli& matrix) const {
-    return stiffness_.moduli_at(bases_.front().response().parameters(matrix));
+  /// Moduli by material [Pa] of the composite with these moduli of the phases that vary.
+  [[nodiscard]] std::vector<Moduli> moduli_at(std::span<const Moduli> varying) const {
+    return stiffness_.moduli_at(bases_.front().response().parameters(varying));
   }
 
   /// Solves for each load, and adds the solution after error_at(load, solution) has returned the error to record.
   template <class ErrorAt>
-  void add_snapshot(ElasticSolver& solver, const Moduli& at, const ErrorAt& error_at) {
+  void add_snapshot(ElasticSolver& solver, const std::vector<Moduli>& at, const ErrorAt& error_at) {
     const auto moduli = moduli_at(at);
     solver.set_moduli(moduli);
     solver.update_preconditioner();
@@ -170,7 +171,7 @@ class GreedySampling {
 
   /// Relative error of the reduced response to a load at these moduli. Updates the ratio of error to residual, unless
   /// the error is so far below the tolerance that it may come from the linear solver.
-  double measure_error(std::size_t load, const Displacement& solution, const Moduli& at, double tolerance) {
+  double measure_error(std::size_t load, const Displacement& solution, std::span<const Moduli> at, double tolerance) {
     constexpr double least_share = 0.1;
     auto response = bases_[load].response();
     response.residual_scale = 1.0;
@@ -194,35 +195,58 @@ class GreedySampling {
   double error_ = 1.0;
 };
 
-PointFields<2> recover(const GreedySampling& sampling, const QuasistaticProblem& problem, PhaseIndex matrix_index,
-                       std::size_t load, const Material& matrix, double time) {
+PointFields<2> recover(const GreedySampling& sampling, const QuasistaticProblem& problem, std::size_t load,
+                       std::span<const Material> of_phases, double time) {
   const auto& basis = sampling.bases().at(load);
-  const auto state = quasistatic::network_state(basis.response(), matrix, time);
+  const auto& stiffness = sampling.stiffness();
+  const auto state = quasistatic::network_state(basis.response(), of_phases, time);
   // The load forces e of the basis are those of the unit load over the square root of the area.
   const double unit = std::sqrt(sampling.elastic_operator().volume());
   const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
   const auto displacement = combined(state.displacement);
   std::vector<quasistatic::AppliedModuli> applied;
-  for (std::size_t m = 0; m < sampling.stiffness().constant.size(); ++m) {
-    if (m == matrix_index) {
-      applied.push_back({combined(state.bulk), combined(state.shear)});
-    } else {
-      applied.push_back({displacement.copy(), displacement.copy()});
-      applied.back().bulk.scale(sampling.stiffness().constant[m].bulk);
-      applied.back().shear.scale(sampling.stiffness().constant[m].shear);
-    }
+  for (const auto& [bulk, shear] : stiffness.constant) {
+    applied.push_back({displacement.copy(), displacement.copy()});
+    applied.back().bulk.scale(bulk);
+    applied.back().shear.scale(shear);
+  }
+  for (std::size_t i = 0; i < stiffness.parts.size(); ++i) {
+    const auto& part = stiffness.parts[i];
+    auto& [bulk, shear] = applied[part.phase];
+    (part.parameter.modulus == ElasticModulus::shear ? shear : bulk) = combined(state.applied[i]);
   }
   return quasistatic::recover_fields(sampling.elastic_operator(), problem.discretisation, problem.volumetric,
                                      basis.load(), displacement, applied);
 }
 
+bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others) {
+  return std::ranges::equal(some, others, [](const Moduli& one, const Moduli& other) {
+    return one.bulk == other.bulk && one.shear == other.shear;
+  });
+}
+
 /// The middle of the training set, and both its ends where they differ from it.
-std::vector<Moduli> initial_snapshots(std::span<const Moduli> training_set) {
-  std::vector<Moduli> initial = {training_set[training_set.size() / 2]};
+std::vector<std::vector<Moduli>> initial_snapshots(std::span<const std::vector<Moduli>> training_set) {
+  std::vector<std::vector<Moduli>> initial = {training_set[training_set.size() / 2]};
   for (const auto& end : {training_set.front(), training_set.back()}) {
-    if (end.bulk != initial.front().bulk || end.shear != initial.front().shear) initial.push_back(end);
+    if (!are_equal(end, initial.front())) initial.push_back(end);
   }
   return initial;
+}
+
+void require_complete(const QuasistaticProblem& problem, std::span<const Load> loads,
+                      const TrainingPath& training_set) {
+  if (training_set.points.empty()) throw InputError("reduced basis: no moduli to sample");
+  const auto phases = training_set.phases.size();
+  for (const auto& point : training_set.points) {
+    if (point.size() == phases) continue;
+    throw InputError(
+        fmt::format("reduced basis: expected the moduli of {} phases at each point of the training set, "
+                    "got those of {}",
+                    phases, point.size()));
+  }
+  if (loads.empty()) throw InputError("reduced basis: no loads");
+  require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
 }
 
 void require_first_vectors(const GreedySampling& sampling) {
@@ -244,15 +268,13 @@ void require_more_snapshots(const GreedySampling& sampling, double error, const 
 
 }  // namespace
 
-SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex matrix, std::span<const Load> loads,
-                                  std::span<const Moduli> training_set, const SamplingOptions& options,
+SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<const Load> loads,
+                                  const TrainingPath& training_set, const SamplingOptions& options,
                                   const std::function<void(const SamplingProgress&)>& observer,
                                   Checkpoint* checkpoint) {
-  if (training_set.empty()) throw InputError("reduced basis: no moduli of the matrix to sample");
-  if (loads.empty()) throw InputError("reduced basis: no loads");
-  require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
-  const auto initial = initial_snapshots(training_set);
-  const auto sampling = std::make_shared<GreedySampling>(problem, matrix, loads, initial.front());
+  require_complete(problem, loads, training_set);
+  const auto initial = initial_snapshots(training_set.points);
+  const auto sampling = std::make_shared<GreedySampling>(problem, training_set.phases, loads, initial.front());
   const auto solver = quasistatic::make_elastic_solver(sampling->elastic_operator(), problem.linear);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     quasistatic::require_as_many_processes(*earlier);
@@ -277,8 +299,8 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex 
     report();
     require_first_vectors(*sampling);
   }
-  while (training_set.size() > 1) {
-    const auto choice = sampling->greedy_choice(training_set);
+  while (training_set.points.size() > 1) {
+    const auto choice = sampling->greedy_choice(training_set.points);
     const double error = std::max(sampling->error(), choice.estimate);
     if (error <= options.tolerance) break;
     require_more_snapshots(*sampling, error, options);
@@ -289,8 +311,8 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, PhaseIndex 
 
   return {.responses = sampling->responses(),
           .effort = solver->effort(),
-          .fields = [sampling, problem, matrix](std::size_t load, const Material& material, double time) {
-            return recover(*sampling, problem, matrix, load, material, time);
+          .fields = [sampling, problem](std::size_t load, std::span<const Material> of_phases, double time) {
+            return recover(*sampling, problem, load, of_phases, time);
           }};
 }
 

@@ -162,13 +162,14 @@ ReducedResponse response_down_to(double softest) {
   }
   response.parts = matrix_parts(stiffness_part(size, 2.0), std::move(bulk));
   response.load_forces = Eigen::VectorXd::LinSpaced(size, 1.0, 2.0);
-  response.snapshots = {{{3.6e9, 2e9}, 0.0}, {{3.0e9, softest}, 0.0}, {{3.6e9, 1e6}, 0.0}};
+  response.snapshots = {{{{3.6e9, 2e9}}, 0.0}, {{{3.0e9, softest}}, 0.0}, {{{3.6e9, 1e6}}, 0.0}};
   return response;
 }
 
 Json json_of(const ReducedResponse& response) {
   Json snapshots = Json::array();
-  for (const auto& [matrix, error] : response.snapshots) {
+  for (const auto& snapshot : response.snapshots) {
+    const auto& matrix = snapshot.moduli.front();
     snapshots.push_back({{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}});
   }
   return {{"load", "shear"},

@@ -1,0 +1,137 @@
+#include "varying_moduli.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "breccia/homogenisation/varying_phases.hpp"
+#include "breccia/quasistatic/carson_path.hpp"
+#include "breccia/virtual_test/extrapolation.hpp"
+
+namespace breccia {
+namespace {
+
+/// The reduced responses of a stage under one load and boundary, on one grid or on several grids for extrapolation.
+struct ResponsesOnGrids {
+  std::vector<double> cell_sides;  ///< falling [m]
+  std::vector<const ReducedResponse*> responses;
+
+  /// Modulus of the composite [Pa]; for several grids the limit of vanishing cells.
+  [[nodiscard]] double modulus(const std::vector<Moduli>& of_phases) const {
+    std::vector<double> values;
+    for (const auto* response : responses) values.push_back(response->modulus(of_phases));
+    return values.size() == 1 ? values.front() : extrapolate(cell_sides, values).value;
+  }
+};
+
+ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& result, Mixing mixing, Load load,
+                                    Boundary boundary) {
+  ResponsesOnGrids found;
+  // With mixed cells the finest grid gives the results (theory, section 11).
+  const auto grids = mixing == Mixing::series ? std::vector{stage.cells} : stage.grids();
+  for (const int cells : grids) {
+    for (const auto& test : result.tests) {
+      const auto* record = std::get_if<QuasistaticRecord>(&test.record);
+      if (test.id.load != load || test.id.boundary != boundary || test.id.grid != TestGrid(cells)) continue;
+      if (record == nullptr || !record->response.reduced) continue;
+      found.cell_sides.push_back(stage.side / cells);
+      found.responses.push_back(&*record->response.reduced);
+    }
+  }
+  return found;
+}
+
+/// Moduli [Pa] of a stage as an isotropic material in the plane (theory, Eq. 32) along a path of moduli of its phases
+/// that vary, as long as they fall and are positive.
+std::vector<Moduli> moduli_of_stage(const ResponsesOnGrids& in_shear, const ResponsesOnGrids& in_bulk,
+                                    const std::vector<std::vector<Moduli>>& path) {
+  constexpr double rounding = 1e-6;
+  std::vector<Moduli> moduli;
+  double last_shear = 0.0, last_bulk = 0.0;
+  for (const auto& of_phases : path) {
+    const double shear = in_shear.modulus(of_phases), plane_bulk = in_bulk.modulus(of_phases);
+    const double bulk = plane_bulk - shear / 3.0;
+    const bool falls =
+        moduli.empty() || (shear <= (1.0 + rounding) * last_shear && plane_bulk <= (1.0 + rounding) * last_bulk);
+    if (!(shear > 0.0) || !(bulk > 0.0) || !falls) break;
+    moduli.push_back({bulk, shear});
+    last_shear = shear;
+    last_bulk = plane_bulk;
+  }
+  return moduli;
+}
+
+/// The phases that vary, of a stage and of the earlier ones that its matrix is made of.
+class ChainOfStages {
+ public:
+  ChainOfStages(const Study& study, const std::vector<StageResult>& earlier, Boundary boundary)
+      : study_(study), earlier_(earlier), boundary_(boundary) {}
+
+  /// The materials of all these phases.
+  [[nodiscard]] std::vector<Material> materials(const Stage& stage) const {
+    std::vector<Material> materials;
+    if (const auto* matrix = std::get_if<Material>(&stage.matrix)) {
+      materials.push_back(*matrix);
+    } else if (const auto* made_by = stage_below(stage)) {
+      materials = this->materials(*made_by);
+    }
+    for (const auto& [phase, material] : other_varying_phases(stage)) materials.push_back(material);
+    return materials;
+  }
+
+  /// Moduli [Pa] of the phases of the stage at Laplace variables [1/s], as far as those of its matrix are known.
+  [[nodiscard]] std::vector<std::vector<Moduli>> moduli(const Stage& stage,
+                                                        const std::vector<double>& laplace_variables) const {
+    const auto of_matrix = matrix_moduli(stage, laplace_variables);
+    const auto others = other_varying_phases(stage);
+    std::vector<std::vector<Moduli>> moduli;
+    for (std::size_t i = 0; i < of_matrix.size(); ++i) {
+      auto& point = moduli.emplace_back(std::vector{of_matrix[i]});
+      for (const auto& [phase, material] : others) point.push_back(carson_moduli(material, laplace_variables[i]));
+    }
+    return moduli;
+  }
+
+ private:
+  /// The stage that the matrix of a stage is made by; null for a material, and for a stage that is not there.
+  [[nodiscard]] const Stage* stage_below(const Stage& stage) const {
+    const auto* earlier = std::get_if<EarlierStage>(&stage.matrix);
+    if (earlier == nullptr) return nullptr;
+    const auto made_by = std::ranges::find(study_.stages, earlier->name, &Stage::name);
+    return made_by == study_.stages.end() ? nullptr : &*made_by;
+  }
+
+  [[nodiscard]] std::vector<Moduli> matrix_moduli(const Stage& stage,
+                                                  const std::vector<double>& laplace_variables) const {
+    if (const auto* material = std::get_if<Material>(&stage.matrix)) {
+      std::vector<Moduli> moduli;
+      for (const double s : laplace_variables) moduli.push_back(carson_moduli(*material, s));
+      return moduli;
+    }
+    const auto* made_by = stage_below(stage);
+    if (made_by == nullptr) return {};
+    const auto made = std::ranges::find(earlier_, made_by->name, &StageResult::name);
+    if (made == earlier_.end()) return {};
+    const auto in_shear = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::shear, boundary_);
+    const auto in_bulk = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::bulk, boundary_);
+    if (in_shear.responses.empty() || in_bulk.responses.empty()) return {};
+    return moduli_of_stage(in_shear, in_bulk, moduli(*made_by, laplace_variables));
+  }
+
+  const Study& study_;
+  const std::vector<StageResult>& earlier_;
+  Boundary boundary_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Moduli>> varying_moduli(const Study& study, const Stage& stage,
+                                                const std::vector<StageResult>& earlier, Boundary boundary) {
+  const ChainOfStages chain(study, earlier, boundary);
+  std::vector<double> laplace_variables;
+  for (const auto& point : relaxation_path(chain.materials(stage), {study.tests.first_time, study.tests.last_time})) {
+    laplace_variables.push_back(point.laplace_variable);
+  }
+  return chain.moduli(stage, laplace_variables);
+}
+
+}  // namespace breccia
