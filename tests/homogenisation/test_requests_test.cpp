@@ -49,6 +49,21 @@ TEST_F(TestRequests, OfTheQuasistaticMethodHoldAllLoadsOfTheStage) {
               ElementsAre(Load::diagonal_shear, Load::shear));
 }
 
+TEST_F(TestRequests, LetTheMatrixVaryAndAFillerThatRelaxes) {
+  const auto varying_names = [&] {
+    std::vector<std::string> names;
+    for (const auto& [index, name] :
+         make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 3).varying) {
+      names.push_back(name);
+      EXPECT_EQ(index, name == "matrix" ? matrix_phase : filler_phase);
+    }
+    return names;
+  };
+  EXPECT_THAT(varying_names(), ElementsAre("matrix"));
+  study.stages[0].filler->material.bulk = PronySeries(1e9, {{1e-3, 1e9}});
+  EXPECT_THAT(varying_names(), ElementsAre("matrix", "filler"));
+}
+
 TEST_F(TestRequests, OfTheDynamicMethodHoldOneLoad) {
   study.tests.dynamic.courant = 0.5;
   const auto request =

@@ -52,6 +52,25 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   EXPECT_NO_THROW(static_cast<void>(run_quasistatic_test(test)));
 }
 
+// The binder flows, and the particle relaxes in shear and in volume.
+TEST(RunQuasistaticTest, BothSolversAgreeWhereTheParticleRelaxesToo) {
+  auto reduced = one_particle(0, 1);
+  reduced.varying = {{0, "matrix"}, {1, "filler"}};
+  reduced.materials[1].shear = PronySeries(2e6, {{5e-3, 5e6}, {0.2, 1e7}});
+  reduced.materials[1].bulk = PronySeries(1e7, {{2e-2, 4e7}});
+  auto stepped = reduced;
+  stepped.options.solver = Solver::stepping;
+  stepped.options.steps_per_decade = 80;
+  const auto one = run_quasistatic_test(reduced), other = run_quasistatic_test(stepped);
+  for (std::size_t load = 0; load < one.responses.size(); ++load) {
+    const auto &exact = one.responses[load].modulus, &steps = other.responses[load].modulus;
+    ASSERT_EQ(exact.size(), steps.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      EXPECT_NEAR(exact[i].modulus / steps[i].modulus, 1.0, 1e-3) << exact[i].time;
+    }
+  }
+}
+
 TEST(RunQuasistaticTest, RefusesAnIncompleteTest) {
   for (const auto solver : {Solver::reduced, Solver::stepping}) {
     auto test = one_particle(0, 1);

@@ -1,6 +1,7 @@
 // Writes to the standard output, as JSON, numbers by which the tests of the page's scripts judge them: what the library
 // makes of some Prony series, temperature shifts, ramps, grids, reduced responses and quantities for display.
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -202,7 +203,7 @@ Json responses() {
       composites.push_back(
           {{"shear", json_of(matrix.shear)}, {"bulk", json_of(matrix.bulk)}, {"relaxation", std::move(relaxation)}});
     }
-    const auto [least, most] = coverage(response, with_elastic_bulk, window).sampled;
+    const auto [least, most] = coverage(response, std::array{with_elastic_bulk}, window).phases.front().sampled;
     cases.push_back({{"response", json_of(response)},
                      {"elastic", std::move(elastic_matrices)},
                      {"sampled", {{"shear", {least.shear, most.shear}}, {"bulk", {least.bulk, most.bulk}}}},
