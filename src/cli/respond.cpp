@@ -154,21 +154,29 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
   return temperatures;
 }
 
-/// The matrix materials of the stages at one temperature, by their names.
-std::map<std::string, Material> matrices_at(const std::vector<StoredMaterial>& materials,
-                                            const std::vector<StoredResponses>& stored,
-                                            const AskedTemperature& temperature) {
-  std::map<std::string, Material> matrices;
+/// Names of the materials that the stages have as matrix, and of those of their other phases whose moduli vary.
+std::vector<std::string> varying_materials(const std::vector<StoredResponses>& stored) {
+  std::vector<std::string> names;
   for (const auto& one : stored) {
-    if (!std::holds_alternative<Material>(one.matrix)) continue;
-    const auto& name = name_of(one.matrix);
+    if (std::holds_alternative<Material>(one.matrix)) names.push_back(name_of(one.matrix));
+    for (const auto& [phase, material] : one.other_phases) names.push_back(material.name);
+  }
+  return names;
+}
+
+/// The varying materials of the stages at one temperature, by their names.
+std::map<std::string, Material> materials_at(const std::vector<StoredMaterial>& materials,
+                                             const std::vector<StoredResponses>& stored,
+                                             const AskedTemperature& temperature) {
+  std::map<std::string, Material> shifted;
+  for (const auto& name : varying_materials(stored)) {
     const auto found = std::ranges::find(materials, name, [](const auto& each) { return each.material.name; });
     if (found == materials.end()) throw InputError(fmt::format("study.json has no material \"{}\"", name));
     auto material = at_temperature(*found, temperature.kelvin);
     material.name = fmt::format("{} at {}", name, temperature.name);
-    matrices.insert_or_assign(name, std::move(material));
+    shifted.insert_or_assign(name, std::move(material));
   }
-  return matrices;
+  return shifted;
 }
 
 /// A warning on each matrix that is the same at all temperatures.
@@ -224,7 +232,7 @@ std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, c
   std::vector<std::string> mistakes;
   for (const auto& temperature : temperatures) {
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
-      const auto matrices = matrices_at(study.materials, stored, temperature);
+      const auto matrices = materials_at(study.materials, stored, temperature);
       answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
                          study.deck_hash, respond(stored, matrices, window), warnings_on_matrices(matrices)});
     });

@@ -49,7 +49,7 @@ std::vector<AffinePart> matrix_parts(Eigen::MatrixXd shear, Eigen::MatrixXd bulk
 
 /// The stiffness of one microstructure under one load and boundary condition as an affine function of the moduli p_i
 /// that vary, those of the matrix and of any other phase: the Galerkin projection of K(p) = K_0 + sum_i p_i K_i on a
-/// reduced basis of r vectors (theory, Eq. 18). The modulus of the projection is never below that of the unreduced
+/// reduced basis of r vectors (theory, Eq. 18a). The modulus of the projection is never below that of the unreduced
 /// composite, under any boundary condition. Parameters p_i are in Pa and in the order of the parts; moduli and
 /// materials of the phases that vary are in the order of phases(). Where the moduli of the matrix alone vary, they can
 /// be given as such.

@@ -11,8 +11,8 @@
 
 namespace breccia::quasistatic {
 
-/// The stiffness of a composite as an affine function of the moduli p_i that vary, K(p) = K_0 + sum_i p_i K_i. Each of
-/// the parts is given by the moduli by material of which it is the stiffness.
+/// The stiffness of a composite as an affine function of the moduli p_i that vary, K(p) = K_0 + sum_i p_i K_i (theory,
+/// Eq. 18a). Each of the parts is given by the moduli by material of which it is the stiffness.
 struct AffineStiffness {
   struct Part {
     PhaseModulus parameter;    ///< whose modulus p_i is
