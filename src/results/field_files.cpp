@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -31,8 +32,10 @@ void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2
   for (const auto& u : fields.displacement) append(displacement, {u[0], u[1], 0.0});
   for (const auto& e : fields.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
   for (const auto& s : fields.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
+  // The phases of points are those of a stage, which are few: mixtures have been told apart by their largest part.
+  std::vector<std::uint8_t> phases(fields.phase.begin(), fields.phase.end());
   breccia::write_vtkhdf(path, {columns, rows, {0.0, 0.0}, spacing},
-                        {{"material", 1, fields.phase},
+                        {{"material", 1, std::move(phases)},
                          {"displacement_m", 3, std::move(displacement)},
                          {"strain", 6, std::move(strain)},
                          {"stress_Pa", 6, std::move(stress)}},

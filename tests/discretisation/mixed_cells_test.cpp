@@ -109,7 +109,7 @@ TEST(MixedCells, OfDiscsThatOverlapStayFilled) {
 
 TEST(MixedCells, AreRefusedWithoutANumberOrAPhase) {
   Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
-  EXPECT_THROW(box.add_mixture({{0, 0.5}, {1, 0.5}}, 255), InputError);
+  EXPECT_THROW(box.add_mixture({{0, 0.5}, {1, 0.5}}, no_phase), InputError);
   const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.7}}};
   EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, {}, 2), InputError);
   constexpr std::array<PhaseIndex, 1> beyond = {2};

@@ -61,10 +61,10 @@ TEST(Phases, AreAtMostAsManyAsThereAreNumbers) {
   std::vector<std::string> names;
   names.reserve(no_phase);
   for (int i = 0; i < no_phase; ++i) names.push_back(std::to_string(i));
-  EXPECT_EQ(Phases(names).index_of("254"), no_phase - 1);
+  EXPECT_EQ(Phases(names).index_of("65534"), no_phase - 1);
   names.emplace_back("one too many");
   EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(Phases(names)); }),
-            "phases: expected at most 255, got 256");
+            "phases: expected at most 65535, got 65536");
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 
 namespace breccia {
 
-/// Number of a phase: the index of its material in the list that goes with a discretisation.
-using PhaseIndex = std::uint8_t;
+/// Number of a phase, or of a mixture of several phases (discretisation/mixture.hpp): the index of its material in the
+/// list that goes with a discretisation. A box of several fillers has thousands of mixtures.
+using PhaseIndex = std::uint16_t;
 
 /// In place of a phase: there is no material here.
-constexpr PhaseIndex no_phase = 255;
+constexpr PhaseIndex no_phase = 65535;
 
 }  // namespace breccia
