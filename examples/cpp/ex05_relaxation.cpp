@@ -13,12 +13,13 @@ int main() {
   const Material particle = {"particle", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
 
   // Lengths in m: a box of 6 mm with discs of 2 mm, which fill 35 % of it and keep a gap of 0.1875 mm.
-  const Filler filler = {.material = particle,
-                         .fraction = 0.35,
-                         .sizes = SingleSize{2e-3},
-                         .gap = 0.1875e-3,
-                         .packing = LubachevskyStillingerPacking{.walls = Walls::hard, .seed = 1}};
-  const Stage composite = {.name = "composite", .matrix = binder, .side = 6e-3, .cells = 96, .filler = filler};
+  const Filler filler = {.material = particle, .fraction = 0.35, .sizes = SingleSize{2e-3}, .gap = 0.1875e-3};
+  const Stage composite = {.name = "composite",
+                           .matrix = binder,
+                           .side = 6e-3,
+                           .cells = 96,
+                           .fillers = {filler},
+                           .packing = LubachevskyStillingerPacking{.walls = Walls::hard, .seed = 1}};
 
   // Shear, by the quasi-static method, under the boundary conditions of the upper and of the lower bound.
   const Study study = {.stages = {composite}, .tests = {.first_time = 1e-3, .last_time = 0.1}};

@@ -27,11 +27,8 @@ Stage stage_of(const std::string& name, const StageMatrix& matrix, double side, 
           .matrix = matrix,
           .side = side,
           .cells = 64,
-          .filler = Filler{.material = grain,
-                           .fraction = 0.25,
-                           .sizes = SingleSize{diameter},
-                           .gap = gap,
-                           .packing = LubachevskyStillingerPacking{.seed = seed}}};
+          .fillers = {{.material = grain, .fraction = 0.25, .sizes = SingleSize{diameter}, .gap = gap}},
+          .packing = LubachevskyStillingerPacking{.seed = seed}};
 }
 
 Study chain() {

@@ -19,7 +19,7 @@ namespace {
 Study study_with(const Material& matrix) {
   const Material grain = {"grain", 2000.0, PronySeries(20e9), PronySeries(10e9)};
   const Filler filler = {.material = grain, .fraction = 0.25, .sizes = SingleSize{1.1e-3}, .gap = 0.25e-3};
-  return {.stages = {{.name = "box", .matrix = matrix, .side = 8e-3, .cells = 64, .filler = filler}},
+  return {.stages = {{.name = "box", .matrix = matrix, .side = 8e-3, .cells = 64, .fillers = {filler}}},
           .tests = {.boundaries = {Boundary::displacement}, .first_time = 1e-3, .last_time = 10.0}};
 }
 

@@ -57,7 +57,7 @@ int main() {
   const Material binder = {"binder", 1000.0, PronySeries(2e9), fit.series};
   const Material grain = {"grain", 2000.0, PronySeries(20e9), PronySeries(10e9)};
   const Filler filler = {.material = grain, .fraction = 0.25, .sizes = SingleSize{1.1e-3}, .gap = 0.25e-3};
-  const Stage box = {.name = "box", .matrix = binder, .side = 8e-3, .cells = 64, .filler = filler};
+  const Stage box = {.name = "box", .matrix = binder, .side = 8e-3, .cells = 64, .fillers = {filler}};
   const Study study = {.stages = {box},
                        .tests = {.boundaries = {Boundary::displacement}, .first_time = 1e-4, .last_time = 1e4}};
   const StageResult done = solve(study).stages[0];

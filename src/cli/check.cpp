@@ -149,16 +149,16 @@ void print_plan(const Study& study, const std::vector<double>& errors) {
   fmt::print("{}\nplan, with an estimate of the composite's modulus (a run computes it and may need less)\n",
              summary(study));
   Plan all;
-  std::vector<double> fractions;
+  std::vector<std::vector<FillerStatistics>> fillers;
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
-    fractions.push_back(packed.fraction);
+    fillers.push_back(packed.fillers);
     const auto plan = plan_of(study, stage, packed);
     fmt::print("{}{}", plan.text, grid_advice(stage, packed, study.tests.mixing, errors));
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
     all.add(plan);
   }
-  fmt::print("{}", filler_summary(study, fractions));
+  fmt::print("{}", filler_summary(study, fillers));
   fmt::print("{}", total(study, all));
   require_memory(study, available_memory());
 }

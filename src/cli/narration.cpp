@@ -18,7 +18,14 @@ std::string describe(const Stage& stage, const StageResult& result) {
   auto text = fmt::format("{}: {} particles fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
                           packed.microstructure.particles.size(), 100.0 * packed.fraction,
                           100.0 * result.point_fraction, result.points);
-  if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gap_in_words(stage), packed.seconds);
+  if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
+  if (stage.fillers.size() > 1) {
+    for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
+      const auto& own = packed.fillers[number];
+      text += fmt::format("\n  filler {}, {}: {} particles fill {:.2f} %", number, stage.fillers[number].material.name,
+                          own.particles, 100.0 * own.fraction);
+    }
+  }
   for (const auto& warning : result.warnings) text += "\nwarning: " + warning;
   return text;
 }

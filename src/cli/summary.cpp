@@ -77,21 +77,35 @@ struct DescribePacking {
   }
 };
 
-std::string describe_filler(const Stage& stage) {
-  const auto& filler = *stage.filler;
+std::string describe_filler(const Stage& stage, const Filler& filler) {
   auto text = fmt::format("    filler   {}", filler.material.name);
   if (filler.fraction) text += fmt::format(", {:.6g} of the box", *filler.fraction);
   if (filler.sizes) text += fmt::format("\n    sizes    {}", std::visit(DescribeSizes(), *filler.sizes));
   if (filler.smallest && filler.largest) {
     text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
   }
-  text += fmt::format("\n    packing  {}\n", std::visit(DescribePacking(), filler.packing));
-  if (std::holds_alternative<LubachevskyStillingerPacking>(filler.packing)) {
-    const bool follows_grid = filler.gap_source == GapSource::points;
-    text += fmt::format(
-        "    gap      {}{}\n", gap_in_words(stage),
-        follows_grid ? ": it depends on the grid; other cells give another gap, and so another material" : "");
+  text += '\n';
+  if (filler.coating) {
+    text += fmt::format("    coating  {}, {} ({:.3g} cells)\n", filler.coating->material.name,
+                        length(filler.coating->thickness), filler.coating->thickness / stage.cell_size());
   }
+  return text;
+}
+
+std::string describe_gap(const Stage& stage, const Filler& filler) {
+  const bool follows_grid = filler.gap_source == GapSource::points;
+  return fmt::format(
+      "    gap      {}{}{}\n", stage.fillers.size() > 1 ? filler.material.name + ": " : "", gap_in_words(stage, filler),
+      follows_grid ? ": it depends on the grid; other cells give another gap, and so another material" : "");
+}
+
+std::string describe_fillers(const Stage& stage) {
+  if (stage.fillers.empty()) return "    filler   none\n";
+  std::string text;
+  for (const auto& filler : stage.fillers) text += describe_filler(stage, filler);
+  text += fmt::format("    packing  {}\n", std::visit(DescribePacking(), stage.packing));
+  if (!stage.is_random()) return text;
+  for (const auto& filler : stage.fillers) text += describe_gap(stage, filler);
   return text;
 }
 
@@ -104,7 +118,7 @@ std::string describe(const Stage& stage) {
       "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
       name_of(stage.matrix), length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
   text += grids;
-  return text + (stage.filler ? describe_filler(stage) : "    filler   none\n");
+  return text + describe_fillers(stage);
 }
 
 std::string describe(const DynamicOptions& options) {

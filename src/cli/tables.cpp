@@ -117,9 +117,9 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
         stage->comparisons, [&](const Comparison& one) { return one.measurement == measurement.label; });
     if (is_compared) text += table_of(measurement.label, *stage);
   }
-  std::vector<double> fractions;
-  for (const auto& stage : result.stages) fractions.push_back(stage.microstructure.fraction);
-  auto remarks = filler_summary(study, fractions);
+  std::vector<std::vector<FillerStatistics>> fillers;
+  for (const auto& stage : result.stages) fillers.push_back(stage.microstructure.fillers);
+  auto remarks = filler_summary(study, fillers);
   for (const auto& stage : result.stages) {
     // Some warnings were printed when the stage was packed, perhaps hours ago; they are repeated.
     for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";

@@ -1,8 +1,13 @@
 #include "filler.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/limits.hpp"
 #include "breccia/study/stage_rules.hpp"
 
 #include "gap.hpp"
@@ -13,10 +18,6 @@
 namespace breccia {
 
 namespace {
-
-constexpr auto several_fillers =
-    "expected one table: several fillers in a box are not available yet; a second one, far smaller or larger than the "
-    "first, goes into a stage of its own (docs/decks.md, Stages)";
 
 bool is_distribution(const Sizes& sizes) {
   return std::holds_alternative<LognormalSizes>(sizes) || std::holds_alternative<TabulatedSizes>(sizes);
@@ -64,20 +65,20 @@ void read_cuts(const Section& section, Filler& filler) {
 }
 
 /// Reports particles that cannot fit into the box.
-void check_fit(const Section& section, const Filler& filler, double side) {
-  for (const auto& mistake : mistakes_of_gap(filler, side)) section.report("gap", mistake);
-  for (const auto& mistake : mistakes_of_diameters(filler, side)) section.report("sizes", mistake);
+void check_fit(const Section& section, const Filler& filler, const Stage& stage) {
+  for (const auto& mistake : mistakes_of_gap(filler, stage.side)) section.report("gap", mistake);
+  for (const auto& mistake : mistakes_of_diameters(filler, stage.packing, stage.side)) section.report("sizes", mistake);
 }
 
 /// Reads fraction and sizes as far as the packing allows them.
-void read_amount(const Section& section, Filler& filler) {
-  if (std::holds_alternative<ExplicitPacking>(filler.packing)) {
+void read_amount(const Section& section, const PackingMethod& packing, Filler& filler) {
+  if (std::holds_alternative<ExplicitPacking>(packing)) {
     section.refuse({"sizes", "fraction", "from", "to"}, "the discs of an explicit packing are all listed in its file");
     return;
   }
   filler.sizes = read_sizes(section);
   read_cuts(section, filler);
-  if (std::holds_alternative<RegularPacking>(filler.packing)) {
+  if (std::holds_alternative<RegularPacking>(packing)) {
     section.refuse({"fraction"}, "a regular packing has the fraction that follows from its diameter");
     if (filler.sizes && !std::holds_alternative<SingleSize>(*filler.sizes)) {
       section.report("sizes", "a regular packing takes { diameter = ... }");
@@ -89,33 +90,72 @@ void read_amount(const Section& section, Filler& filler) {
   }
 }
 
+/// Reads `coating = { material = ..., thickness = ... }`.
+std::optional<Coating> read_coating(const Section& section, const std::vector<Material>& materials) {
+  const auto coating = section.optional_section("coating");
+  if (!coating) return std::nullopt;
+  auto material = read_material_reference(*coating, "material", materials);
+  return Coating{std::move(material), coating->quantity("thickness", Dimension::length, Range::positive())};
+}
+
+/// Reads one filler of a stage whose packing has been read.
+Filler read_filler(const Section& section, const Stage& stage, const std::vector<Material>& materials) {
+  Filler filler;
+  filler.material = read_material_reference(section, "material", materials);
+  section.refuse({"shape", "image"}, discs_alone);
+  filler.coating = read_coating(section, materials);
+  read_amount(section, stage.packing, filler);
+  read_gap(section, stage, filler);
+  check_fit(section, filler, stage);
+  return filler;
+}
+
+/// The tables of the fillers of a stage.
+std::vector<Section> filler_sections(const Section& stage) {
+  if (stage.kind("filler") == Kind::array) return stage.sections("filler");
+  const auto single = stage.optional_section("filler");
+  return single ? std::vector{*single} : std::vector<Section>();
+}
+
+/// Reports what is wrong with the fillers of a stage together.
+void check_together(const Section& section, const Stage& stage) {
+  if (stage.fillers.size() > allowed::most_fillers) {
+    section.report("filler",
+                   fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
+  }
+  if (std::holds_alternative<RegularPacking>(stage.packing) && stage.fillers.size() > 1) {
+    section.report("filler", fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
+  }
+  for (const auto& mistake : mistakes_of_fractions(stage)) section.report("filler", mistake);
+  const auto lacks_name = [](const Filler& filler) { return filler.material.name.empty(); };
+  // A material without a name has been reported already.
+  if (std::ranges::any_of(stage.fillers, lacks_name)) return;
+  for (const auto& mistake : mistakes_of_phases(stage)) section.report("filler", mistake);
+}
+
 }  // namespace
 
-std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
-                                  const std::vector<Material>& materials) {
-  if (stage_section.kind("filler") == Kind::array) {
-    stage_section.report("filler", several_fillers);
-    static_cast<void>(stage_section.has("packing"));
-    return std::nullopt;
+void read_fillers(const Section& section, const std::vector<Material>& materials, Stage& stage) {
+  const auto tables = filler_sections(section);
+  if (tables.empty()) {
+    if (section.kind("filler") == Kind::array) section.report("filler", "expected at least one table");
+    section.refuse({"packing"}, "there is no filler to pack");
+    return;
   }
-  const auto section = stage_section.optional_section("filler");
-  if (!section) {
-    stage_section.refuse({"packing"}, "there is no filler to pack");
-    return std::nullopt;
-  }
-  Filler filler;
-  filler.material = read_material_reference(*section, "material", materials);
-  section->refuse({"shape", "image"}, discs_alone);
-  const auto packing = read_packing(stage_section, stage.side);
+  auto packing = read_packing(section, stage.side, tables.size());
   if (!packing) {
-    section->accept_all_keys();
-    return std::nullopt;
+    for (const auto& table : tables) {
+      static_cast<void>(read_material_reference(table, "material", materials));
+      table.accept_all_keys();
+    }
+    return;
   }
-  filler.packing = *packing;
-  read_amount(*section, filler);
-  read_gap(*section, stage, filler);
-  check_fit(*section, filler, stage.side);
-  return filler;
+  stage.packing = *std::move(packing);
+  for (const auto& table : tables) stage.fillers.push_back(read_filler(table, stage, materials));
+  check_together(section, stage);
+  if (const auto* listed = stage.listed(); listed != nullptr && stage.side > 0.0) {
+    section.section("packing").report_errors_of("discs", [&] { require_room(stage, *listed); });
+  }
 }
 
 }  // namespace breccia

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "breccia/io/deck.hpp"
@@ -8,8 +7,8 @@
 
 namespace breccia {
 
-/// Reads `filler` and `packing` of a stage whose box and cells have been read; nothing when it has neither.
-std::optional<Filler> read_filler(const Section& stage_section, const Stage& stage,
-                                  const std::vector<Material>& materials);
+/// Reads `filler`, which is one table or several, and `packing` of a stage whose box and cells have been read. Without
+/// either the stage has no fillers.
+void read_fillers(const Section& section, const std::vector<Material>& materials, Stage& stage);
 
 }  // namespace breccia

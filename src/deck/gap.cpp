@@ -61,7 +61,7 @@ std::optional<Gap> parse_gap(const std::string& text, double point_spacing, doub
 }  // namespace
 
 void read_gap(const Section& section, const Stage& stage, Filler& filler) {
-  if (!std::holds_alternative<LubachevskyStillingerPacking>(filler.packing)) {
+  if (!stage.is_random()) {
     section.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
     return;
   }

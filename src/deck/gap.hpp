@@ -5,7 +5,7 @@
 
 namespace breccia {
 
-/// Reads `gap` of a filler. Its sizes and packing, and the box and cells of the stage, must have been read before.
+/// Reads `gap` of a filler. Its sizes, and the packing, box and cells of the stage, must have been read before.
 void read_gap(const Section& section, const Stage& stage, Filler& filler);
 
 }  // namespace breccia

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <cmath>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,7 @@
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
 #include "breccia/microstructure/validity.hpp"
+#include "breccia/study/coatings.hpp"
 #include "breccia/study/limits.hpp"
 
 namespace breccia {
@@ -22,8 +25,7 @@ constexpr std::string_view random_method = "lubachevsky-stillinger";
 
 enum class MethodName { lubachevsky_stillinger, regular, listed };
 
-std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
-  const auto table = read_measured_table(path);
+std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistakes& mistakes) {
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
   const auto& x = table.column(Quantity::x);
   const auto& y = table.column(Quantity::y);
@@ -31,7 +33,6 @@ std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
   // An unknown side is not a number here, and every centre is accepted.
   const auto is_outside = [side](double coordinate) { return coordinate < 0.0 || coordinate > side; };
   std::vector<Disc> discs;
-  FileMistakes mistakes(path);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (!(diameters.values[row] > 0.0) || !std::isfinite(diameters.values[row])) {
       mistakes.add(table.place(row), "expected a positive diameter", fmt::format("{}", diameters.written[row]));
@@ -43,17 +44,27 @@ std::vector<Disc> read_discs(const std::filesystem::path& path, double side) {
     discs.push_back({{x.values[row], y.values[row]}, diameters.values[row]});
   }
   if (discs.empty()) mistakes.add("", "expected at least one disc");
-  mistakes.refuse();
   return discs;
 }
 
-/// Throws InputError where discs overlap or cross a wall.
-void require_room(const ExplicitPacking& listed, double side) {
-  try {
-    require_valid<2>({side, listed.walls, listed.discs});
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
+/// The number of the filler of each row. Reports numbers that are those of no filler, and a missing column.
+std::vector<std::size_t> read_filler_numbers(const MeasuredTable& table, std::size_t fillers, FileMistakes& mistakes) {
+  if (!table.has({Quantity::filler})) {
+    if (fillers > 1) mistakes.add("", "expected a column called filler with the number of the filler of each disc");
+    return {};
   }
+  const auto& column = table.column(Quantity::filler);
+  std::vector<std::size_t> numbers;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double number = column.values[row];
+    const bool is_filler = number >= 0.0 && number < static_cast<double>(fillers) && number == std::floor(number);
+    if (!is_filler) {
+      mistakes.add(table.place(row), fmt::format("expected the number of a filler, 0 to {}", fillers - 1),
+                   fmt::format("{}", column.written[row]));
+    }
+    numbers.push_back(is_filler ? static_cast<std::size_t>(number) : 0);
+  }
+  return fillers > 1 ? numbers : std::vector<std::size_t>();
 }
 
 Walls read_walls(const Section& packing) {
@@ -79,8 +90,8 @@ bool is_picture(const std::filesystem::path& file) {
   return std::ranges::find(pictures, extension) != pictures.end();
 }
 
-ExplicitPacking read_explicit(const Section& packing, double side) {
-  ExplicitPacking listed{packing.file("discs"), {}, read_walls(packing)};
+ExplicitPacking read_explicit(const Section& packing, double side, std::size_t fillers) {
+  ExplicitPacking listed{packing.file("discs"), {}, read_walls(packing), {}};
   if (listed.file.empty()) return listed;
   if (is_picture(listed.file)) {
     packing.report("discs", fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
@@ -88,9 +99,13 @@ ExplicitPacking read_explicit(const Section& packing, double side) {
     return listed;
   }
   packing.report_errors_of("discs", [&] {
-    listed.discs = read_discs(listed.file, side);
-    const bool box_is_known = side > 0.0;
-    if (box_is_known) require_room(listed, side);
+    const auto table = read_measured_table(listed.file);
+    FileMistakes mistakes(listed.file);
+    auto discs = read_discs(table, side, mistakes);
+    auto numbers = read_filler_numbers(table, fillers, mistakes);
+    mistakes.refuse();
+    listed.discs = std::move(discs);
+    listed.fillers = std::move(numbers);
   });
   return listed;
 }
@@ -109,7 +124,16 @@ bool takes_seed(const Section& packing) {
   return packing.kind("method") == Kind::text && packing.optional_text("method") == random_method;
 }
 
-std::optional<PackingMethod> read_packing(const Section& stage, double side) {
+void require_room(const Stage& stage, const ExplicitPacking& listed) {
+  if (listed.discs.empty()) return;  // a mistake that has been reported
+  try {
+    require_valid<2>(with_coatings(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
+  }
+}
+
+std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers) {
   const auto packing = stage.section("packing");
   if (asks_for_other_shapes(packing)) {
     packing.report("method", discs_alone);
@@ -130,7 +154,7 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side) {
     case MethodName::regular:
       return read_regular(packing);
     case MethodName::listed:
-      return read_explicit(packing, side);
+      return read_explicit(packing, side, fillers);
     default:
       return read_random(packing);
   }

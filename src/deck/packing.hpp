@@ -1,9 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "breccia/io/deck.hpp"
-#include "breccia/study/filler.hpp"
+#include "breccia/study/stage.hpp"
 
 namespace breccia {
 
@@ -11,8 +12,11 @@ namespace breccia {
 inline constexpr auto discs_alone =
     "all particles are discs so far: other shapes and images are not available (docs/limitations.md)";
 
-/// Reads `packing` of a stage with a box of the given side [m].
-std::optional<PackingMethod> read_packing(const Section& stage, double side);
+/// Reads `packing` of a stage with a box of the given side [m] and so many fillers.
+std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers);
+
+/// Throws InputError where listed particles of a stage, with their coatings, overlap or cross a wall.
+void require_room(const Stage& stage, const ExplicitPacking& listed);
 
 /// Whether a packing is random, so that it has a `seed`.
 bool takes_seed(const Section& packing);

@@ -77,9 +77,9 @@ int read_cells(const Section& section, double side) {
 /// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
 /// finest grid.
 std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
-  const bool follows = stage.filler && stage.filler->gap_source == GapSource::points && !stage.coarser_cells.empty();
-  if (!follows) return std::nullopt;
-  const auto gap = readable(stage.filler->gap, Dimension::length);
+  const auto filler = std::ranges::find(stage.fillers, GapSource::points, &Filler::gap_source);
+  if (filler == stage.fillers.end() || stage.coarser_cells.empty()) return std::nullopt;
+  const auto gap = readable(filler->gap, Dimension::length);
   return fmt::format(
       "the gap between particles, {}, follows from the finest grid: with other cells it would be another "
       "material; give it as a length, gap = \"{}\"",
@@ -104,7 +104,7 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
       stage.cells = read_cells(section, stage.side);
     }
     section.refuse({"image"}, discs_alone);
-    stage.filler = read_filler(section, stage, materials);
+    read_fillers(section, materials, stage);
     if (auto warning = warning_of_gap_on_grids(stage)) stage.warnings.push_back(*std::move(warning));
     stages.push_back(std::move(stage));
   }

@@ -1,5 +1,6 @@
 #include "breccia/deck/sweep.hpp"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -94,13 +95,17 @@ struct FollowingGap {
 
 /// Adds warnings to stages whose gap depends on the grid if the grid differs between tasks.
 void warn_of_gaps_on_grids(Sweep& sweep) {
-  const auto follows = [](const Stage& stage) { return stage.filler && stage.filler->gap_source == GapSource::points; };
+  const auto follows = [](const Stage& stage) {
+    return std::ranges::find(stage.fillers, GapSource::points, &Filler::gap_source) != stage.fillers.end();
+  };
   std::map<std::string, FollowingGap> found;
   for (const auto& task : sweep.tasks) {
     for (const auto& stage : task.study.stages) {
       if (!follows(stage)) continue;
       found[stage.name].cell_sizes.insert(stage.cell_size());
-      found[stage.name].gaps.insert(stage.filler->gap);
+      for (const auto& filler : stage.fillers) {
+        if (filler.gap_source == GapSource::points) found[stage.name].gaps.insert(filler.gap);
+      }
     }
   }
   for (auto& task : sweep.tasks) {

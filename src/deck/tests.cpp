@@ -94,9 +94,9 @@ DynamicOptions read_dynamic(const Section& section) {
 }
 
 bool has_periodic_particles(const Stage& stage) {
-  if (!stage.filler) return false;
-  const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.filler->packing);
-  const auto* listed = std::get_if<ExplicitPacking>(&stage.filler->packing);
+  if (stage.fillers.empty()) return false;
+  const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.packing);
+  const auto* listed = stage.listed();
   return (random != nullptr && random->walls == Walls::periodic) ||
          (listed != nullptr && listed->walls == Walls::periodic);
 }

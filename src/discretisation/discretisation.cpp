@@ -113,7 +113,7 @@ void require_phases_in_cells(std::string_view calculation, const Discretisation<
 
 template <int dim>
 Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
-                               std::span<const PhaseIndex> particles) {
+                               std::span<const ParticlePhases> particles) {
   const auto count = microstructure.particles.size();
   if (particles.size() != count) {
     throw InputError(
@@ -122,15 +122,33 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
   Grid<dim> grid{.cell_side = microstructure.side / cells};
   grid.cells.fill(cells);
   Discretisation<dim> discretisation(grid, matrix);
-  for_each_image(microstructure,
-                 [&](std::size_t particle, const Ball<dim>& ball) { discretisation.paint(ball, particles[particle]); });
+  for_each_image(microstructure, [&](std::size_t particle, const Ball<dim>& ball) {
+    const auto& [phase, coating, thickness] = particles[particle];
+    if (thickness > 0.0) discretisation.paint({ball.centre, ball.diameter + 2.0 * thickness}, coating);
+    discretisation.paint(ball, phase);
+  });
   return discretisation;
+}
+
+std::vector<ParticlePhases> without_coatings(std::span<const PhaseIndex> particles) {
+  std::vector<ParticlePhases> phases;
+  phases.reserve(particles.size());
+  for (const auto phase : particles) phases.push_back({phase});
+  return phases;
+}
+
+template <int dim>
+Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                               std::span<const PhaseIndex> particles) {
+  return discretise(microstructure, cells, matrix, without_coatings(particles));
 }
 
 template <int dim>
 Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                PhaseIndex particles) {
-  return discretise(microstructure, cells, matrix, std::vector<PhaseIndex>(microstructure.particles.size(), particles));
+  return discretise(microstructure, cells, matrix,
+                    std::span<const ParticlePhases>(
+                        std::vector<ParticlePhases>(microstructure.particles.size(), ParticlePhases{particles})));
 }
 
 template class Discretisation<2>;
@@ -139,6 +157,8 @@ template void require_phases(std::string_view, const Discretisation<2>&, std::si
 template void require_phases(std::string_view, const Discretisation<3>&, std::size_t);
 template void require_phases_in_cells(std::string_view, const Discretisation<2>&, std::size_t);
 template void require_phases_in_cells(std::string_view, const Discretisation<3>&, std::size_t);
+template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const ParticlePhases>);
+template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const ParticlePhases>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);

@@ -38,7 +38,13 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
 std::vector<Material> materials_of(const Stage& stage) {
   std::vector<Material> materials;
   if (const auto* matrix = std::get_if<Material>(&stage.matrix)) materials.push_back(*matrix);
-  if (stage.filler) materials.push_back(stage.filler->material);
+  const auto add = [&materials](const Material& material) {
+    if (std::ranges::find(materials, material.name, &Material::name) == materials.end()) materials.push_back(material);
+  };
+  for (const auto& filler : stage.fillers) {
+    add(filler.material);
+    if (filler.coating) add(filler.coating->material);
+  }
   return materials;
 }
 
@@ -62,11 +68,9 @@ std::vector<std::string> warnings_on_materials(const Study& study, const Stage& 
   return warnings;
 }
 
-std::optional<std::string> warning_of_soft_filler(const Study& study, const Stage& stage) {
-  if (!stage.filler) return std::nullopt;
-  const auto& filler = stage.filler->material;
-  const auto& binder = binder_of(study, stage);
-  const double time = study.tests.first_time;
+namespace {
+
+std::optional<std::string> warning_of_soft_filler(const Material& filler, const Material& binder, double time) {
   const auto softer = [&](const char* name, const PronySeries& of_filler,
                           const PronySeries& of_binder) -> std::optional<std::string> {
     const double its_modulus = of_filler.at(time), modulus = of_binder.at(time);
@@ -78,6 +82,17 @@ std::optional<std::string> warning_of_soft_filler(const Study& study, const Stag
   };
   if (auto warning = softer("shear", filler.shear, binder.shear)) return warning;
   return softer("bulk", filler.bulk, binder.bulk);
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage) {
+  std::vector<std::string> warnings;
+  for (const auto& filler : stage.fillers) {
+    auto warning = warning_of_soft_filler(filler.material, binder_of(study, stage), study.tests.first_time);
+    if (warning && std::ranges::find(warnings, *warning) == warnings.end()) warnings.push_back(*std::move(warning));
+  }
+  return warnings;
 }
 
 }  // namespace breccia

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,7 @@ namespace breccia {
 /// last time, or above 0.49999 before any relaxation (the ratio of a soft binder approaches one half only later).
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage);
 
-/// A warning if the filler of a stage is softer than its binder (binder_of) at the first time.
-std::optional<std::string> warning_of_soft_filler(const Study& study, const Stage& stage);
+/// A warning for each filler of a stage that is softer than its binder (binder_of) at the first time.
+std::vector<std::string> warnings_of_soft_fillers(const Study& study, const Stage& stage);
 
 }  // namespace breccia

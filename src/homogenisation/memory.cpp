@@ -43,14 +43,20 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   return most;
 }
 
-/// Largest share of the cells that interfaces cross: a disc of diameter d crosses about 4 d / h cells, and discs of the
-/// smallest diameter have the longest interface.
-double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
-  if (study.tests.mixing == Mixing::points || !stage.filler) return 0.0;
-  const auto sizes = diameters_of(*stage.filler);
+/// Largest share of the cells of side h [m] that interfaces of a filler cross: a disc of diameter d crosses about
+/// 4 d / h cells, and discs of the smallest diameter have the longest interface. A coating has two interfaces.
+double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) {
+  const auto sizes = stage.listed() != nullptr ? diameters_of(stage) : diameters_of(filler);
   if (!sizes) return 1.0;
-  const double h = stage.side / cells;
-  return std::min(1.0, 16.0 / std::numbers::pi * stage.filler->fraction.value_or(1.0) * h / sizes->smallest);
+  const double interfaces = filler.coating ? 2.0 : 1.0;
+  return interfaces * 16.0 / std::numbers::pi * filler.fraction.value_or(1.0) * h / sizes->smallest;
+}
+
+double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
+  if (study.tests.mixing == Mixing::points) return 0.0;
+  double share = 0.0;
+  for (const auto& filler : stage.fillers) share += share_of_mixed_cells(stage, filler, stage.side / cells);
+  return std::min(1.0, share);
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace breccia {
 /// Name of the wall time of a packing in states.
 inline constexpr auto packing_seconds_name = "/seconds";
 
-/// Measures the fraction, the interface and the gaps of a microstructure.
-void measure(StageMicrostructure& result);
+/// Measures the fractions, the interface and the gaps of the microstructure of a stage. What is known of the size
+/// deviations of its fillers stays.
+void measure(const Stage& stage, StageMicrostructure& result);
 
 }  // namespace breccia

@@ -1,5 +1,6 @@
 #include "breccia/homogenisation/packed_stage.hpp"
 
+#include <set>
 #include <utility>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
@@ -15,10 +16,11 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   result.warnings = warnings_on(study, stage, result.microstructure);
   const auto discretisation = discretise(stage, result.microstructure.microstructure, stage.cells, study.tests.mixing);
   result.points = discretisation.points();
-  if (stage.filler) {
-    const auto phases = phases_of(stage);
-    result.point_fraction = discretisation.fractions(phases.size())[phases.index_of(name_of_filler_phase)];
-  }
+  const auto phases = phases_of(stage);
+  const auto fractions = discretisation.fractions(phases.size());
+  std::set<PhaseIndex> of_fillers;
+  for (const auto& filler : stage.fillers) of_fillers.insert(phases.index_of(phase_of(stage, filler.material)));
+  for (const auto phase : of_fillers) result.point_fraction += fractions[phase];
   return result;
 }
 

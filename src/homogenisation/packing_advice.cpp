@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/display.hpp"
+#include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/gap.hpp"
 
 namespace breccia {
@@ -54,7 +55,7 @@ std::optional<double> widest_gap(const Stage& stage, const PackingRequest& reque
 /// The number of cells per side for which the gap, given in material points, is not wider than another gap.
 std::optional<int> cells_for(const Stage& stage, double gap) {
   constexpr double most = 1 << 20;
-  const double cells = std::ceil(stage.cells * stage.filler->gap / gap);
+  const double cells = std::ceil(stage.cells * stage.fillers.front().gap / gap);
   return cells <= most ? std::optional(static_cast<int>(cells)) : std::nullopt;
 }
 
@@ -63,7 +64,7 @@ std::optional<int> cells_for(const Stage& stage, double gap) {
 std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
   const double largest = std::ranges::max(request.diameters) / stage.side;
   const double half_a_particle = std::numbers::pi / 8.0 * largest * largest;
-  const double fraction = *stage.filler->fraction * safe / inflated_fraction<2>(request) - half_a_particle;
+  const double fraction = *stage.fillers.front().fraction * safe / inflated_fraction<2>(request) - half_a_particle;
   return fraction > 0.0 ? std::optional(rounded_down_to_two_digits(fraction)) : std::nullopt;
 }
 
@@ -74,7 +75,8 @@ std::string particles_of(const Stage& stage, const PackingRequest& request) {
   const auto sizes = smallest == largest ? display(largest, "m")
                                          : fmt::format("{} to {}", display(smallest, "m"), display(largest, "m"));
   const auto count = request.diameters.size();
-  const auto fraction = stage.filler->fraction ? fmt::format(" at a fraction of {:.6g}", *stage.filler->fraction) : "";
+  const auto asked = fraction_asked_of(stage);
+  const auto fraction = asked ? fmt::format(" at a fraction of {:.6g}", *asked) : "";
   return fmt::format("{} {} of {}{}", count, count == 1 ? "particle" : "particles", sizes, fraction);
 }
 
@@ -92,10 +94,13 @@ std::string in_words(const PackingAdvice& advice) {
 
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   PackingAdvice advice;
+  // With several fillers there is no one gap and no one fraction to change.
+  if (stage.fillers.size() > 1) return advice;
+  const auto& filler = stage.fillers.front();
   const double safe = safe_fraction(request, error);
   advice.gap = widest_gap(stage, request, safe);
-  if (advice.gap && stage.filler->gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
-  const bool has_fraction = stage.filler->fraction && error.obstacle() != PackingObstacle::size;
+  if (advice.gap && filler.gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
+  const bool has_fraction = filler.fraction && error.obstacle() != PackingObstacle::size;
   if (has_fraction) advice.fraction = largest_fraction(stage, request, safe);
   return advice;
 }
@@ -104,11 +109,11 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
   const auto advice = in_words(packing_advice(stage, request, error));
   if (error.obstacle() == PackingObstacle::size) {
     return fmt::format("a particle of {} that keeps a gap of {} does not fit into a box of {}; {}",
-                       display(std::ranges::max(request.diameters), "m"), gap_in_words(stage), display(stage.side, "m"),
-                       advice);
+                       display(std::ranges::max(request.diameters), "m"), gaps_in_words(stage),
+                       display(stage.side, "m"), advice);
   }
   const bool has_gap = request.minimum_gap > 0.0;
-  const auto gap = has_gap ? fmt::format("a gap of {}", gap_in_words(stage)) : "no gap between them";
+  const auto gap = has_gap ? fmt::format("a gap of {}", gaps_in_words(stage)) : "no gap between them";
   const auto how = fmt::format("{}they would fill {:.1f} % of {}", has_gap ? "with half of the gap around each " : "",
                                100.0 * inflated_fraction<2>(request),
                                request.walls == Walls::hard ? "the room between the walls" : "the box");

@@ -10,6 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/io/display.hpp"
+#include "breccia/study/coatings.hpp"
+#include "breccia/study/filler_sizes.hpp"
 
 namespace breccia {
 namespace {
@@ -175,10 +177,9 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
       std::ranges::any_of(result.tests, [](const TestResult& test) { return test.id.boundary == Boundary::periodic; });
   quality.grid_share = largest_grid_share(result);
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
-  if (stage.filler) {
-    quality.fraction_asked = stage.filler->fraction;
-    quality.is_random = std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing);
-  }
+  quality.fraction_asked = fraction_asked_of(stage);
+  quality.is_random = !stage.fillers.empty() && stage.is_random();
+  if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
 }
 
@@ -186,6 +187,7 @@ std::string summary_of(const StageQuality& quality) {
   if (quality.particles == 0) return {};
   std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
+  if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));
   if (!quality.matrix_stage.empty()) {
     parts.push_back(fmt::format("matrix: the errors of stage {} add to these", quality.matrix_stage));
   }
@@ -216,18 +218,17 @@ std::vector<std::string> warnings_on_bounds(const StageQuality& quality) {
 
 std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicrostructure& packed) {
   std::vector<std::string> warnings;
-  if (!stage.filler) return warnings;
+  if (stage.fillers.empty()) return warnings;
   constexpr std::size_t enough_particles = 30;
   const auto particles = packed.microstructure.particles.size();
-  const bool is_random = std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing);
-  if (is_random && particles < enough_particles) {
+  if (stage.is_random() && particles < enough_particles) {
     warnings.push_back(fmt::format(
         "only {} particle{} in the box; with fewer than {} another packing may change the modulus by 10 % and more "
         "(packings of other seeds show by how much; a larger box holds more)",
         particles, particles == 1 ? "" : "s", enough_particles));
   }
   constexpr double most_deviation = 0.01;
-  const auto asked = stage.filler->fraction;
+  const auto asked = fraction_asked_of(stage);
   if (asked && std::abs(packed.fraction - *asked) > most_deviation) {
     warnings.push_back(
         fmt::format("the particles fill {:.3g} % of the box where {:.3g} % were asked for; a larger box comes closer",

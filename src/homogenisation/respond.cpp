@@ -16,6 +16,7 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "coverage_refusal.hpp"
+#include "inclusions.hpp"
 #include "stage_extrapolation.hpp"
 
 namespace breccia {
@@ -54,7 +55,7 @@ Stage stage_of(const StoredResponses& stored) {
     }
   }
   std::ranges::sort(coarser);
-  stage.filler.emplace().material.density = stored.filler_density;
+  stage.fillers.emplace_back().material.density = stored.filler_density;
   return stage;
 }
 
@@ -67,6 +68,7 @@ StageResult respond_within(const StoredResponses& stored, const MatrixUnder& mat
   const auto stage = stage_of(stored);
   result.cells = stage.cells;
   result.microstructure.fraction = stored.filler_fraction;
+  result.microstructure.fillers = {{.fraction = stored.filler_fraction}};
   for (const auto& entry : stored.entries) {
     const auto materials = materials_for(stored, entry.response, matrix(entry.response.boundary));
     result.tests.push_back(test_of(entry, materials, times, stored.points_per_decade));
@@ -196,11 +198,12 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
                                  result.cells, stage.name, stage.cells));
   }
   const auto& tests = study.tests;
+  const auto inclusions = inclusions_of(stage, result.microstructure.fillers);
   StoredResponses responses = {.stage = stage.name,
                                .matrix = stage.matrix,
                                .other_phases = other_varying_phases(stage),
-                               .filler_density = stage.filler ? stage.filler->material.density : 0.0,
-                               .filler_fraction = result.microstructure.fraction,
+                               .filler_density = mean_density(inclusions),
+                               .filler_fraction = fraction_of(inclusions),
                                .side = stage.side,
                                .deck_hash = provenance_of(study).hash,
                                .fit_tolerance = tests.fit_tolerance,

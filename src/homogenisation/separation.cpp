@@ -17,7 +17,7 @@ constexpr double enough = 5.0;
 /// The nearest earlier stage in the chain of matrices that has particles; nullptr if there is none.
 const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   const auto* below = stage_of_matrix(study, stage);
-  while (below != nullptr && !below->filler) below = stage_of_matrix(study, *below);
+  while (below != nullptr && below->fillers.empty()) below = stage_of_matrix(study, *below);
   return below;
 }
 
@@ -26,8 +26,8 @@ const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
 std::optional<std::string> warning_of_separation(const Study& study, const Stage& stage,
                                                  const StageMicrostructure& packed) {
   const auto* const matrix = filled_matrix_of(study, stage);
-  if (matrix == nullptr || !stage.filler) return std::nullopt;
-  const auto own = diameters_of(*stage.filler), below = diameters_of(*matrix->filler);
+  if (matrix == nullptr || stage.fillers.empty()) return std::nullopt;
+  const auto own = diameters_of(stage), below = diameters_of(*matrix);
   if (!own || !below) return std::nullopt;
   constexpr auto where = "(docs/limitations.md, Separation of sizes)";
   if (own->largest < below->largest) {

@@ -1,34 +1,62 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
-#include <utility>
+
+#include <fmt/format.h>
 
 #include "breccia/discretisation/mixed_cells.hpp"
+#include "breccia/error.hpp"
 
 namespace breccia {
 
 Phases phases_of(const Stage& stage) {
-  std::vector<std::string> names = {std::string(name_of_matrix_phase)};
-  if (stage.filler) names.emplace_back(name_of_filler_phase);
-  return Phases(std::move(names));
+  return Phases(phase_names(stage));
 }
 
 std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   std::map<std::string, Material> by_phase = {{std::string(name_of_matrix_phase), matrix}};
-  if (stage.filler) by_phase.emplace(name_of_filler_phase, stage.filler->material);
+  for (const auto& filler : stage.fillers) {
+    by_phase.emplace(phase_of(stage, filler.material), filler.material);
+    if (filler.coating) by_phase.emplace(phase_of(stage, filler.coating->material), filler.coating->material);
+  }
   return phases_of(stage).materials(by_phase);
 }
 
+namespace {
+
+/// The phases of each filler of a stage.
+std::vector<ParticlePhases> phases_of_fillers(const Stage& stage, const Phases& phases) {
+  std::vector<ParticlePhases> of_fillers;
+  for (const auto& filler : stage.fillers) {
+    auto& of_filler = of_fillers.emplace_back(ParticlePhases{phases.index_of(phase_of(stage, filler.material))});
+    if (!filler.coating) continue;
+    of_filler.coating = phases.index_of(phase_of(stage, filler.coating->material));
+    of_filler.coating_thickness = filler.coating->thickness;
+  }
+  return of_fillers;
+}
+
+}  // namespace
+
 Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing) {
   const auto phases = phases_of(stage);
-  std::vector<PhaseIndex> of_particles;
-  if (!microstructure.particles.empty()) {
-    of_particles.assign(microstructure.particles.size(), phases.index_of(name_of_filler_phase));
+  const auto of_fillers = phases_of_fillers(stage, phases);
+  std::vector<ParticlePhases> of_particles;
+  for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
+    const auto filler = microstructure.filler_of(particle);
+    if (filler >= of_fillers.size()) {
+      throw InputError(fmt::format("stage {}: a particle is of filler {}, counted from 0, but there are only {}",
+                                   stage.name, filler, of_fillers.size()));
+    }
+    of_particles.push_back(of_fillers[filler]);
   }
   const auto matrix = phases.index_of(name_of_matrix_phase);
-  return mixing == Mixing::points ? discretise(microstructure, cells, matrix, of_particles)
-                                  : discretise_mixed(microstructure, cells, matrix, of_particles, phases.size());
+  const std::span<const ParticlePhases> particles(of_particles);
+  return mixing == Mixing::points ? discretise(microstructure, cells, matrix, particles)
+                                  : discretise_mixed(microstructure, cells, matrix, particles, phases.size());
 }
 
 std::size_t point_count(int cells) {

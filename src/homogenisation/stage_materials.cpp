@@ -6,15 +6,11 @@
 
 #include "breccia/error.hpp"
 
-#include "mixtures.hpp"
+#include "inclusions.hpp"
 #include "stage_extrapolation.hpp"
 
 namespace breccia {
 namespace {
-
-double density_of(const Stage& stage, const Material& matrix, double fraction) {
-  return stage.filler ? mixed(matrix.density, stage.filler->material.density, fraction) : matrix.density;
-}
 
 void require_good_fit(const Study& study, const Stage& stage, const StageMaterial& fitted) {
   const auto refuse = [&](const char* modulus, double error) {
@@ -62,7 +58,7 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
                         times);
       };
       const auto& matrix = matrix_of(stage, earlier, boundary, method);
-      const double density = density_of(stage, matrix, result.microstructure.fraction);
+      const double density = density_with(inclusions_of(stage, result.microstructure.fillers), matrix.density);
       materials.push_back({boundary, method,
                            homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk),
                                                 study.tests.fit_tolerance)});

@@ -1,6 +1,8 @@
 #include "breccia/homogenisation/stage_microstructure.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <utility>
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
+#include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_sizes.hpp"
 
 #include "microstructure_measures.hpp"
@@ -84,57 +87,100 @@ Packing<2> in_words_of_the_deck(const Stage& stage, const PackingRequest& reques
   }
 }
 
+/// The particles of all fillers, with the number of the filler of each.
+struct Drawn {
+  std::vector<double> diameters = {};  ///< [m]
+  std::vector<std::size_t> fillers = {};
+  std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]
+};
+
+Drawn draw_particles(const Stage& stage) {
+  Drawn drawn;
+  for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
+    const auto& filler = stage.fillers[number];
+    auto& deviation = drawn.size_deviations.emplace_back();
+    std::vector<double> diameters;
+    if (const auto distribution = distribution_of(filler)) {
+      diameters = draw_diameters<2>(*distribution, filler.fraction.value(), stage.side);
+      deviation = largest_deviation<2>(*distribution, diameters);
+    } else {
+      diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
+    }
+    drawn.diameters.insert(drawn.diameters.end(), diameters.begin(), diameters.end());
+    drawn.fillers.resize(drawn.diameters.size(), number);
+  }
+  return drawn;
+}
+
+/// The shells around particles (PackingRequest): their coatings, and half of what the gap of their filler is wider than
+/// the smallest. Empty where no particle has one.
+std::vector<double> shells_of(const Stage& stage, const Drawn& drawn, double smallest_gap) {
+  std::vector<double> shells;
+  for (const auto number : drawn.fillers) {
+    const auto& filler = stage.fillers[number];
+    shells.push_back(filler.coating_thickness() + 0.5 * (filler.gap - smallest_gap));
+  }
+  const bool has_any = std::ranges::any_of(shells, [](double shell) { return shell > 0.0; });
+  return has_any ? shells : std::vector<double>();
+}
+
 Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
                                  StageMicrostructure& result) {
-  const auto& filler = *stage.filler;
+  const auto drawn = draw_particles(stage);
+  const double gap = std::ranges::min(stage.fillers, {}, &Filler::gap).gap;
   PackingRequest request;
   // Particles keep the whole gap to a wall, too: the boundary there is as rigid as a particle.
-  const double inset = method.walls == Walls::hard ? 0.5 * filler.gap : 0.0;
+  const double inset = method.walls == Walls::hard ? 0.5 * gap : 0.0;
   request.side = stage.side - 2.0 * inset;
   request.walls = method.walls;
-  request.minimum_gap = filler.gap;
+  request.minimum_gap = gap;
   request.seed = method.seed;
-  if (const auto distribution = distribution_of(filler)) {
-    request.diameters = draw_diameters<2>(*distribution, filler.fraction.value(), stage.side);
-    result.size_deviation = largest_deviation<2>(*distribution, request.diameters);
-  } else {
-    request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
-  }
+  request.diameters = drawn.diameters;
+  request.shells = shells_of(stage, drawn, gap);
+  for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
   auto packed = in_words_of_the_deck(stage, request, [&] { return packing.run(request); });
   result.events = packed.events;
   for (auto& ball : packed.balls) {
     for (auto& coordinate : ball.centre) coordinate += inset;
   }
-  return {stage.side, method.walls, std::move(packed.balls)};
+  auto fillers = stage.fillers.size() > 1 ? drawn.fillers : std::vector<std::size_t>();
+  return {stage.side, method.walls, std::move(packed.balls), std::move(fillers)};
 }
 
 Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
-  if (!stage.filler) return {stage.side, Walls::hard, {}};
-  return std::visit(Overloaded{[&](const LubachevskyStillingerPacking& method) {
-                                 return pack_at_random(stage, method, packing, result);
-                               },
-                               [&](const RegularPacking& array) {
-                                 const auto& size = std::get<SingleSize>(stage.filler->sizes.value());
-                                 return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
-                               },
-                               [&](const ExplicitPacking& listed) {
-                                 Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs};
-                                 require_valid(microstructure);
-                                 return microstructure;
-                               }},
-                    stage.filler->packing);
+  if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
+  return std::visit(
+      Overloaded{
+          [&](const LubachevskyStillingerPacking& method) { return pack_at_random(stage, method, packing, result); },
+          [&](const RegularPacking& array) {
+            const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
+            return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
+          },
+          [&](const ExplicitPacking& listed) {
+            Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs, listed.fillers};
+            require_valid(with_coatings(stage, microstructure));
+            return microstructure;
+          }},
+      stage.packing);
 }
 
 }  // namespace
 
+std::optional<double> StageMicrostructure::size_deviation() const {
+  std::optional<double> largest;
+  for (const auto& filler : fillers) largest = std::max(largest, filler.size_deviation);
+  return largest;
+}
+
 StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow, Checkpoint* checkpoint) {
-  if (checkpoint != nullptr && checkpoint->is_finished()) return read_stage_microstructure(*checkpoint->earlier());
+  if (checkpoint != nullptr && checkpoint->is_finished())
+    return read_stage_microstructure(*checkpoint->earlier(), stage);
   StageMicrostructure result;
   StagePacking packing(follow, checkpoint);
   result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, packing, result); });
   result.seconds = packing.seconds();
   if (checkpoint != nullptr) checkpoint->finish([&](StateWriter& state) { save(state, result); });
-  measure(result);
+  measure(stage, result);
   return result;
 }
 

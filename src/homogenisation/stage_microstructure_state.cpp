@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
@@ -11,8 +15,27 @@
 
 namespace breccia {
 
+namespace {
+
+std::string name_of_size_deviation(std::size_t filler) {
+  return fmt::format("/size_deviation/{}", filler);
+}
+
+/// The numbers of the fillers of particles. Throws FileError where one is that of no filler.
+std::vector<std::size_t> filler_numbers(const std::vector<double>& numbers, std::size_t fillers) {
+  std::vector<std::size_t> read;
+  for (const double number : numbers) {
+    const bool is_filler = number >= 0.0 && number < static_cast<double>(fillers) && number == std::floor(number);
+    if (!is_filler) throw FileError("a checkpoint of a packing: expected particles of the fillers of its stage");
+    read.push_back(static_cast<std::size_t>(number));
+  }
+  return read;
+}
+
+}  // namespace
+
 void save(StateWriter& state, const StageMicrostructure& microstructure) {
-  const auto& [side, walls, discs] = microstructure.microstructure;
+  const auto& [side, walls, discs, fillers] = microstructure.microstructure;
   std::vector<double> x, y, diameters;
   for (const auto& disc : discs) {
     x.push_back(disc.centre[0]);
@@ -24,14 +47,18 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
   state.write("/x_m", x);
   state.write("/y_m", y);
   state.write("/diameter_m", diameters);
-  if (microstructure.size_deviation) state.write("/size_deviation", *microstructure.size_deviation);
+  if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
+  for (std::size_t number = 0; number < microstructure.fillers.size(); ++number) {
+    const auto deviation = microstructure.fillers[number].size_deviation;
+    if (deviation) state.write(name_of_size_deviation(number), *deviation);
+  }
   state.write("/events", static_cast<std::int64_t>(microstructure.events));
   state.write(packing_seconds_name, microstructure.seconds);
 }
 
-StageMicrostructure read_stage_microstructure(const StateReader& state) {
+StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage) {
   StageMicrostructure result;
-  auto& [side, walls, discs] = result.microstructure;
+  auto& [side, walls, discs, fillers] = result.microstructure;
   side = state.number("/side_m");
   walls = static_cast<Walls>(state.integer("/walls"));
   const auto x = state.numbers("/x_m");
@@ -46,10 +73,15 @@ StageMicrostructure read_stage_microstructure(const StateReader& state) {
   if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(discs, is_in_box)) {
     throw FileError("a checkpoint of a packing: expected discs in a box");
   }
-  if (state.has("/size_deviation")) result.size_deviation = state.number("/size_deviation");
+  if (state.has("/filler")) fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
+  result.fillers.resize(stage.fillers.size());
+  for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
+    const auto name = name_of_size_deviation(number);
+    if (state.has(name)) result.fillers[number].size_deviation = state.number(name);
+  }
   result.events = static_cast<std::uint64_t>(state.integer("/events"));
   result.seconds = state.number(packing_seconds_name);
-  measure(result);
+  measure(stage, result);
   return result;
 }
 

@@ -12,6 +12,7 @@
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/study/coatings.hpp"
 
 #include "material_warnings.hpp"
 #include "separation.hpp"
@@ -65,6 +66,26 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
                      cells_per_gap, consequence,
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
+}
+
+/// A coating that the grid does not resolve.
+std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing mixing) {
+  const double cells_per_coating = mixing == Mixing::points ? 3.0 : 2.0;
+  constexpr double rounding = 1e-9;
+  const auto thickness = thinnest_coating(stage);
+  if (!thickness) return std::nullopt;
+  const auto grids = stage.grids();
+  const double cells = *thickness / stage.side * grids.front();
+  if (cells >= cells_per_coating * (1.0 - rounding)) return std::nullopt;
+  const auto shown = display_beside(cells, cells_per_coating);
+  return fmt::format(
+      "the thinnest coating, {}, is {} {} wide{}; below {:g} cells the strains in it are not resolved, and a coating "
+      "far "
+      "softer than its particle counts for too much or too little{}",
+      readable(*thickness, Dimension::length), shown, shown == "1" ? "cell" : "cells",
+      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
+      cells_per_coating,
+      words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));
 }
 
 bool has_particles_across_sides(const Microstructure<2>& microstructure) {
@@ -122,10 +143,12 @@ std::optional<std::string> warning_of_unknown_times(const Material& matrix, cons
 std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
                                      const StageMicrostructure& microstructure) {
   auto of_stage = stage.warnings;
-  for (const auto& warning : {warning_of_soft_filler(study, stage), warning_of_separation(study, stage, microstructure),
-                              warning_of_narrow_gaps(stage, microstructure, study.tests.mixing),
-                              warning_of_cut_particles(study.tests.boundaries, microstructure),
-                              warning_of_unknown_times(stage, study.tests)}) {
+  std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
+  for (const auto& warning :
+       {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
+        warning_of_narrow_gaps(stage, microstructure, study.tests.mixing),
+        warning_of_cut_particles(study.tests.boundaries, microstructure),
+        warning_of_unknown_times(stage, study.tests)}) {
     if (warning) of_stage.push_back(*warning);
   }
   for (const auto& measurement : study.measurements) {

@@ -6,6 +6,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/filler_sizes.hpp"
 
 #include "mixtures.hpp"
 
@@ -17,6 +18,26 @@ std::vector<double> field_times_of(const Study& study, const Stage& stage, const
                                    Load load) {
   const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns() == stage.cells;
   return has_fields ? study.tests.field_times : std::vector<double>();
+}
+
+/// All fillers of a stage taken for one.
+struct ExpectedFiller {
+  double density = 0.0;          ///< mean [kg/m^3]
+  double bulk_compliance = 0.0;  ///< mean, unrelaxed [1/Pa]
+  double shear = 0.0;            ///< of the stiffest, unrelaxed [Pa]
+};
+
+/// Fillers whose fraction is not known count alike.
+ExpectedFiller expected_filler(const Stage& stage) {
+  const auto all = fraction_asked_of(stage);
+  ExpectedFiller expected;
+  for (const auto& filler : stage.fillers) {
+    const double share = all ? *filler.fraction / *all : 1.0 / static_cast<double>(stage.fillers.size());
+    expected.density += share * filler.material.density;
+    expected.bulk_compliance += share * (1.0 / filler.material.bulk.unrelaxed());
+    expected.shear = std::max(expected.shear, filler.material.shear.unrelaxed());
+  }
+  return expected;
 }
 
 }  // namespace
@@ -54,14 +75,13 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   const auto& name = std::get<EarlierStage>(stage.matrix).name;
   const auto& earlier = *std::ranges::find(study.stages, name, &Stage::name);
   auto matrix = expected_matrix(study, earlier);
-  if (!earlier.filler) return matrix;
-  const double fraction = earlier.filler->fraction.value_or(0.5);
-  const auto& filler = earlier.filler->material;
+  if (earlier.fillers.empty()) return matrix;
+  const double fraction = fraction_asked_of(earlier).value_or(0.5);
+  const auto [density, bulk_compliance, shear] = expected_filler(earlier);
   // Shear: rigid discs in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of mixtures).
-  const double stiffening =
-      std::min((1.0 + fraction) / (1.0 - fraction), filler.shear.unrelaxed() / matrix.shear.unrelaxed());
-  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), 1.0 / filler.bulk.unrelaxed(), fraction);
-  return {name, mixed(matrix.density, filler.density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
+  const double stiffening = std::min((1.0 + fraction) / (1.0 - fraction), shear / matrix.shear.unrelaxed());
+  const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
+  return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
 }
 
 }  // namespace breccia

@@ -80,6 +80,11 @@ Conversion fraction(std::string_view unit) {
   throw InputError(fmt::format("expected none, or %, got \"{}\"", unit));
 }
 
+Conversion number_without_unit(std::string_view unit) {
+  if (unit.empty()) return {};
+  throw InputError(fmt::format("expected none, got \"{}\"", unit));
+}
+
 std::string_view example_of_unit(const ColumnMeaning& meaning) {
   switch (meaning.quantity) {
     case Quantity::time:
@@ -110,6 +115,7 @@ double Conversion::operator()(double value) const {
 Conversion conversion_of(const ColumnMeaning& meaning) {
   const std::string_view unit = meaning.unit;
   if (meaning.quantity == Quantity::cumulative_volume_fraction) return fraction(unit);
+  if (meaning.quantity == Quantity::filler) return number_without_unit(unit);
   if (unit.empty()) {
     throw InputError(
         fmt::format("expected one in the name of the column, as in \"[{}]\", got none", example_of_unit(meaning)));

@@ -71,6 +71,12 @@ class MeasuredTableReader {
 
   void read_meanings() {
     for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name));
+    const auto is_of = [](Quantity quantity) {
+      return [quantity](const auto& meaning) { return meaning && meaning->quantity == quantity; };
+    };
+    // In a table of anything but particles a filler may be a text.
+    const bool has_particles = std::ranges::any_of(meanings_, is_of(Quantity::diameter));
+    if (!has_particles) std::ranges::replace_if(meanings_, is_of(Quantity::filler), std::nullopt);
   }
 
   /// The columns that distinguish the series in a table of results of Breccia.

@@ -43,17 +43,31 @@ void require_meaning(const PackingRequest& request) {
   if (!(request.minimum_gap >= 0.0) || !std::isfinite(request.minimum_gap)) {
     throw InputError(fmt::format("packing: the gap must be finite and not negative, got {} m", request.minimum_gap));
   }
+  const auto is_thickness = [](double shell) { return shell >= 0.0 && std::isfinite(shell); };
+  const auto shells = request.shells.size();
+  if ((shells != 0 && shells != request.diameters.size()) || !std::ranges::all_of(request.shells, is_thickness)) {
+    throw InputError(fmt::format("packing: expected a shell of finite thickness for each of {} particles, or none",
+                                 request.diameters.size()));
+  }
   if (!(request.growth_rate > 0.0 && request.growth_rate <= 1.0)) {
     throw InputError(
         fmt::format("packing: the growth rate must be above 0 and at most 1, got {}", request.growth_rate));
   }
 }
 
-/// Volume fraction of balls whose diameters are all larger by `gap`.
+/// The diameters of the particles with their shells and half the gap around each [m]: these must not overlap.
+std::vector<double> outer_diameters(const PackingRequest& request) {
+  std::vector<double> outer = request.diameters;
+  for (double& diameter : outer) diameter += request.minimum_gap;
+  for (std::size_t ball = 0; ball < request.shells.size(); ++ball) outer[ball] += 2.0 * request.shells[ball];
+  return outer;
+}
+
+/// Volume fraction of balls of these diameters [m] in the box of a request.
 template <int dim>
-double fraction(const PackingRequest& request, double gap) {
+double fraction(const PackingRequest& request, const std::vector<double>& diameters) {
   double cubes = 0.0;  // around the balls
-  for (const double diameter : request.diameters) cubes += std::pow((diameter + gap) / request.side, dim);
+  for (const double diameter : diameters) cubes += std::pow(diameter / request.side, dim);
   return cubes * std::numbers::pi / (2.0 * dim);
 }
 
@@ -67,8 +81,9 @@ double densest_packing_of_discs(double ratio) {
 template <int dim>
 void require_possible(const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
+  const auto [smallest_outer, largest_outer] = std::ranges::minmax(outer_diameters(request));
   const double gap = request.minimum_gap;
-  if (largest + gap > request.side) {
+  if (largest_outer > request.side) {
     throw PackingError(
         PackingObstacle::size, 0.0,
         fmt::format(
@@ -78,32 +93,33 @@ void require_possible(const PackingRequest& request) {
   }
   if constexpr (dim == 2) {
     const double inflated = inflated_fraction<dim>(request);
-    const double densest = densest_packing_of_discs((smallest + gap) / (largest + gap));
+    const double densest = densest_packing_of_discs(smallest_outer / largest_outer);
     if (inflated > densest) {
       throw PackingError(
           PackingObstacle::density, densest,
           fmt::format(
               "packing: {} discs at a fraction of {:.4g} cannot keep a gap of {:.6g} m: with half the gap around "
               "each they would fill {:.4g} of the box, and discs of {:.6g} m to {:.6g} m can fill at most {:.4g}",
-              request.diameters.size(), fraction<dim>(request, 0.0), gap, inflated, smallest, largest, densest));
+              request.diameters.size(), fraction<dim>(request, request.diameters), gap, inflated, smallest, largest,
+              densest));
     }
   }
 }
 
-/// The unit of length of the growing balls [m]: their mean final diameter, with the gap.
+/// The unit of length of the growing balls [m]: their mean final diameter, with the gap and the shells.
 double unit_length(const PackingRequest& request) {
   const auto count = static_cast<double>(request.diameters.size());
-  return std::accumulate(request.diameters.begin(), request.diameters.end(), 0.0) / count + request.minimum_gap;
+  const auto mean = [count](const std::vector<double>& lengths) {
+    return std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
+  };
+  return mean(request.diameters) + request.minimum_gap + 2.0 * mean(request.shells);
 }
 
-/// Final diameters of the growing balls, with the gap, in their unit of length.
+/// Final diameters of the growing balls, with the gap and the shells, in their unit of length.
 std::vector<double> inflated_diameters(const PackingRequest& request) {
   const double unit = unit_length(request);
-  std::vector<double> inflated;
-  inflated.reserve(request.diameters.size());
-  for (const double diameter : request.diameters) {
-    inflated.push_back((1.0 + margin) * (diameter + request.minimum_gap) / unit);
-  }
+  auto inflated = outer_diameters(request);
+  for (double& diameter : inflated) diameter = (1.0 + margin) * diameter / unit;
   return inflated;
 }
 
@@ -169,11 +185,24 @@ std::unique_ptr<GrowingBalls<dim>> growing_balls(const PackingRequest& request, 
                                              inflated_diameters(request), start);
 }
 
+/// Throws NumericalError where roundoff has let the shells of particles overlap.
+template <int dim>
+void require_apart(const PackingRequest& request, std::vector<Ball<dim>> balls) {
+  if (request.shells.empty()) return;
+  for (std::size_t ball = 0; ball < balls.size(); ++ball) balls[ball].diameter += 2.0 * request.shells[ball];
+  const double gap = smallest_gap<dim>(request.side, request.walls, balls);
+  // Diameters with shells are rounded.
+  const double roundoff = 1e-12 * request.side;
+  if (gap >= request.minimum_gap - roundoff) return;
+  throw NumericalError(fmt::format("packing: roundoff left a gap of {:.9g} m between shells instead of {:.9g} m", gap,
+                                   request.minimum_gap));
+}
+
 }  // namespace
 
 template <int dim>
 double inflated_fraction(const PackingRequest& request) {
-  return fraction<dim>(request, request.minimum_gap);
+  return fraction<dim>(request, outer_diameters(request));
 }
 
 template double inflated_fraction<2>(const PackingRequest&);
@@ -215,7 +244,7 @@ void PackingRun<dim>::advance() {
     balls_->shrink(shrinkage);
     return;
   }
-  const double final_fraction = fraction<dim>(request_, 0.0);
+  const double final_fraction = fraction<dim>(request_, request_.diameters);
   const double reached = inflated_fraction<dim>(request_) * std::pow(largest_scale_, dim);
   throw PackingError(
       PackingObstacle::jam, reached,
@@ -228,7 +257,7 @@ void PackingRun<dim>::advance() {
 
 template <int dim>
 PackingProgress PackingRun<dim>::progress() const noexcept {
-  const double final_fraction = fraction<dim>(request_, 0.0);
+  const double final_fraction = fraction<dim>(request_, request_.diameters);
   return {balls_->events(), final_fraction * std::pow(balls_->scale(), dim), final_fraction};
 }
 
@@ -250,9 +279,10 @@ Packing<dim> PackingRun<dim>::packing() const {
     packing.balls.push_back({balls_->centre(ball), request_.diameters[ball]});
     for (double& x : packing.balls.back().centre) x = x / side * request_.side;
   }
-  packing.fraction = fraction<dim>(request_, 0.0);
+  packing.fraction = fraction<dim>(request_, request_.diameters);
   packing.gap = smallest_gap<dim>(request_.side, request_.walls, packing.balls);
   packing.events = balls_->events();
+  require_apart<dim>(request_, packing.balls);
   if (!(packing.gap >= request_.minimum_gap)) {
     throw NumericalError(
         fmt::format("packing: roundoff left a gap of {:.9g} m instead of {:.9g} m", packing.gap, request_.minimum_gap));

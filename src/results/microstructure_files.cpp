@@ -4,11 +4,28 @@
 
 #include <fmt/format.h>
 
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/microstructure_picture.hpp"
 
 namespace breccia {
+namespace {
+
+/// The fillers of a stage in the colours of their phases.
+std::vector<DrawnFiller> drawn_fillers(const Stage& stage) {
+  const auto phases = phases_of(stage);
+  std::vector<DrawnFiller> drawn;
+  for (const auto& filler : stage.fillers) {
+    auto& one = drawn.emplace_back(DrawnFiller{phases.index_of(phase_of(stage, filler.material))});
+    if (!filler.coating) continue;
+    one.coating_colour = phases.index_of(phase_of(stage, filler.coating->material));
+    one.coating_thickness = filler.coating->thickness;
+  }
+  return drawn;
+}
+
+}  // namespace
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
@@ -18,9 +35,13 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
     y.push_back(centre[1]);
     diameters.push_back(diameter);
   }
-  write_csv(directory / "microstructure.csv", {{"x_m", x}, {"y_m", y}, {"diameter_m", diameters}},
+  std::vector<CsvColumn> columns = {{"x_m", x}, {"y_m", y}, {"diameter_m", diameters}};
+  const auto& fillers = microstructure.microstructure.fillers;
+  if (!fillers.empty()) columns.push_back({"filler", std::vector<double>(fillers.begin(), fillers.end())});
+  write_csv(directory / "microstructure.csv", columns,
             fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
-  write_text(directory / "microstructure.svg", microstructure_picture(microstructure.microstructure));
+  write_text(directory / "microstructure.svg",
+             microstructure_picture(microstructure.microstructure, drawn_fillers(stage)));
 }
 
 }  // namespace breccia

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/chrono.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include "breccia/homogenisation/quality.hpp"
@@ -89,11 +93,17 @@ Json json_of(const Snapshot& snapshot, const std::vector<std::string>& phases) {
 }
 
 Json json_of(const WholeFiller& filler) {
-  Json materials = Json::array();
-  for (const auto& [material, fraction, mass_fraction] : filler.materials) {
-    materials.push_back({{"material", material}, {"fraction", fraction}, {"mass_fraction", mass_fraction}});
-  }
-  return {{"fraction", filler.fraction}, {"mass_fraction", filler.mass_fraction}, {"materials", std::move(materials)}};
+  const auto listed = [](const std::vector<FillerShare>& shares) {
+    Json materials = Json::array();
+    for (const auto& [material, fraction, mass_fraction] : shares) {
+      materials.push_back({{"material", material}, {"fraction", fraction}, {"mass_fraction", mass_fraction}});
+    }
+    return materials;
+  };
+  Json json = {
+      {"fraction", filler.fraction}, {"mass_fraction", filler.mass_fraction}, {"materials", listed(filler.materials)}};
+  if (!filler.coatings.empty()) json["coatings"] = listed(filler.coatings);
+  return json;
 }
 
 /// Writes the settings and the accuracy of a test.
@@ -187,10 +197,45 @@ Json json_of(const StageQuality& quality) {
           {"fraction_asked", json_of(quality.fraction_asked)},
           {"narrowest_gap_cells", finite_or_null(quality.gap_cells)},
           {"narrowest_gap_cells_by_grid", std::move(gaps)},
+          {"thinnest_coating_cells", json_of(quality.coating_cells)},
           {"grids", quality.grids.size()},
           {"grid_error", json_of(quality.grid_share)},
           {"seeds", quality.is_random ? Json(1) : Json()},
           {"bounds", std::move(bounds)}};
+}
+
+/// The materials of all fillers, each once: "ap, aluminium"; null without a filler.
+Json name_of_fillers(const Stage& stage) {
+  std::vector<std::string> names;
+  for (const auto& filler : stage.fillers) {
+    if (std::ranges::find(names, filler.material.name) == names.end()) names.push_back(filler.material.name);
+  }
+  return names.empty() ? Json() : Json(fmt::format("{}", fmt::join(names, ", ")));
+}
+
+Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
+  Json fillers = Json::array();
+  for (std::size_t number = 0; number < std::min(stage.fillers.size(), packed.size()); ++number) {
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating] = stage.fillers[number];
+    const auto& statistics = packed[number];
+    Json filler = {{"material", material.name},
+                   {"particles", statistics.particles},
+                   {"fraction", statistics.fraction},
+                   {"fraction_asked", json_of(fraction)},
+                   {"smallest_diameter_m", json_of(statistics.smallest_diameter)},
+                   {"largest_diameter_m", json_of(statistics.largest_diameter)},
+                   {"size_distribution_deviation", json_of(statistics.size_deviation)},
+                   {"gap_m", stage.is_random() ? Json(gap) : Json()},
+                   {"coating", Json()}};
+    if (coating) {
+      filler["coating"] = {{"material", coating->material.name},
+                           {"thickness_m", coating->thickness},
+                           {"thickness_cells", coating->thickness / stage.cell_size()},
+                           {"fraction", statistics.coating_fraction}};
+    }
+    fillers.push_back(std::move(filler));
+  }
+  return fillers;
 }
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
@@ -208,9 +253,9 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["smallest_diameter_m"] = smallest.diameter;
     microstructure["largest_diameter_m"] = largest.diameter;
   }
-  if (packing.size_deviation) microstructure["size_distribution_deviation"] = *packing.size_deviation;
-  if (stage.filler && std::holds_alternative<LubachevskyStillingerPacking>(stage.filler->packing)) {
-    microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.filler->packing).seed;
+  if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
+  if (!stage.fillers.empty() && stage.is_random()) {
+    microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.packing).seed;
     microstructure["events"] = packing.events;
   }
   Json materials = Json::array();
@@ -234,7 +279,8 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
   for (const auto& test : result.tests) tests.push_back(json_of(test, study, record));
   Json json = {{"name", stage.name},
                {"matrix", name_of(stage.matrix)},
-               {"filler", stage.filler ? Json(stage.filler->material.name) : Json()},
+               {"filler", name_of_fillers(stage)},
+               {"fillers", json_of(stage, packing.fillers)},
                {"box_m", stage.side},
                {"cells", stage.grids()},
                {"points", result.points},
@@ -272,13 +318,13 @@ void write_provenance(const std::filesystem::path& directory, const Study& study
     const auto shift = study.temperature_shifts.find(material.name);
     if (shift != study.temperature_shifts.end()) materials.back()["temperature_shift"] = json_of(shift->second);
   }
-  std::vector<double> fractions;
+  std::vector<std::vector<FillerStatistics>> fillers;
   for (std::size_t i = 0; i < result.stages.size(); ++i) {
     const auto record = records.find(study.stages[i].name);
     stages.push_back(
         json_of(study.stages[i], result.stages[i], study, record == records.end() ? StageRecord() : record->second));
-    fractions.push_back(result.stages[i].microstructure.fraction);
-    const auto whole = filler_of_the_whole(study, study.stages[i], fractions);
+    fillers.push_back(result.stages[i].microstructure.fillers);
+    const auto whole = filler_of_the_whole(study, study.stages[i], fillers);
     if (whole.fraction > 0.0) stages.back()["filler_of_the_whole"] = json_of(whole);
   }
   const auto provenance = provenance_of(study);

@@ -47,11 +47,24 @@ struct DiametersOf {
 }  // namespace
 
 std::optional<DiameterRange> diameters_of(const Filler& filler) {
-  if (filler.sizes) return std::visit(DiametersOf{filler}, *filler.sizes);
-  const auto* listed = std::get_if<ExplicitPacking>(&filler.packing);
-  if (listed == nullptr || listed->discs.empty()) return std::nullopt;
-  const auto [smallest, largest] = std::ranges::minmax(listed->discs, {}, &Disc::diameter);
-  return DiameterRange{smallest.diameter, largest.diameter};
+  return filler.sizes ? std::visit(DiametersOf{filler}, *filler.sizes) : std::nullopt;
+}
+
+std::optional<DiameterRange> diameters_of(const Stage& stage) {
+  if (stage.fillers.empty()) return std::nullopt;
+  if (const auto* listed = stage.listed()) {
+    if (listed->discs.empty()) return std::nullopt;
+    const auto [smallest, largest] = std::ranges::minmax(listed->discs, {}, &Disc::diameter);
+    return DiameterRange{smallest.diameter, largest.diameter};
+  }
+  std::optional<DiameterRange> all;
+  for (const auto& filler : stage.fillers) {
+    const auto own = diameters_of(filler);
+    if (!own) continue;
+    if (!all) all = own;
+    all = DiameterRange{std::min(all->smallest, own->smallest), std::max(all->largest, own->largest)};
+  }
+  return all;
 }
 
 std::optional<SizeDistribution> distribution_of(const Filler& filler) {
@@ -62,6 +75,15 @@ std::optional<SizeDistribution> distribution_of(const Filler& filler) {
                                            filler.largest.value_or(distribution->largest()));
   }
   return distribution;
+}
+
+std::optional<double> fraction_asked_of(const Stage& stage) {
+  std::optional<double> fraction;
+  for (const auto& filler : stage.fillers) {
+    if (!filler.fraction) return std::nullopt;
+    fraction = fraction.value_or(0.0) + *filler.fraction;
+  }
+  return fraction;
 }
 
 }  // namespace breccia

@@ -1,12 +1,14 @@
 #include "filler_soundness.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/validity.hpp"
+#include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/limits.hpp"
 #include "breccia/study/stage_rules.hpp"
@@ -48,8 +50,9 @@ void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mi
 }
 
 /// Which of sizes and fraction go with a packing that draws or arranges particles.
-void check_amount(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
-  if (std::holds_alternative<RegularPacking>(filler.packing)) {
+void check_amount(const Filler& filler, const PackingMethod& packing, const std::string& part,
+                  StudyMistakes& mistakes) {
+  if (std::holds_alternative<RegularPacking>(packing)) {
     if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
       mistakes.add(part, "expected a single size for a regular packing");
     }
@@ -63,12 +66,12 @@ void check_amount(const Filler& filler, const std::string& part, StudyMistakes& 
   }
 }
 
-void check_sizes(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+void check_sizes(const Filler& filler, const PackingMethod& packing, const std::string& part, StudyMistakes& mistakes) {
   if (!filler.sizes) {
     mistakes.add(part, "expected sizes; only an explicit packing has none");
     return;
   }
-  check_amount(filler, part, mistakes);
+  check_amount(filler, packing, part, mistakes);
   check_cuts(filler, part, mistakes);
   if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
     check_list(*listed, part, mistakes);
@@ -77,40 +80,81 @@ void check_sizes(const Filler& filler, const std::string& part, StudyMistakes& m
   }
 }
 
-void check_listed_particles(const Filler& filler, double side, const std::string& part, StudyMistakes& mistakes) {
+void check_no_sizes(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
   if (filler.sizes || filler.fraction || filler.smallest || filler.largest) {
     mistakes.add(part, "expected neither sizes nor a fraction: the particles of an explicit packing are all listed");
   }
-  const auto& listed = std::get<ExplicitPacking>(filler.packing);
-  if (listed.discs.empty()) mistakes.add(part, "expected at least one disc");
-  if (accepts(allowed::side, side))
-    mistakes.add_error_of(part, [&] { require_valid<2>({side, listed.walls, listed.discs}); });
 }
 
-void check_gap(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+void check_gap(const Filler& filler, const PackingMethod& packing, const std::string& part, StudyMistakes& mistakes) {
   mistakes.check_quantity(part, "gap", filler.gap, Range::not_negative(), Dimension::length);
-  if (!std::holds_alternative<LubachevskyStillingerPacking>(filler.packing) && filler.gap > 0.0) {
+  if (!std::holds_alternative<LubachevskyStillingerPacking>(packing) && filler.gap > 0.0) {
     mistakes.add(part, "expected no gap: only a random packing keeps one");
+  }
+}
+
+void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  check_material(filler.material, part, mistakes);
+  if (filler.coating) {
+    check_material(filler.coating->material, part + ", coating", mistakes);
+    mistakes.check_quantity(part, "thickness of the coating", filler.coating->thickness, Range::positive(),
+                            Dimension::length);
+  }
+  check_gap(filler, stage.packing, part, mistakes);
+  if (stage.listed() != nullptr) {
+    check_no_sizes(filler, part, mistakes);
+    return;
+  }
+  check_sizes(filler, stage.packing, part, mistakes);
+  if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
+  mistakes.add_all(part, mistakes_of_gap(filler, stage.side));
+  mistakes.add_all(part, mistakes_of_diameters(filler, stage.packing, stage.side));
+}
+
+void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  const auto& [file, discs, walls, fillers] = *stage.listed();
+  if (discs.empty()) mistakes.add(part, "expected at least one disc");
+  if (!fillers.empty() && fillers.size() != discs.size()) {
+    mistakes.add(part, fmt::format("expected the filler of each of {} discs, got {}", discs.size(), fillers.size()));
+    return;
+  }
+  if (fillers.empty() && stage.fillers.size() > 1) {
+    mistakes.add(part, "expected the filler of each disc, since there are several");
+  }
+  const auto is_unknown = [&](std::size_t filler) { return filler >= stage.fillers.size(); };
+  if (const auto unknown = std::ranges::find_if(fillers, is_unknown); unknown != fillers.end()) {
+    mistakes.add(part, fmt::format("a disc is of filler {}, counted from 0, but there are only {}", *unknown,
+                                   stage.fillers.size()));
+    return;
+  }
+  if (accepts(allowed::side, stage.side)) {
+    mistakes.add_error_of(part, [&] { require_valid<2>(with_coatings(stage, {stage.side, walls, discs, fillers})); });
   }
 }
 
 }  // namespace
 
-void check_filler(const Filler& filler, double side, const std::string& part, StudyMistakes& mistakes) {
-  check_material(filler.material, part, mistakes);
-  check_gap(filler, part, mistakes);
-  if (std::holds_alternative<ExplicitPacking>(filler.packing)) {
-    check_listed_particles(filler, side, part, mistakes);
-    return;
+void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  if (stage.fillers.empty()) return;
+  if (stage.fillers.size() > allowed::most_fillers) {
+    mistakes.add(part, fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
   }
-  if (const auto* regular = std::get_if<RegularPacking>(&filler.packing)) {
-    mistakes.check_integer(part, "columns", regular->columns, allowed::rows);
-    mistakes.check_integer(part, "rows", regular->rows, allowed::rows);
+  const bool are_several = stage.fillers.size() > 1;
+  for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
+    const auto place = are_several ? fmt::format("{}, filler {}", part, number) : part + ", filler";
+    check_filler(stage.fillers[number], stage, place, mistakes);
   }
-  check_sizes(filler, part, mistakes);
-  if (!accepts(allowed::side, side)) return;  // a mistake of the stage
-  mistakes.add_all(part, mistakes_of_gap(filler, side));
-  mistakes.add_all(part, mistakes_of_diameters(filler, side));
+  mistakes.add_all(part, mistakes_of_fractions(stage));
+  mistakes.add_all(part, mistakes_of_phases(stage));
+  const auto packing = part + (are_several ? ", packing" : ", filler");
+  if (stage.listed() != nullptr) check_listed_particles(stage, packing, mistakes);
+  if (const auto* regular = std::get_if<RegularPacking>(&stage.packing)) {
+    mistakes.check_integer(packing, "columns", regular->columns, allowed::rows);
+    mistakes.check_integer(packing, "rows", regular->rows, allowed::rows);
+    if (are_several) {
+      mistakes.add(packing, fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
+    }
+  }
 }
 
 }  // namespace breccia

@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "breccia/study/filler.hpp"
+#include "breccia/study/stage.hpp"
 
 #include "study_mistakes.hpp"
 
 namespace breccia {
 
-/// Checks the filler of a stage with a box of the given side [m]; it is the given part of a study.
-void check_filler(const Filler& filler, double side, const std::string& part, StudyMistakes& mistakes);
+/// Checks the fillers of a stage and their packing; the stage is the given part of a study.
+void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& mistakes);
 
 }  // namespace breccia

@@ -105,13 +105,17 @@ class Content {
     add(name);
   }
   void add(const Stage& stage) {
-    const auto& [name, matrix, side, cells, coarser_cells, filler, warnings] = stage;
-    add_all(name, matrix, side, cells, coarser_cells, filler);
+    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings] = stage;
+    add_all(name, matrix, side, cells, coarser_cells, fillers, packing);
     static_cast<void>(warnings);
   }
   void add(const Filler& filler) {
-    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, packing] = filler;
-    add_all(material, fraction, smallest, largest, sizes, gap, gap_source, packing);
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating] = filler;
+    add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating);
+  }
+  void add(const Coating& coating) {
+    const auto& [material, thickness] = coating;
+    add_all(material, thickness);
   }
   void add(const SingleSize& sizes) {
     const auto& [diameter] = sizes;
@@ -143,8 +147,8 @@ class Content {
     add_all(columns, rows);
   }
   void add(const ExplicitPacking& packing) {
-    const auto& [file, discs, walls] = packing;
-    add_all(discs, walls);
+    const auto& [file, discs, walls, fillers] = packing;
+    add_all(discs, walls, fillers);
     static_cast<void>(file);
   }
   void add(const Disc& disc) {

@@ -48,7 +48,7 @@ void check_stage(const Study& study, std::size_t number, StudyMistakes& mistakes
   mistakes.check_quantity(part, "side of the box", stage.side, allowed::side, Dimension::length);
   check_grids(stage, part, mistakes);
   check_matrix(stage, earlier, part, mistakes);
-  if (stage.filler) check_filler(*stage.filler, stage.side, part + ", filler", mistakes);
+  check_fillers(stage, part, mistakes);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/study/limits.hpp"
+#include "breccia/study/phase_names.hpp"
 #include "breccia/study/result_names.hpp"
 
 namespace breccia {
@@ -59,18 +60,43 @@ std::vector<std::string> mistakes_of_gap(const Filler& filler, double side) {
                       readable(side, Dimension::length))};
 }
 
-std::vector<std::string> mistakes_of_diameters(const Filler& filler, double side) {
+std::vector<std::string> mistakes_of_diameters(const Filler& filler, const PackingMethod& packing, double side) {
   std::vector<std::string> mistakes;
-  const double diameter = largest_known_diameter(filler);
+  const double bare = largest_known_diameter(filler);
+  // A thickness that is not positive is a mistake of the coating.
+  const double diameter = bare > 0.0 ? bare + 2.0 * std::max(0.0, filler.coating_thickness()) : 0.0;
+  const auto* const coated = filler.coating ? " with its coating" : "";
   if (diameter >= side) {
-    mistakes.push_back(fmt::format("a particle of {} does not fit into a box of {}",
-                                   readable(diameter, Dimension::length), readable(side, Dimension::length)));
+    mistakes.push_back(fmt::format("a particle of {}{} does not fit into a box of {}",
+                                   readable(diameter, Dimension::length), coated, readable(side, Dimension::length)));
   }
-  const auto* const regular = std::get_if<RegularPacking>(&filler.packing);
+  const auto* const regular = std::get_if<RegularPacking>(&packing);
   const double spacing = regular == nullptr ? side : side / std::max({1, regular->columns, regular->rows});
   if (regular != nullptr && diameter > 0.0 && diameter >= spacing) {
-    mistakes.push_back(fmt::format("particles of {} touch at a regular spacing of {}",
-                                   readable(diameter, Dimension::length), readable(spacing, Dimension::length)));
+    mistakes.push_back(fmt::format("particles of {}{} touch at a regular spacing of {}",
+                                   readable(diameter, Dimension::length), coated,
+                                   readable(spacing, Dimension::length)));
+  }
+  return mistakes;
+}
+
+std::vector<std::string> mistakes_of_fractions(const Stage& stage) {
+  double sum = 0.0;
+  for (const auto& filler : stage.fillers) sum += filler.fraction.value_or(0.0);
+  // A single fraction has been checked by itself.
+  if (stage.fillers.size() < 2 || !(sum >= 1.0)) return {};
+  return {fmt::format("the fractions of all fillers add up to {:.6g}: expected less than 1", sum)};
+}
+
+std::vector<std::string> mistakes_of_phases(const Stage& stage) {
+  const auto names = phase_names(stage);
+  std::vector<std::string> mistakes;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) == name) continue;
+    mistakes.push_back(fmt::format(
+        "a filler or coating of the material \"{}\" has the name of another phase of the stage: expected another name "
+        "of the material",
+        *name));
   }
   return mistakes;
 }

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,15 +25,21 @@ bool uses(const Tests& tests, Method method) {
   return std::ranges::find(tests.methods, method) != tests.methods.end();
 }
 
-/// Reports a filler that relaxes with the reduced solver, which needs elastic fillers.
+/// Reports fillers and coatings that relax with the reduced solver, which needs elastic ones.
 std::vector<std::string> relaxing_fillers(const Study& study) {
   if (!uses(study.tests, Method::quasistatic) || study.tests.quasistatic.solver != Solver::reduced) return {};
   std::vector<std::string> mistakes;
   for (const auto& stage : study.stages) {
-    if (!stage.filler || is_elastic(stage.filler->material)) continue;
-    mistakes.push_back(
-        fmt::format(R"(the filler of stage {}, {}, relaxes: expected the solver "{}" or the method "{}")", stage.name,
-                    stage.filler->material.name, name_of(Solver::stepping), name_of(Method::dynamic)));
+    const auto refuse_relaxing = [&](const char* what, const Material& material) {
+      if (is_elastic(material)) return;
+      auto mistake = fmt::format(R"(the {} of stage {}, {}, relaxes: expected the solver "{}" or the method "{}")",
+                                 what, stage.name, material.name, name_of(Solver::stepping), name_of(Method::dynamic));
+      if (std::ranges::find(mistakes, mistake) == mistakes.end()) mistakes.push_back(std::move(mistake));
+    };
+    for (const auto& filler : stage.fillers) {
+      refuse_relaxing("filler", filler.material);
+      if (filler.coating) refuse_relaxing("coating", filler.coating->material);
+    }
   }
   return mistakes;
 }

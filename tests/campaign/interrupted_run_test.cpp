@@ -57,9 +57,9 @@ class InterruptedRun : public testing::Test {
 TEST_F(InterruptedRun, LeavesNothingBeforeTheFirstPacking) {
   RunObserver observer;
   observer.packing = [](const Stage&, const PackingProgress&) { throw Interrupted("enough"); };
-  study.stages[0].filler->packing = LubachevskyStillingerPacking{};
-  study.stages[0].filler->fraction = 0.3;
-  study.stages[0].filler->sizes = SingleSize{1e-3};
+  study.stages[0].packing = LubachevskyStillingerPacking{};
+  study.stages[0].fillers[0].fraction = 0.3;
+  study.stages[0].fillers[0].sizes = SingleSize{1e-3};
   test::give_provenance(study, "random");
   EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), Interrupted);
   EXPECT_FALSE(fs::exists(results));

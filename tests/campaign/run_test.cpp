@@ -89,9 +89,9 @@ TEST(RunStudy, RefusesToReplaceTheDeckOfAChangedStudy) {
 
 TEST(RunStudy, LeavesNothingBehindIfItFailsAtOnce) {
   auto study = test::two_stages();
-  study.stages[0].filler->sizes = SingleSize{1e-3};
-  study.stages[0].filler->fraction = 0.95;  // denser than equal discs can be
-  study.stages[0].filler->packing = LubachevskyStillingerPacking{};
+  study.stages[0].fillers[0].sizes = SingleSize{1e-3};
+  study.stages[0].fillers[0].fraction = 0.95;  // denser than equal discs can be
+  study.stages[0].packing = LubachevskyStillingerPacking{};
   const test::TemporaryDirectory directory;
   const auto results = directory.path() / "results";
   EXPECT_THROW(static_cast<void>(run_study(study, results)), Error);

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 
 #include "messages.hpp"
@@ -149,6 +151,30 @@ TEST(Examples, Pbx9501StiffensFromStageToStage) {
     EXPECT_LT(second[i].modulus, composite[i].modulus);
     EXPECT_LT(composite[i].modulus, hmx);
   }
+}
+
+TEST(Examples, TwoFillersHaveTheirStatistics) {
+  const test::TemporaryDirectory directory;
+  const auto run =
+      test::run_breccia(directory.path(), {"run", BRECCIA_EXAMPLES_DIRECTORY "/two-fillers.toml", "--out", ".", "--set",
+                                           "stages.0.cells=100", "--set", R"(tests.boundaries=["traction"])"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("filler 2, aluminium: "));
+  const auto record = nlohmann::json::parse(read_text(directory.path() / "study.json"))["stages"][0];
+  EXPECT_EQ(record["filler"], "ap, aluminium");
+  const auto& fillers = record["fillers"];
+  ASSERT_EQ(fillers.size(), 3U);
+  double fraction = 0.0;
+  for (const auto& filler : fillers) fraction += filler["fraction"].get<double>();
+  EXPECT_NEAR(fraction, record["microstructure"]["fraction"].get<double>(), 1e-12);
+  // Each within half a particle of what the deck asks for.
+  EXPECT_NEAR(fillers[0]["fraction"].get<double>(), 0.38, 0.016);
+  EXPECT_NEAR(fillers[1]["fraction"].get<double>(), 0.17, 0.0032);
+  EXPECT_NEAR(fillers[2]["fraction"].get<double>(), 0.12, 0.0007);
+  const auto columns = read_csv(directory.path() / "propellant" / "microstructure.csv");
+  EXPECT_EQ(columns.names().back(), "filler");
+  const auto page = read_text(directory.path() / "report.html");
+  EXPECT_THAT(page, HasSubstr("ap, aluminium"));
 }
 
 TEST(Examples, AreWithoutMistakes) {

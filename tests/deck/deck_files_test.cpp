@@ -32,7 +32,7 @@ TEST_F(DeckFiles, SizesInMicrometres) {
   directory.write("sizes.csv", "Diameter [µm];Cumulative volume fraction [%]\n7;0\n14,5;40\n30;100\n");
   const auto filler = stage(R"({ material = "hmx", fraction = 0.3, sizes = "sizes.csv", gap = "9 um" })",
                             R"({ method = "lubachevsky-stillinger" })")
-                          .filler.value();
+                          .fillers.at(0);
   const auto& sizes = std::get<TabulatedSizes>(*filler.sizes);
   EXPECT_EQ(sizes.diameters, (std::vector{7e-6, 14.5e-6, 30e-6}));
   EXPECT_EQ(sizes.cumulative_volume_fractions, (std::vector{0.0, 0.4, 1.0}));
@@ -40,9 +40,8 @@ TEST_F(DeckFiles, SizesInMicrometres) {
 
 TEST_F(DeckFiles, DiscsInMicrometres) {
   directory.write("discs.csv", "label,x_um,y_um,diameter_um\nfirst,300,250,200\nsecond,700,700,100\n");
-  const auto filler =
-      stage(R"({ material = "hmx" })", R"({ method = "explicit", discs = "discs.csv" })").filler.value();
-  const auto& discs = std::get<ExplicitPacking>(filler.packing).discs;
+  const auto discs =
+      stage(R"({ material = "hmx" })", R"({ method = "explicit", discs = "discs.csv" })").listed()->discs;
   ASSERT_EQ(discs.size(), 2U);
   EXPECT_EQ(discs[0].centre[0], 300e-6);
   EXPECT_EQ(discs[0].centre[1], 250e-6);

@@ -20,7 +20,7 @@ class DeckStages : public testing::Test {
   }
   [[nodiscard]] Stage stage(std::string_view lines) const { return directory.study(deck(lines)).stages.at(0); }
   [[nodiscard]] Filler filler(std::string_view lines) const {
-    return stage(test::join("cells = 60\n", lines)).filler.value();
+    return stage(test::join("cells = 60\n", lines)).fillers.at(0);
   }
   [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
   /// The mistakes in a stage of given discs with these keys of the packing.
@@ -50,21 +50,24 @@ TEST_F(DeckStages, CellsFromTheResolutionInMaterialPoints) {
 }
 
 TEST_F(DeckStages, AStageMayBeHomogeneous) {
-  EXPECT_FALSE(stage("cells = 60").filler);
+  EXPECT_TRUE(stage("cells = 60").fillers.empty());
 }
 
 TEST_F(DeckStages, RegularPacking) {
-  const auto regular = filler(R"(filler = { material = "hmx", sizes = { diameter = "1.5 mm" } }
+  const auto box = stage(R"(cells = 60
+filler = { material = "hmx", sizes = { diameter = "1.5 mm" } }
 packing = { method = "regular", columns = 2, rows = 3 })");
+  const auto& regular = box.fillers.at(0);
   EXPECT_EQ(regular.material.name, "hmx");
   EXPECT_DOUBLE_EQ(std::get<SingleSize>(regular.sizes.value()).diameter, 1.5e-3);
-  EXPECT_EQ(std::get<RegularPacking>(regular.packing).columns, 2);
-  EXPECT_EQ(std::get<RegularPacking>(regular.packing).rows, 3);
+  EXPECT_EQ(std::get<RegularPacking>(box.packing).columns, 2);
+  EXPECT_EQ(std::get<RegularPacking>(box.packing).rows, 3);
   EXPECT_FALSE(regular.fraction);
 }
 
 TEST_F(DeckStages, RandomPackingOfADistribution) {
-  const auto random = filler(R"(packing = { method = "lubachevsky-stillinger", walls = false, seed = 7 }
+  const auto box = stage(R"(cells = 60
+packing = { method = "lubachevsky-stillinger", walls = false, seed = 7 }
 [stages.filler]
 material = "hmx"
 fraction = 0.5
@@ -72,7 +75,8 @@ from = "0.1 mm"
 to = "1 mm"
 sizes = { lognormal = [{ weight = 3, median = "154 um", sigma = 0.76 }, { weight = 1, median = "12.7 um", sigma = 1.09 }] }
 )");
-  const auto& packing = std::get<LubachevskyStillingerPacking>(random.packing);
+  const auto& random = box.fillers.at(0);
+  const auto& packing = std::get<LubachevskyStillingerPacking>(box.packing);
   EXPECT_EQ(packing.walls, Walls::periodic);
   EXPECT_EQ(packing.seed, 7U);
   EXPECT_EQ(random.fraction, 0.5);
@@ -87,12 +91,14 @@ sizes = { lognormal = [{ weight = 3, median = "154 um", sigma = 0.76 }, { weight
 
 TEST_F(DeckStages, RandomPackingOfATable) {
   directory.write("sizes.csv", "diameter_m,cumulative_volume_fraction\n1e-4,0\n2e-4,0.4\n3e-4,1\n");
-  const auto random = filler(R"(filler = { material = "hmx", fraction = 0.5, to = "0.25 mm", sizes = "sizes.csv" }
+  const auto box = stage(R"(cells = 60
+filler = { material = "hmx", fraction = 0.5, to = "0.25 mm", sizes = "sizes.csv" }
 packing = { method = "lubachevsky-stillinger" })");
+  const auto& random = box.fillers.at(0);
   EXPECT_THAT(std::get<TabulatedSizes>(random.sizes.value()).diameters, ElementsAre(1e-4, 2e-4, 3e-4));
   EXPECT_DOUBLE_EQ(random.smallest.value(), 1e-4);
   EXPECT_DOUBLE_EQ(random.largest.value(), 2.5e-4);
-  EXPECT_EQ(std::get<LubachevskyStillingerPacking>(random.packing).walls, Walls::hard);
+  EXPECT_EQ(std::get<LubachevskyStillingerPacking>(box.packing).walls, Walls::hard);
 }
 
 TEST_F(DeckStages, RandomPackingOfAList) {
@@ -104,10 +110,10 @@ packing = { method = "lubachevsky-stillinger" })");
 
 TEST_F(DeckStages, ExplicitPacking) {
   directory.write("discs.csv", "x_m,y_m,diameter_m\n1e-3,2e-3,1e-3\n");
-  const auto listed =
-      filler("filler = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\" }");
-  EXPECT_THAT(std::get<ExplicitPacking>(listed.packing).discs, ElementsAre(Disc{{1e-3, 2e-3}, 1e-3}));
-  EXPECT_FALSE(listed.sizes);
+  const auto box =
+      stage("cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\" }");
+  EXPECT_THAT(box.listed()->discs, ElementsAre(Disc{{1e-3, 2e-3}, 1e-3}));
+  EXPECT_FALSE(box.fillers.at(0).sizes);
 }
 
 // The box has 60 cells of 0.1 mm, so a point every 0.05 mm.
@@ -135,7 +141,7 @@ TEST_F(DeckStages, TheSameGapIsTheSameNumberHoweverItIsGiven) {
     const auto text = test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"48 um\"\n",
                                  "cells = 300\nfiller = { material = \"hmx\", sizes = { list = [\"4.8 um\"] }", gap,
                                  " }\npacking = { method = \"lubachevsky-stillinger\" }\n", test::tests);
-    return directory.study(text).stages.at(0).filler.value().gap;
+    return directory.study(text).stages.at(0).fillers.at(0).gap;
   };
   EXPECT_EQ(gap_of(", gap = \"6 points\""), 0.48e-6);
   EXPECT_EQ(gap_of(", gap = \"0.48 um\""), 0.48e-6);
@@ -188,9 +194,10 @@ TEST_F(DeckStages, TheFractionMayBeInPerCent) {
 
 TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
   directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n");
-  const auto periodic = filler(
-      "filler = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\", walls = false }");
-  EXPECT_EQ(std::get<ExplicitPacking>(periodic.packing).walls, Walls::periodic);
+  const auto periodic = stage(
+      "cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = \"explicit\", discs = \"discs.csv\", walls = "
+      "false }");
+  EXPECT_EQ(periodic.listed()->walls, Walls::periodic);
   EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\""), HasSubstr("crosses a wall by 0.0004 m"));
   directory.write("discs.csv", "x_m,y_m,diameter_m\n0.1e-3,3e-3,1e-3\n5.8e-3,3e-3,1e-3\n");
   EXPECT_THAT(mistakes_with("\"explicit\", discs = \"discs.csv\", walls = false"), HasSubstr("overlap by 0.0007 m"))
@@ -200,12 +207,130 @@ TEST_F(DeckStages, DiscsOfAnExplicitPackingMayCrossTheSidesOfAPeriodicBox) {
               HasSubstr("discs.csv:2: expected a centre in the box"));
 }
 
+constexpr std::string_view two_fillers = R"(cells = 60
+packing = { method = "lubachevsky-stillinger" }
+[[stages.filler]]
+material = "hmx"
+fraction = 0.4
+sizes = { diameter = "1 mm" }
+gap = "0.1 mm"
+[[stages.filler]]
+material = "binder"
+sizes = { list = ["0.5 mm"], counts = [3] }
+coating = { material = "hmx", thickness = "20 um" }
+)";
+
+TEST_F(DeckStages, SeveralFillers) {
+  const auto box = stage(two_fillers);
+  ASSERT_EQ(box.fillers.size(), 2U);
+  EXPECT_EQ(box.fillers[0].material.name, "hmx");
+  EXPECT_EQ(box.fillers[0].fraction, 0.4);
+  EXPECT_DOUBLE_EQ(box.fillers[0].gap, 1e-4);
+  EXPECT_FALSE(box.fillers[0].coating);
+  EXPECT_EQ(box.fillers[1].material.name, "binder");
+  EXPECT_DOUBLE_EQ(box.fillers[1].gap, 0.05e-3) << "a tenth of its own smallest diameter";
+  ASSERT_TRUE(box.fillers[1].coating);
+  EXPECT_EQ(box.fillers[1].coating->material.name, "hmx");
+  EXPECT_DOUBLE_EQ(box.fillers[1].coating->thickness, 20e-6);
+  EXPECT_TRUE(box.is_random());
+}
+
+TEST_F(DeckStages, OneFillerInAnArrayIsOneInATable) {
+  const auto listed = stage(
+      "cells = 60\nfiller = [{ material = \"hmx\", sizes = { diameter = \"1 mm\" } }]\npacking = { "
+      "method = \"regular\", columns = 2, rows = 2 }\n");
+  ASSERT_EQ(listed.fillers.size(), 1U);
+  EXPECT_EQ(listed.fillers[0].material.name, "hmx");
+}
+
+TEST_F(DeckStages, ValuesOfASecondFillerCanBeSet) {
+  const auto changed = directory.study(deck(two_fillers),
+                                       {"stages.0.filler.1.coating.thickness=30 um", "stages.a.filler.0.fraction=0.3"});
+  EXPECT_DOUBLE_EQ(changed.stages[0].fillers[1].coating->thickness, 30e-6);
+  EXPECT_EQ(changed.stages[0].fillers[0].fraction, 0.3);
+}
+
+TEST_F(DeckStages, ReportsTheMistakesOfAllFillersAtOnce) {
+  const auto all = mistakes(R"(cells = 60
+packing = { method = "lubachevsky-stillinger" }
+[[stages.filler]]
+material = "hmy"
+fraction = 40
+sizes = { diameter = "1 mm" }
+[[stages.filler]]
+material = "hmx"
+fraction = 0.2
+size = { diameter = "1 mm" }
+coating = { material = "rdx", thicknes = "1 um" }
+[[stages.filler]]
+material = "hmx"
+fraction = 0.1
+sizes = { diameter = "9 mm" }
+coating = 3
+)");
+  for (const auto* mistake :
+       {"deck.toml:17:", "filler.0.material: unknown material \"hmy\"", "filler.0.fraction: expected a number between",
+        "filler.1.size", "filler.1.coating.material: unknown material \"rdx\"", "unknown key \"thicknes\"",
+        "filler.1.coating.thickness: missing", "filler.2.sizes: a particle of 9 mm",
+        "filler.2.coating: expected a table"}) {
+    EXPECT_THAT(all, HasSubstr(mistake));
+  }
+}
+
+TEST_F(DeckStages, ReportsFillersThatDoNotGoTogether) {
+  const auto with = [this](std::string_view fillers, std::string_view packing) {
+    return mistakes(test::join("cells = 60\nfiller = ", fillers, "\npacking = { method = ", packing, " }\n"));
+  };
+  constexpr auto two_halves =
+      R"([{ material = "hmx", fraction = 0.5, sizes = { diameter = "1 mm" } }, { material = "hmx", fraction = 0.6, sizes = { diameter = "2 mm" } }])";
+  EXPECT_THAT(with(two_halves, random_packing), HasSubstr("the fractions of all fillers add up to 1.1"));
+  EXPECT_THAT(
+      with(
+          R"([{ material = "hmx", sizes = { diameter = "1 mm" } }, { material = "binder", sizes = { diameter = "1 mm" } }])",
+          regular_packing),
+      HasSubstr("filler: expected one filler for a regular packing, got 2"));
+  EXPECT_THAT(with("[]", random_packing), HasSubstr("filler: expected at least one table"));
+  EXPECT_THAT(with("3", random_packing), HasSubstr("filler: expected a table"));
+  EXPECT_THAT(
+      with(
+          R"({ material = "hmx", sizes = { diameter = "2.9 mm" }, coating = { material = "binder", thickness = "0.1 mm" } })",
+          regular_packing),
+      HasSubstr("particles of 3.1 mm with its coating touch"));
+}
+
+TEST_F(DeckStages, PhasesOfSeveralMaterialsHaveTheirNames) {
+  const auto text = test::join(test::replaced(std::string(test::materials), "[materials.hmx]", "[materials.matrix]"),
+                               "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"6 mm\"\n",
+                               test::replaced(std::string(two_fillers), "hmx", "matrix"), test::tests);
+  EXPECT_THAT(directory.mistakes(text), HasSubstr("the material \"matrix\" has the name of another phase"));
+}
+
+TEST_F(DeckStages, AListOfDiscsTellsTheirFillers) {
+  constexpr auto lines =
+      "cells = 60\nfiller = [{ material = \"hmx\" }, { material = \"binder\" }]\npacking = { method = "
+      "\"explicit\", discs = \"discs.csv\" }\n";
+  directory.write("discs.csv", "x_mm,y_mm,diameter_mm,filler\n1,1,1,1\n3,3,1,0\n");
+  EXPECT_THAT(stage(lines).listed()->fillers, ElementsAre(1, 0));
+  directory.write("discs.csv", "x_mm,y_mm,diameter_mm,filler\n1,1,1,1\n3,3,1,2\n3,5,1,0.5\n");
+  EXPECT_THAT(mistakes(lines), AllOf(HasSubstr("discs.csv:3: expected the number of a filler, 0 to 1"),
+                                     HasSubstr("discs.csv:4: expected the number of a filler, 0 to 1")));
+  directory.write("discs.csv", "x_mm,y_mm,diameter_mm\n1,1,1\n3,3,1\n");
+  EXPECT_THAT(mistakes(lines), HasSubstr("expected a column called filler with the number of the filler of each disc"));
+}
+
+TEST_F(DeckStages, CoatingsOfListedDiscsMustNotOverlap) {
+  directory.write("discs.csv", "x_mm,y_mm,diameter_mm\n2,2,1\n3.1,2,1\n");
+  const auto with = [](std::string_view thickness) {
+    return test::join("cells = 60\nfiller = { material = \"hmx\", coating = { material = \"binder\", thickness = \"",
+                      thickness, "\" } }\npacking = { method = \"explicit\", discs = \"discs.csv\" }\n");
+  };
+  EXPECT_EQ(stage(with("40 um")).fillers.size(), 1U);
+  EXPECT_THAT(mistakes(with("70 um")), HasSubstr("packing.discs: "));
+  EXPECT_THAT(mistakes(with("70 um")), HasSubstr("overlap by 4e-05 m"));
+}
+
 TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
   const auto discs_alone = HasSubstr("all particles are discs so far: other shapes and images are not available");
-  EXPECT_THAT(mistakes("cells = 60\nfiller = [{ material = \"hmx\" }, { material = \"binder\" }]\npacking = { method = "
-                       "\"regular\" }\n"),
-              AllOf(HasSubstr("stages.a.filler: expected one table: several fillers in a box are not available yet"),
-                    Not(HasSubstr("got an array")), Not(HasSubstr("packing"))));
   EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"image\", image = \"grains.png\""), discs_alone);
   EXPECT_THAT(mistakes("shape = \"ellipse\", sizes = { diameter = \"1 mm\" }", regular_packing),
               AllOf(HasSubstr("a.filler.shape: "), discs_alone, Not(HasSubstr("unknown key"))));

@@ -35,7 +35,7 @@ class SweepDeck : public testing::Test {
 };
 
 std::uint64_t seed_of(const SweepTask& task) {
-  return std::get<LubachevskyStillingerPacking>(task.study.stages.at(0).filler->packing).seed;
+  return std::get<LubachevskyStillingerPacking>(task.study.stages.at(0).packing).seed;
 }
 
 TEST_F(SweepDeck, IsOneTaskWithoutASweep) {
@@ -139,7 +139,7 @@ TEST_F(SweepDeck, RangesOfQuantities) {
   ASSERT_EQ(sweep.tasks.size(), 3U);
   EXPECT_EQ(sweep.tasks[1].name, "to-15-um");
   EXPECT_EQ(sweep.tasks[1].values.at(0), Scalar(std::string("15 um")));
-  EXPECT_EQ(sweep.tasks[2].study.stages.at(0).filler->largest, 20e-6);
+  EXPECT_EQ(sweep.tasks[2].study.stages.at(0).fillers[0].largest, 20e-6);
   EXPECT_THAT(names("[sweep]\n\"stages.0.filler.gap\" = { from = \"4 points\", to = \"6 points\", count = 2 }\n"),
               ElementsAre("gap-4-points", "gap-6-points"));
   EXPECT_THAT(names("[sweep]\n\"materials.hmx.shear\" = "

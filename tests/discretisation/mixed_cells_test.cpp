@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -107,11 +108,50 @@ TEST(MixedCells, OfDiscsThatOverlapStayFilled) {
   EXPECT_EQ(mixed.cell({14, 12})[0], 1);
 }
 
+TEST(MixedCells, HoldTheExactAreaOfACoating) {
+  const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.51, 0.48}, 0.6}}};
+  const std::vector<ParticlePhases> coated = {{1, 2, 0.05}};
+  for (const int cells : {10, 40, 160}) {
+    const auto fractions = discretise_mixed(one_disc, cells, 0, coated, 3).fractions(3);
+    const double rounding = 0.5 / mixture_steps * 6.0 / cells;
+    EXPECT_NEAR(fractions[1], pi * 0.09, rounding) << cells;
+    EXPECT_NEAR(fractions[2], pi * (0.1225 - 0.09), rounding) << cells;
+  }
+}
+
+// A large disc whose side is straight to rounding: cells 0 and 1 are particle, 2 has 0.4 particle and 0.6 coating, 3 is
+// coating, 4 has 0.2 coating.
+TEST(MixedCells, InsideACoatedParticleHoldNoMatrix) {
+  const Microstructure<2> half = {1.0, Walls::hard, {Disc{{-1e3 + 0.24, 0.5}, 2e3}}};
+  const std::vector<ParticlePhases> coated = {{1, 2, 0.18}};
+  const auto mixed = discretise_mixed(half, 10, 0, coated, 3);
+  EXPECT_EQ(mixed.cell({1, 5})[0], 1);
+  const auto* inside = mixed.mixture(mixed.cell({2, 5})[0]);
+  ASSERT_NE(inside, nullptr);
+  ASSERT_EQ(inside->size(), 2U);
+  EXPECT_EQ((*inside)[0].phase, 1);
+  EXPECT_NEAR((*inside)[0].fraction, 0.4, 1.0 / mixture_steps);
+  EXPECT_EQ((*inside)[1].phase, 2);
+  EXPECT_EQ(mixed.cell({3, 5})[0], 2);
+  const auto* outside = mixed.mixture(mixed.cell({4, 5})[0]);
+  ASSERT_NE(outside, nullptr);
+  EXPECT_EQ((*outside)[0].phase, 0);
+  EXPECT_NEAR((*outside)[1].fraction, 0.2, 1.0 / mixture_steps);
+}
+
+TEST(MixedCells, PointsOfACoatingAreBetweenItsCircles) {
+  const Microstructure<3> sphere = {1.0, Walls::periodic, {{{0.1, 0.5, 0.5}, 0.4}}};
+  const std::vector<ParticlePhases> coated = {{1, 2, 0.1}};
+  const auto fractions = discretise<3>(sphere, 40, 0, coated).fractions(3);
+  EXPECT_NEAR(fractions[1], 4.0 / 3.0 * pi * 0.008, 1e-3);
+  EXPECT_NEAR(fractions[2], 4.0 / 3.0 * pi * (0.027 - 0.008), 2e-3);
+}
+
 TEST(MixedCells, AreRefusedWithoutANumberOrAPhase) {
   Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
   EXPECT_THROW(box.add_mixture({{0, 0.5}, {1, 0.5}}, no_phase), InputError);
   const Microstructure<2> one_disc = {1.0, Walls::hard, {Disc{{0.5, 0.5}, 0.7}}};
-  EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, {}, 2), InputError);
+  EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, std::span<const PhaseIndex>(), 2), InputError);
   constexpr std::array<PhaseIndex, 1> beyond = {2};
   EXPECT_THROW((void)discretise_mixed(one_disc, 12, 0, beyond, 2), InputError);
   EXPECT_THROW((void)discretise_mixed(one_disc, 12, 2, filler, 2), InputError);

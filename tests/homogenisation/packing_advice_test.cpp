@@ -23,8 +23,12 @@ Stage box(double diameter, double fraction, double gap, Walls walls = Walls::har
   filler.sizes = SingleSize{diameter};
   filler.fraction = fraction;
   filler.gap = gap;
-  filler.packing = LubachevskyStillingerPacking{walls, 1};
-  return {.name = "A", .matrix = {}, .side = 1e-3, .cells = 60, .filler = std::move(filler)};
+  return {.name = "A",
+          .matrix = {},
+          .side = 1e-3,
+          .cells = 60,
+          .fillers = {filler},
+          .packing = LubachevskyStillingerPacking{walls, 1}};
 }
 
 std::string message_on(const Stage& stage) {
@@ -49,9 +53,9 @@ std::vector<Stage> impossible_stages() {
   stages.push_back(box(120e-6, 0.35, 56e-6));
   stages.push_back(box(120e-6, 0.35, 68e-6, Walls::periodic));
   auto wide = box(50e-6, 0.7, 25e-6);
-  wide.filler->sizes = LognormalSizes{{{1.0, 90e-6, 0.6}}};
-  wide.filler->smallest = 40e-6;
-  wide.filler->largest = 200e-6;
+  wide.fillers[0].sizes = LognormalSizes{{{1.0, 90e-6, 0.6}}};
+  wide.fillers[0].smallest = 40e-6;
+  wide.fillers[0].largest = 200e-6;
   stages.push_back(wide);
   return stages;
 }
@@ -59,29 +63,29 @@ std::vector<Stage> impossible_stages() {
 TEST(PackingAdvice, TheRecommendedGapPacks) {
   for (auto stage : impossible_stages()) {
     const auto message = message_on(stage);
-    stage.filler->gap = 1e-6 * number_after(message, "; a gap of ");
-    EXPECT_GT(stage.filler->gap, 0.0) << message;
-    EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+    stage.fillers[0].gap = 1e-6 * number_after(message, "; a gap of ");
+    EXPECT_GT(stage.fillers[0].gap, 0.0) << message;
+    EXPECT_GE(make_microstructure(stage).gap, stage.fillers[0].gap) << message;
   }
 }
 
 TEST(PackingAdvice, TheRecommendedFractionPacks) {
   for (auto stage : impossible_stages()) {
     const auto message = message_on(stage);
-    stage.filler->fraction = number_after(message, "should pack, and so should a fraction of ");
-    EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+    stage.fillers[0].fraction = number_after(message, "should pack, and so should a fraction of ");
+    EXPECT_GE(make_microstructure(stage).gap, stage.fillers[0].gap) << message;
   }
 }
 
 TEST(PackingAdvice, TheRecommendedCellsPackIfTheGapDependsOnTheGrid) {
   auto stage = box(120e-6, 0.35, 50e-6);
-  stage.filler->gap_source = GapSource::points;
+  stage.fillers[0].gap_source = GapSource::points;
   const auto message = message_on(stage);
   EXPECT_THAT(message, HasSubstr("gap of 50 um (3 cells of 16.7 um, from 6 points)"));
   stage.cells = static_cast<int>(number_after(message, "(cells = "));
   EXPECT_GT(stage.cells, 60);
-  stage.filler->gap = 3.0 * stage.cell_size();
-  EXPECT_GE(make_microstructure(stage).gap, stage.filler->gap) << message;
+  stage.fillers[0].gap = 3.0 * stage.cell_size();
+  EXPECT_GE(make_microstructure(stage).gap, stage.fillers[0].gap) << message;
 }
 
 TEST(PackingAdvice, ALengthIsNotDerivedFromTheGrid) {
@@ -94,21 +98,21 @@ TEST(PackingAdvice, WithoutAGapAFractionAloneIsNamed) {
   auto stage = box(50e-6, 0.88, 0.0);
   const auto message = message_on(stage);
   EXPECT_THAT(message, AllOf(HasSubstr("with no gap between them jam: they would fill"), Not(HasSubstr("or less ("))));
-  stage.filler->fraction = number_after(message, "; a fraction of ");
+  stage.fillers[0].fraction = number_after(message, "; a fraction of ");
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
 }
 
 // Between the walls 100 um are left for two gaps.
 TEST(PackingAdvice, AParticleThatDoesNotFit) {
   auto stage = box(0.9e-3, 0.35, 0.2e-3);
-  stage.filler->sizes = ListedSizes{{0.9e-3}};
-  stage.filler->fraction.reset();
+  stage.fillers[0].sizes = ListedSizes{{0.9e-3}};
+  stage.fillers[0].fraction.reset();
   const auto message = message_on(stage);
   EXPECT_THAT(message, HasSubstr("a particle of 900 um that keeps a gap of 200 um"));
   const double gap = number_after(message, "; a gap of ");
   EXPECT_GE(gap, 49.0);
   EXPECT_LE(gap, 50.0);
-  stage.filler->gap = 1e-6 * gap;
+  stage.fillers[0].gap = 1e-6 * gap;
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage)));
 }
 
@@ -153,7 +157,7 @@ TEST(PackingAdvice, KeepsToWhatDiscsAtRandomReach) {
 // Half the gap takes twice the cells where it is so many of them.
 TEST(PackingAdvice, NamesCellsWhereTheGapFollowsTheGrid) {
   HundredDiscs discs;
-  discs.stage.filler->gap_source = GapSource::points;
+  discs.stage.fillers[0].gap_source = GapSource::points;
   const double jammed = hundred_filled_with(0.0257) / 0.96;
   const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
   EXPECT_EQ(advice.cells, 200);
@@ -164,7 +168,7 @@ TEST(PackingAdvice, IsNoneWhereNoGapWouldDo) {
   const double jammed = hundred_filled_with(0.0) / 0.97;
   const auto advice = packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"});
   EXPECT_FALSE(advice.gap);
-  discs.stage.filler->fraction.reset();
+  discs.stage.fillers[0].fraction.reset();
   EXPECT_FALSE(packing_advice(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}).fraction);
   EXPECT_THAT(message_on(discs.stage, discs.request, {PackingObstacle::jam, jammed, "jam"}),
               HasSubstr("; expected fewer or smaller particles"));

@@ -29,8 +29,13 @@ TestResult extrapolated(Boundary boundary, double modulus, double half_band) {
 Stage random_stage() {
   Filler filler;
   filler.fraction = 0.35;
-  filler.packing = LubachevskyStillingerPacking{};
-  return {.name = "A", .matrix = Material{}, .side = 1e-3, .cells = 100, .coarser_cells = {}, .filler = filler};
+  return {.name = "A",
+          .matrix = Material{},
+          .side = 1e-3,
+          .cells = 100,
+          .coarser_cells = {},
+          .fillers = {filler},
+          .packing = LubachevskyStillingerPacking{}};
 }
 
 StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40) {
@@ -100,7 +105,7 @@ TEST(Quality, TakesTheLimitOfSeveralGridsAndItsBand) {
 
 TEST(Quality, ReportsUnknownErrors) {
   auto stage = random_stage();
-  stage.filler->packing = RegularPacking{};
+  stage.packing = RegularPacking{};
   stage.matrix = EarlierStage{"fine"};
   const auto upper = summary_of(quality_of(stage, result_of({constant(Boundary::displacement, TestGrid(100), 1.0)})));
   EXPECT_THAT(upper, HasSubstr("bounds: only the upper one, distance unknown"));
@@ -138,13 +143,13 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   packed.fraction = 0.35;
   EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
   auto without_fraction = stage;
-  without_fraction.filler->fraction.reset();
+  without_fraction.fillers[0].fraction.reset();
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.9;
   EXPECT_THAT(warnings_on_packing(without_fraction, packed), IsEmpty());
   EXPECT_THAT(warnings_on_packing({.name = "plain", .matrix = Material{}, .side = 1e-3, .cells = 10}, {}), IsEmpty());
   auto regular = stage;
-  regular.filler->packing = RegularPacking{};
+  regular.packing = RegularPacking{};
   packed = result_of({}, 4).microstructure;
   EXPECT_THAT(warnings_on_packing(regular, packed), IsEmpty());
 }

@@ -73,7 +73,7 @@ TEST(ResponsesOf, AResultOfAnotherStudyIsRefused) {
   EXPECT_THAT(responses_of(study, result), SizeIs(1));
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(responses_of(small_study(5e-3), result)); }),
               HasSubstr("the result is of another study"));
-  study.stages[0].filler->material.density = 1.0;
+  study.stages[0].fillers[0].material.density = 1.0;
   EXPECT_THROW(static_cast<void>(responses_of(study, result)), InputError);
 }
 

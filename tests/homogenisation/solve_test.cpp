@@ -26,7 +26,7 @@ using testing::SizeIs;
 // Without particles the box is its matrix: the modulus is that of the material at all times.
 TEST(Solve, ABoxWithoutParticlesHasTheModulusOfItsMatrix) {
   Study study;
-  study.stages = {{.name = "plain", .matrix = test::binder, .side = 1e-3, .cells = 4, .filler = std::nullopt}};
+  study.stages = {{.name = "plain", .matrix = test::binder, .side = 1e-3, .cells = 4}};
   study.tests.first_time = 1e-4;
   study.tests.last_time = 0.1;
   study.tests.boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
@@ -157,12 +157,7 @@ TEST(Solve, FieldsThatASinkTakesDoNotStayInTheMemory) {
 
 TEST(Solve, TellsWhichTestItIsAt) {
   auto study = test::two_stages();
-  study.stages = {{.name = "plain",
-                   .matrix = test::binder,
-                   .side = 6e-3,
-                   .cells = 6,
-                   .coarser_cells = {4},
-                   .filler = std::nullopt}};
+  study.stages = {{.name = "plain", .matrix = test::binder, .side = 6e-3, .cells = 6, .coarser_cells = {4}}};
   study.tests.boundaries = {Boundary::displacement};
   study.tests.methods = {Method::quasistatic, Method::dynamic};
   std::vector<TestId> begun, domains;

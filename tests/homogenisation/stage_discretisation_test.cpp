@@ -18,7 +18,7 @@ const Stage four_discs = test::four_discs("four discs", test::binder, 6e-3, 60);
 
 Stage plain_stage() {
   auto stage = four_discs;
-  stage.filler.reset();
+  stage.fillers.clear();
   return stage;
 }
 

@@ -33,6 +33,7 @@ class StageMaterials : public testing::Test {
     StageResult result;
     result.name = "fine";
     result.microstructure.fraction = 0.25;
+    result.microstructure.fillers = {{.fraction = 0.25}};
     result.tests = {sampled(Load::shear, boundary, shear, window), sampled(Load::bulk, boundary, plane_bulk, window)};
     return result;
   }
@@ -61,7 +62,7 @@ TEST_F(StageMaterials, FollowTheCurvesOfTheirStage) {
 }
 
 TEST_F(StageMaterials, OfABoxWithoutParticlesHaveTheDensityOfTheMatrix) {
-  study.stages[0].filler.reset();
+  study.stages[0].fillers.clear();
   const auto materials = materials_from(study, study.stages[0], {}, fine_with(PronySeries(1e6), PronySeries(1e9)));
   EXPECT_EQ(materials.at(0).result.material.density, 1000.0);
 }

@@ -21,8 +21,12 @@ const Material glass{.name = "glass", .density = 2.0, .bulk = PronySeries(5.0), 
 Stage two_discs(double gap) {
   Filler filler;
   filler.material = glass;
-  filler.packing = ExplicitPacking{"discs.csv", {{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}};
-  return {.name = "A", .matrix = resin, .side = 10e-3, .cells = 200, .filler = std::move(filler)};
+  return {.name = "A",
+          .matrix = resin,
+          .side = 10e-3,
+          .cells = 200,
+          .fillers = {filler},
+          .packing = ExplicitPacking{"discs.csv", {{{2e-3, 2e-3}, 2e-3}, {{4e-3 + gap, 2e-3}, 2e-3}}}};
 }
 
 Study within(double first_time, double last_time, Mixing mixing = Mixing::points) {
@@ -102,7 +106,7 @@ TEST(StageWarnings, OfTimesNotForAMatrixThatIsAStage) {
   auto study = within(1.0, 100.0);
   study.stages = {two_discs(1e-3)};
   study.stages[0].name = "small";
-  study.stages[0].filler.reset();
+  study.stages[0].fillers.clear();
   auto stage = two_discs(0.15e-3);
   stage.matrix = EarlierStage{"small"};
   EXPECT_THAT(warnings(stage, study), Each(Not(HasSubstr("times reach"))));
@@ -114,8 +118,8 @@ std::vector<std::string> warnings_on_second(const std::vector<Disc>& first, cons
   study.stages = {two_discs(1e-3), two_discs(1e-3)};
   study.stages[0].name = "small";
   study.stages[1].matrix = EarlierStage{"small"};
-  std::get<ExplicitPacking>(study.stages[0].filler->packing).discs = first;
-  std::get<ExplicitPacking>(study.stages[1].filler->packing).discs = second;
+  std::get<ExplicitPacking>(study.stages[0].packing).discs = first;
+  std::get<ExplicitPacking>(study.stages[1].packing).discs = second;
   return warnings(study.stages[1], study);
 }
 
@@ -147,7 +151,7 @@ TEST(StageWarnings, OfPoissonsRatios) {
   const auto warnings_of = [](const PronySeries& bulk, const PronySeries& shear) {
     auto stage = two_discs(0.15e-3);
     stage.matrix = Material{"resin", 1.0, bulk, shear};
-    stage.filler->material = {"glass", 1.0, PronySeries(1e6), PronySeries(1e6)};
+    stage.fillers[0].material = {"glass", 1.0, PronySeries(1e6), PronySeries(1e6)};
     return warnings(stage);
   };
   EXPECT_THAT(warnings_of(PronySeries(2.0), PronySeries(2.99)), IsEmpty());
@@ -171,18 +175,18 @@ TEST(StageWarnings, OfAMaterialStandOnce) {
 
 TEST(StageWarnings, OfAFillerSofterThanItsBinder) {
   auto stage = two_discs(0.15e-3);
-  stage.filler->material.shear = PronySeries(0.9);
+  stage.fillers[0].material.shear = PronySeries(0.9);
   EXPECT_THAT(warnings(stage), ElementsAre(HasSubstr("A: the filler, glass, is softer than the binder, resin: shear "
                                                      "modulus 900 mPa against 1 Pa at 1 s")));
-  stage.filler->material.shear = PronySeries(1.0);
-  stage.filler->material.bulk = PronySeries(3.9);
+  stage.fillers[0].material.shear = PronySeries(1.0);
+  stage.fillers[0].material.bulk = PronySeries(3.9);
   EXPECT_THAT(warnings(stage), ElementsAre(HasSubstr("bulk modulus 3.9 Pa against 4 Pa")));
 }
 
 TEST(StageWarnings, OfBoundsThatCutParticles) {
   auto stage = two_discs(1e-3);
   auto study = within(1.0, 2.0);
-  auto& packing = std::get<ExplicitPacking>(stage.filler->packing);
+  auto& packing = std::get<ExplicitPacking>(stage.packing);
   packing.walls = Walls::periodic;
   EXPECT_THAT(warnings(stage, study), IsEmpty()) << "no disc crosses a side";
   packing.discs[0].centre[1] = 0.9e-3;

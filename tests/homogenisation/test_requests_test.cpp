@@ -88,21 +88,21 @@ TEST_F(TestRequests, WantFieldsOfTheFirstLoadOnTheFinestGrid) {
 }
 
 TEST_F(TestRequests, OfABoxWithoutParticlesHaveOneMaterial) {
-  study.stages[0].filler.reset();
+  study.stages[0].fillers.clear();
   EXPECT_THAT(make_quasistatic_test(study, fine, test::binder, grid_of(12), Boundary::traction, 0).materials,
               ElementsAre(test::binder));
 }
 
 TEST_F(TestRequests, ExpectAMaterialToBeItself) {
   EXPECT_EQ(expected_matrix(study, fine), test::binder);
-  study.stages[0].filler.reset();
+  study.stages[0].fillers.clear();
   EXPECT_EQ(expected_matrix(study, coarse), test::binder) << "nothing is put in";
 }
 
 // Hashin's lower bound for rigid discs in an incompressible matrix is (1 + f) / (1 - f) = 1.5; compliances under one
 // pressure mix: 0.8 / 1 GPa + 0.2 / 10 GPa.
 TEST_F(TestRequests, ExpectAStageToBeAboutItsMixture) {
-  study.stages[0].filler->fraction = 0.2;
+  study.stages[0].fillers[0].fraction = 0.2;
   const auto matrix = expected_matrix(study, coarse);
   EXPECT_EQ(matrix.name, "fine");
   EXPECT_THAT(matrix.density, DoubleNear(1200.0, 1e-9));
@@ -117,7 +117,7 @@ TEST_F(TestRequests, ExpectAStageToBeAboutItsMixture) {
 TEST_F(TestRequests, ExpectNoStageStifferThanItsFiller) {
   const auto shear = [&] { return expected_matrix(study, coarse).shear.unrelaxed() / test::binder.shear.unrelaxed(); };
   EXPECT_NEAR(shear(), 3.0, 1e-12);
-  study.stages[0].filler->material.shear = test::binder.shear.scaled(1.1);
+  study.stages[0].fillers[0].material.shear = test::binder.shear.scaled(1.1);
   EXPECT_NEAR(shear(), 1.1, 1e-12);
 }
 

@@ -16,10 +16,16 @@ Stage stage(const std::string& name, StageMatrix matrix, const std::string& fill
   made.name = name;
   made.matrix = std::move(matrix);
   if (!filler.empty()) {
-    made.filler.emplace();
-    made.filler->material = material(filler, density);
+    made.fillers.emplace_back().material = material(filler, density);
   }
   return made;
+}
+
+/// Statistics of stages with one filler each, of these fractions.
+std::vector<std::vector<FillerStatistics>> packed(const std::vector<double>& fractions) {
+  std::vector<std::vector<FillerStatistics>> all;
+  for (const double fraction : fractions) all.push_back({{.fraction = fraction}});
+  return all;
 }
 
 // 20 % aluminium (2700) in a binder (900), of that mixture 45 % left around fine ammonium perchlorate (1950), and of
@@ -29,7 +35,7 @@ TEST(WholeFiller, OfAChainOfStagesWithTwoMaterials) {
   Study study;
   study.stages = {stage("al", material("binder", 900.0), "al", 2700.0), stage("fine", EarlierStage{"al"}, "ap", 1950.0),
                   stage("coarse", EarlierStage{"fine"}, "ap", 1950.0)};
-  const auto whole = filler_of_the_whole(study, study.stages[2], {0.2, 0.55, 0.6});
+  const auto whole = filler_of_the_whole(study, study.stages[2], packed({0.2, 0.55, 0.6}));
   EXPECT_NEAR(whole.fraction, 0.856, 1e-15);
   EXPECT_NEAR(whole.mass_fraction, 1696.2 / 1825.8, 1e-15);
   ASSERT_EQ(whole.materials.size(), 2U);
@@ -47,19 +53,19 @@ TEST(WholeFiller, OfPbx9501) {
   study.stages = {stage("HB-1", material("binder", 1480.0), "hmx", 1850.0),
                   stage("HB-2", EarlierStage{"HB-1"}, "hmx", 1850.0),
                   stage("PBX-9501", EarlierStage{"HB-2"}, "hmx", 1850.0)};
-  const auto whole = filler_of_the_whole(study, study.stages[2], {0.65, 0.63, 0.52});
+  const auto whole = filler_of_the_whole(study, study.stages[2], packed({0.65, 0.63, 0.52}));
   EXPECT_NEAR(whole.fraction, 0.93784, 1e-15);
   EXPECT_EQ(in_words(whole), "93.8 % by volume, 95.0 % by mass");
-  EXPECT_NEAR(filler_of_the_whole(study, study.stages[0], {0.65}).fraction, 0.65, 1e-15);
+  EXPECT_NEAR(filler_of_the_whole(study, study.stages[0], packed({0.65})).fraction, 0.65, 1e-15);
 }
 
 TEST(WholeFiller, AHomogeneousStageAddsNothing) {
   Study study;
   study.stages = {stage("filled", material("binder", 900.0), "ap", 1950.0),
                   stage("top", EarlierStage{"filled"}, "", 0.0)};
-  EXPECT_NEAR(filler_of_the_whole(study, study.stages[1], {0.3, 0.0}).fraction, 0.3, 1e-15);
+  EXPECT_NEAR(filler_of_the_whole(study, study.stages[1], packed({0.3, 0.0})).fraction, 0.3, 1e-15);
   study.stages = {stage("pure", material("binder", 900.0), "", 0.0)};
-  const auto none = filler_of_the_whole(study, study.stages[0], {0.0});
+  const auto none = filler_of_the_whole(study, study.stages[0], packed({0.0}));
   EXPECT_EQ(none.fraction, 0.0);
   EXPECT_EQ(none.mass_fraction, 0.0);
   EXPECT_TRUE(none.materials.empty());

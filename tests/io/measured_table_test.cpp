@@ -134,6 +134,11 @@ TEST_F(MeasuredTableTest, AnUnknownUnitIsAnErrorOnlyInTheSoleColumnOfAQuantity) 
             "table.csv: no column of times, such as time_s; it has \"a\", \"modulus_Pa\"");
 }
 
+TEST_F(MeasuredTableTest, FillersAreKnownBesideDiametersAlone) {
+  EXPECT_THAT(read("x_um,y_um,diameter_um,filler\n1,2,3,1\n4,5,6,0\n").column(filler).values, ElementsAre(1.0, 0.0));
+  EXPECT_FALSE(read("time_s,modulus_Pa,filler\n1,2,glass\n4,5,steel\n").has({filler}));
+}
+
 TEST_F(MeasuredTableTest, SeparatorsAndDecimalSigns) {
   for (const auto* text : {
            "time_s,modulus_Pa\n1.5,2\n2.5,1e3\n",

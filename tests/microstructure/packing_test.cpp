@@ -252,13 +252,41 @@ INSTANTIATE_TEST_SUITE_P(Torus, PackDensest,
                                            DensestPacking{4, Walls::periodic,
                                                           0.5 * (std::sqrt(6.0) - std::sqrt(2.0))}));
 
+TEST(Packing, KeepsShellsApart) {
+  PackingRequest request;
+  request.side = 1.0;
+  request.minimum_gap = 0.01;
+  request.diameters.assign(20, 0.1);
+  auto with_zeros = request;
+  with_zeros.shells.assign(20, 0.0);
+  EXPECT_EQ(pack<2>(with_zeros).balls, pack<2>(request).balls);
+  for (std::size_t ball = 0; ball < 20; ++ball) request.shells.push_back(ball % 2 == 0 ? 0.0 : 0.03);
+  const auto balls = pack<2>(request).balls;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_EQ(balls[i].diameter, 0.1);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double distance =
+          std::hypot(balls[i].centre[0] - balls[j].centre[0], balls[i].centre[1] - balls[j].centre[1]);
+      EXPECT_GE(distance, 0.1 + 0.01 + request.shells[i] + request.shells[j]);
+    }
+    for (const double x : balls[i].centre) {
+      EXPECT_GE(x, 0.05 + 0.005 + request.shells[i]);
+      EXPECT_LE(x, 1.0 - 0.05 - 0.005 - request.shells[i]);
+    }
+  }
+  request.shells.pop_back();
+  EXPECT_THROW((void)pack<2>(request), InputError);
+  request.shells.push_back(-0.01);
+  EXPECT_THROW((void)pack<2>(request), InputError);
+}
+
 TEST(Packing, BadArguments) {
   const std::vector<double> one = {1e-4};
   expect_error<InputError>([&] { return pack<2>({0.0, Walls::hard, one}); }, "side", "0 m");
   expect_error<InputError>([] { return pack<2>({1e-3, Walls::hard, {}}); }, "no particles");
   expect_error<InputError>([] { return pack<2>({1e-3, Walls::hard, {1e-4, -1e-4}}); }, "diameter", "-0.0001 m");
   expect_error<InputError>([&] { return pack<2>({1e-3, Walls::hard, one, -1e-6}); }, "gap", "-1e-06 m");
-  expect_error<InputError>([&] { return pack<2>({1e-3, Walls::hard, one, 0.0, 1, 0.0}); }, "growth rate", "got 0");
+  expect_error<InputError>([&] { return pack<2>({1e-3, Walls::hard, one, 0.0, {}, 1, 0.0}); }, "growth rate", "got 0");
 }
 
 }  // namespace

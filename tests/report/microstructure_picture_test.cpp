@@ -64,6 +64,19 @@ TEST(MicrostructurePicture, HasAScaleBarOfRoundLength) {
   EXPECT_THAT(with_side(900e-9), HasSubstr(">200 nm</text>"));
 }
 
+TEST(MicrostructurePicture, GivesEachFillerAndCoatingItsColour) {
+  const Microstructure<2> box = {1.0, Walls::hard, {{{0.25, 0.5}, 0.2}, {{0.75, 0.5}, 0.2}}, {0, 1}};
+  const auto picture =
+      microstructure_picture(box, {{.colour = 1}, {.colour = 2, .coating_colour = 3, .coating_thickness = 0.05}});
+  EXPECT_THAT(picture, HasSubstr(R"(<circle cx="250" cy="500" r="100"/>)"));
+  const auto coating = picture.find(R"(<circle cx="750" cy="500" r="150" fill="#6b8e4e"/>)");
+  const auto core = picture.find(R"(<circle cx="750" cy="500" r="100" fill="#b5652b"/>)");
+  ASSERT_NE(coating, std::string::npos);
+  ASSERT_NE(core, std::string::npos);
+  EXPECT_LT(coating, core) << "the core is drawn above its coating";
+  EXPECT_THROW((void)microstructure_picture(box), InputError) << "of two fillers only one is given";
+}
+
 TEST(MicrostructurePicture, RefusesABoxWithoutASize) {
   EXPECT_THROW(microstructure_picture({}), InputError);
   EXPECT_THROW(microstructure_picture({-1.0, Walls::hard, {}}), InputError);

@@ -163,7 +163,7 @@ TEST_F(WriteProvenance, TellsThePackingOfAStage) {
   packed.gap = 1e-3;  // in a box of 6 mm with 12 cells
   packed.wall_gap = std::numeric_limits<double>::infinity();
   packed.events = 99;
-  packed.size_deviation = 0.01;
+  packed.fillers = {{.particles = 2, .fraction = 0.25, .size_deviation = 0.01}};
   const auto regular = written({{stage}, {}}).at("stages").at(0).at("microstructure");
   EXPECT_EQ(regular.at("particles"), 2);
   EXPECT_EQ(regular.at("fraction"), 0.25);
@@ -174,7 +174,7 @@ TEST_F(WriteProvenance, TellsThePackingOfAStage) {
   EXPECT_EQ(regular.at("largest_diameter_m"), 2e-3);
   EXPECT_EQ(regular.at("size_distribution_deviation"), 0.01);
   EXPECT_FALSE(regular.contains("seed"));
-  study.stages[0].filler->packing = LubachevskyStillingerPacking{Walls::hard, 7};
+  study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 7};
   const auto random = written({{stage}, {}}).at("stages").at(0).at("microstructure");
   EXPECT_EQ(random.at("seed"), 7);
   EXPECT_EQ(random.at("events"), 99);
@@ -184,8 +184,8 @@ TEST_F(WriteProvenance, TellsThePackingOfAStage) {
 // 2000 * 0.625 + 1000 * 0.375.
 TEST_F(WriteProvenance, TellsTheFillerOfTheWhole) {
   auto fine = test::stage_with("fine", {}), coarse = test::stage_with("coarse", {});
-  fine.microstructure.fraction = 0.25;
-  coarse.microstructure.fraction = 0.5;
+  fine.microstructure.fillers = {{.fraction = 0.25}};
+  coarse.microstructure.fillers = {{.fraction = 0.5}};
   const auto stages = written({{fine, coarse}, {}}).at("stages");
   EXPECT_EQ(stages.at(0).at("filler_of_the_whole").at("fraction"), 0.25);
   const auto whole = stages.at(1).at("filler_of_the_whole");

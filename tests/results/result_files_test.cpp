@@ -53,6 +53,7 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   Stage stage;
   stage.name = "A";
   stage.side = 6e-3;
+  stage.fillers.resize(1);
   StageMicrostructure packed;
   packed.microstructure = {
       6e-3, Walls::periodic, {{{1e-3, 2e-3 / 3.0}, 2e-3}, {{4e-3, std::numbers::pi * 1e-3}, 1e-3}}};
@@ -65,6 +66,13 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   EXPECT_THAT(read_text(directory.path() / "microstructure.csv"),
               HasSubstr("# Particles of stage A in a box of 0.006 m"));
   EXPECT_THAT(read_text(directory.path() / "microstructure.svg"), HasSubstr("2 particles in a box of 6 mm"));
+  stage.fillers.resize(2);
+  stage.fillers[1].material.name = "glass";
+  packed.microstructure.fillers = {1, 0};
+  write_microstructure(directory.path(), stage, packed);
+  const auto of_two = read_csv(directory.path() / "microstructure.csv");
+  EXPECT_THAT(of_two.names(), ElementsAre("x_m", "y_m", "diameter_m", "filler"));
+  EXPECT_THAT(of_two.numbers("filler"), ElementsAre(1.0, 0.0));
 }
 
 }  // namespace

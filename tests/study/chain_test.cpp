@@ -31,8 +31,7 @@ TEST(Chain, AMatrixIsTestedInShearAndBulk) {
 }
 
 TEST(Chain, AStageHasItsGridsFromTheCoarsest) {
-  const Stage stage{
-      .name = "A", .matrix = test::binder, .side = 1.0, .cells = 40, .coarser_cells = {10, 20}, .filler = std::nullopt};
+  const Stage stage{.name = "A", .matrix = test::binder, .side = 1.0, .cells = 40, .coarser_cells = {10, 20}};
   EXPECT_THAT(stage.grids(), ElementsAre(10, 20, 40));
   EXPECT_EQ(stage.cell_size(), 0.025);
 }

@@ -49,20 +49,20 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
         std::get<Material>(study.stages[0].matrix).shear = PronySeries(1e4, {{0.02, 0.5e6}});
       },
       [](Study& study) { study.stages[1].matrix = test::binder; },
-      [](Study& study) { study.stages[0].filler->sizes = SingleSize{1e-3}; },
-      [](Study& study) { study.stages[0].filler->sizes = ListedSizes{{2e-3}}; },
-      [](Study& study) { study.stages[0].filler->fraction = 0.3; },
+      [](Study& study) { study.stages[0].fillers[0].sizes = SingleSize{1e-3}; },
+      [](Study& study) { study.stages[0].fillers[0].sizes = ListedSizes{{2e-3}}; },
+      [](Study& study) { study.stages[0].fillers[0].fraction = 0.3; },
       [](Study& study) {
-        study.stages[0].filler->packing = RegularPacking{1, 4};
+        study.stages[0].packing = RegularPacking{1, 4};
       },
       [](Study& study) {
-        study.stages[0].filler->packing = LubachevskyStillingerPacking{Walls::hard, 1};
+        study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 1};
       },
       [](Study& study) {
-        study.stages[0].filler->packing = LubachevskyStillingerPacking{Walls::hard, 2};
+        study.stages[0].packing = LubachevskyStillingerPacking{Walls::hard, 2};
       },
       [](Study& study) {
-        study.stages[0].filler->packing = ExplicitPacking{"", {{{1e-3, 1e-3}, 1e-3}}, Walls::hard};
+        study.stages[0].packing = ExplicitPacking{"", {{{1e-3, 1e-3}, 1e-3}}, Walls::hard};
       },
       [](Study& study) { study.tests.last_time *= 2.0; },
       [](Study& study) { study.tests.loads = {Load::bulk}; },

@@ -44,14 +44,14 @@ void expect_each(const std::vector<Case>& cases, const Study& sound) {
 }
 
 Filler& filler_of(Study& study) {
-  return *study.stages[0].filler;
+  return study.stages[0].fillers[0];
 }
 
 /// Two stages, of which the first has a random packing.
 Study with_random_packing(Sizes sizes) {
   auto study = test::two_stages();
   auto& filler = filler_of(study);
-  filler.packing = LubachevskyStillingerPacking{};
+  study.stages[0].packing = LubachevskyStillingerPacking{};
   filler.sizes = std::move(sizes);
   filler.fraction = 0.3;
   return study;
@@ -77,7 +77,7 @@ TEST(RequireSound, NamesEveryMistakeAtOnce) {
   study.stages[1].name = "";
   study.stages[1].side = -1.0;
   study.stages[1].coarser_cells = {24};
-  study.stages[1].filler->material.density = not_a_number;
+  study.stages[1].fillers[0].material.density = not_a_number;
   study.tests.boundaries.clear();
   study.tests.last_time = study.tests.first_time;
   EXPECT_THAT(mistakes_of(study),
@@ -153,7 +153,7 @@ TEST(RequireSound, NamesEachMistakeOfFillersInRegularPackings) {
        {[](Study& study) { filler_of(study).smallest = 1e-3; }, "fine, filler: expected no smallest and largest size"},
        {[](Study& study) { filler_of(study).gap = 1e-4; }, "fine, filler: expected no gap"},
        {[](Study& study) {
-          filler_of(study).packing = RegularPacking{0, 2};
+          study.stages[0].packing = RegularPacking{0, 2};
         },
         "fine, filler: columns: expected an integer from 1 to 10000, got 0"}},
       test::two_stages());
@@ -199,13 +199,41 @@ TEST(RequireSound, NamesEachMistakeOfFillersInRandomPackings) {
               lognormal);
 }
 
+TEST(RequireSound, NamesEachMistakeOfSeveralFillersAndCoatings) {
+  auto sound = with_random_packing(SingleSize{1e-3});
+  sound.stages[0].fillers.push_back(sound.stages[0].fillers[0]);
+  sound.stages[0].fillers[1].coating = Coating{test::glass, 1e-5};
+  EXPECT_NO_THROW(require_sound(sound));
+  const auto second = [](Study& study) -> Filler& { return study.stages[0].fillers[1]; };
+  expect_each(
+      {{[&](Study& study) { second(study).fraction = 0.8; }, "fine: the fractions of all fillers add up to 1.1"},
+       {[&](Study& study) { second(study).fraction.reset(); }, "fine, filler 1: expected a fraction"},
+       {[&](Study& study) { second(study).coating->thickness = 0.0; },
+        "fine, filler 1: thickness of the coating: expected a positive length"},
+       {[&](Study& study) { second(study).coating->material.density = -1.0; },
+        "fine, filler 1, coating: density: expected a positive density"},
+       {[&](Study& study) { second(study).material.name = "matrix"; },
+        "fine: a filler or coating of the material \"matrix\" has the name of another phase"},
+       {[&](Study& study) {
+          for (auto& filler : study.stages[0].fillers) filler.fraction.reset();
+          study.stages[0].packing = RegularPacking{2, 2};
+        },
+        "fine, packing: expected one filler for a regular packing, got 2"},
+       {[&](Study& study) {
+          for (auto& filler : study.stages[0].fillers) filler = {.material = filler.material};
+          study.stages[0].packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}, Walls::hard, {2}};
+        },
+        "fine, packing: a disc is of filler 2, counted from 0, but there are only 2"}},
+      sound);
+}
+
 TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {
   auto sound = test::two_stages();
   filler_of(sound).sizes.reset();
-  filler_of(sound).packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}};
+  sound.stages[0].packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}};
   EXPECT_NO_THROW(require_sound(sound));
   const auto with_discs = [](const std::vector<Disc>& discs) {
-    return [discs](Study& study) { std::get<ExplicitPacking>(filler_of(study).packing).discs = discs; };
+    return [discs](Study& study) { std::get<ExplicitPacking>(study.stages[0].packing).discs = discs; };
   };
   expect_each({{with_discs({}), "fine, filler: expected at least one disc"},
                {[](Study& study) { filler_of(study).sizes = SingleSize{1e-3}; },

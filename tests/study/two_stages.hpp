@@ -12,8 +12,12 @@ inline Stage four_discs(const std::string& name, StageMatrix matrix, double side
   Filler filler;
   filler.material = glass;
   filler.sizes = SingleSize{side / 3.0};
-  filler.packing = RegularPacking{2, 2};
-  return {.name = name, .matrix = std::move(matrix), .side = side, .cells = cells, .filler = std::move(filler)};
+  return {.name = name,
+          .matrix = std::move(matrix),
+          .side = side,
+          .cells = cells,
+          .fillers = {filler},
+          .packing = RegularPacking{2, 2}};
 }
 
 /// The stage "fine" between the particles of the stage "coarse".

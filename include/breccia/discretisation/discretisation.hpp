@@ -105,9 +105,24 @@ void require_phases_in_cells(std::string_view calculation, const Discretisation<
 extern template class Discretisation<2>;
 extern template class Discretisation<3>;
 
+/// The phases of a particle: its own and that of its coating.
+struct ParticlePhases {
+  PhaseIndex phase;
+  PhaseIndex coating = no_phase;
+  double coating_thickness = 0.0;  ///< outside the diameter of the particle [m]; 0 without a coating
+};
+
+[[nodiscard]] std::vector<ParticlePhases> without_coatings(std::span<const PhaseIndex> particles);
+
 /// The points of a microstructure on `cells` cells along each axis: points in a particle, or in its image in a periodic
-/// box, have the phase of that particle, all others that of the matrix. `particles` holds a phase for each particle.
-/// Throws InputError when it does not. Instantiated for 2 and 3 dimensions.
+/// box, have the phase of that particle, those in its coating that of the coating, all others that of the matrix.
+/// Coatings must not overlap. `particles` holds the phases of each particle. Throws InputError when it does not.
+/// Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                                             std::span<const ParticlePhases> particles);
+
+/// The same without coatings.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
                                              std::span<const PhaseIndex> particles);

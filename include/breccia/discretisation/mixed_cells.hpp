@@ -16,9 +16,13 @@ inline constexpr int mixture_steps = 64;
 
 /// A microstructure of discs on `cells` cells along each axis. A cell that holds one phase has the points of that
 /// phase; one that an interface crosses is a mixture of its phases by their area fractions, which are exact but for the
-/// rounding to mixture_steps. `particles` holds a phase for each disc; `phases` is the number of phases, which the
-/// numbers of the mixtures follow. Throws InputError when a disc has no phase or one beyond that number, or when there
-/// are more mixtures than a PhaseIndex can number.
+/// rounding to mixture_steps. `particles` holds the phases of each disc, whose coatings must not overlap; `phases`
+/// is the number of phases, which the numbers of the mixtures follow. Throws InputError when a disc has no phase or one
+/// beyond that number, or when there are more mixtures than a PhaseIndex can number.
+[[nodiscard]] Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
+                                                 std::span<const ParticlePhases> particles, std::size_t phases);
+
+/// The same without coatings.
 [[nodiscard]] Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
                                                  std::span<const PhaseIndex> particles, std::size_t phases);
 

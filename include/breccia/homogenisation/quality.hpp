@@ -36,9 +36,10 @@ struct StageQuality {
   double fraction = 0.0;                 ///< area fraction of the particles [-]
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
   double gap_cells = 0.0;                ///< the narrowest gap in cells of the finest grid; infinite without a gap
-  std::vector<int> grids;                ///< cells per side, rising
-  bool is_random = false;                ///< whether the packing depends on a seed
-  bool is_periodic = false;              ///< whether a periodic test is finished, which gives no bound
+  std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
+  std::vector<int> grids;                    ///< cells per side, rising
+  bool is_random = false;                    ///< whether the packing depends on a seed
+  bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
   std::vector<LoadQuality> loads;    ///< of the finished tests
 

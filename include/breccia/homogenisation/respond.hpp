@@ -25,8 +25,8 @@ struct StoredResponses {
   StageMatrix matrix;  ///< an earlier stage or a material; a file keeps only the name
   /// Materials of the other phases whose moduli vary, by the names of the phases.
   std::map<std::string, Material> other_phases = {};
-  double filler_density = 0.0;                ///< [kg/m^3]; unused (0) without filler
-  double filler_fraction = 0.0;               ///< [-]
+  double filler_density = 0.0;                ///< mean of fillers and coatings by volume [kg/m^3]; unused (0) without
+  double filler_fraction = 0.0;               ///< of fillers and coatings [-]
   double side = 0.0;                          ///< side of the box [m]
   std::string deck_hash;                      ///< of the study that left it (provenance_of)
   double fit_tolerance = 0.0;                 ///< of the study [-]

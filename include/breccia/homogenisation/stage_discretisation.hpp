@@ -7,14 +7,12 @@
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/phases.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
+#include "breccia/study/phase_names.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
 
-/// Name of the phase that the particles of a stage belong to.
-inline constexpr std::string_view name_of_filler_phase = "filler";
-
-/// The phases of a stage: its matrix (name_of_matrix_phase), and its filler where it has one.
+/// The phases of a stage: its matrix, and one for each material of its fillers and their coatings (phase_names).
 Phases phases_of(const Stage& stage);
 
 /// The materials of these phases, by PhaseIndex. `matrix` is the material of the matrix, which may be the result of an
@@ -23,7 +21,7 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 
 /// The material points of a stage with these particles, on `cells` cells along each side of its box. The points have
 /// the phases of the stage (phases_of), and those of cells that an interface crosses are as `mixing` says. Throws
-/// InputError when there are particles and the stage has no filler.
+/// InputError when a particle belongs to no filler of the stage.
 Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing);
 
 /// Material points of such a discretisation.

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/stage.hpp"
 
@@ -14,22 +16,26 @@ class Checkpoint;
 /// The particles of a stage with their statistics.
 struct StageMicrostructure {
   Microstructure<2> microstructure;
-  double fraction = 0.0;                 ///< area of the particles per area of the box [-]
-  double interface_per_area = 0.0;       ///< length of the interface per area of the box, S/A [1/m]
-  double wall_gap = 0.0;                 ///< smallest gap of a particle to a hard wall [m]; infinite without either
-  double gap = 0.0;                      ///< smallest gap between two particles [m]; infinite without two particles
-  std::optional<double> size_deviation;  ///< largest difference of the drawn and the wanted size distribution [-]
-  std::uint64_t events = 0;              ///< number of events of the packing
-  double seconds = 0.0;                  ///< wall time of the packing [s]
+  double fraction = 0.0;            ///< area of the particles per area of the box [-]
+  double interface_per_area = 0.0;  ///< length of the interface per area of the box, S/A [1/m]
+  double wall_gap = 0.0;            ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
+  double gap = 0.0;                 ///< smallest gap between two coated particles [m]; infinite without two particles
+  std::vector<FillerStatistics> fillers = {};  ///< in the order of the stage
+  std::uint64_t events = 0;                    ///< number of events of the packing
+  double seconds = 0.0;                        ///< wall time of the packing [s]
+
+  /// Largest difference of the drawn and the wanted size distribution of a filler [-]; nothing where none was drawn.
+  [[nodiscard]] std::optional<double> size_deviation() const;
 };
 
 /// Is called repeatedly with the progress of a packing.
 using PackingFollower = std::function<void(const PackingProgress&)>;
 
-/// Makes the microstructure of a stage: packs its particles, arranges them regularly, or takes them from its list. With
-/// a checkpoint, an earlier state is resumed, and the state and finally the result are saved.
-/// Throws InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the
-/// box; NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
+/// Makes the microstructure of a stage: packs the particles of all its fillers together, arranges them regularly, or
+/// takes them from its list. With a checkpoint, an earlier state is resumed, and the state and finally the result are
+/// saved. Throws InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave
+/// the box; NumericalError when the packing is impossible; Interrupted when the run shall end
+/// (CheckpointSchedule::stop).
 StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
                                         Checkpoint* checkpoint = nullptr);
 

@@ -7,7 +7,8 @@ namespace breccia {
 
 /// Writes a microstructure to a state. Throws FileError.
 void save(StateWriter& state, const StageMicrostructure& microstructure);
-/// Reads a microstructure from a state. Throws FileError if the state does not have valid discs in a box.
-StageMicrostructure read_stage_microstructure(const StateReader& state);
+/// Reads the microstructure of a stage from a state. Throws FileError if the state does not have valid discs of its
+/// fillers in a box.
+StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage);
 
 }  // namespace breccia

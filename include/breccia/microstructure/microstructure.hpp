@@ -21,6 +21,10 @@ struct Microstructure {
   double side = 0.0;  ///< [m]
   Walls walls = Walls::hard;
   std::vector<Ball<dim>> particles;
+  /// The number of the filler that each particle belongs to, from 0; empty where all belong to the first.
+  std::vector<std::size_t> fillers = {};
+
+  [[nodiscard]] std::size_t filler_of(std::size_t particle) const { return fillers.empty() ? 0 : fillers.at(particle); }
 };
 
 /// Calls action(number, ball) for every particle and, in a periodic box, for its images in the boxes around.

@@ -17,7 +17,10 @@ struct PackingRequest {
   Walls walls = Walls::hard;
   std::vector<double> diameters;  ///< [m]
   double minimum_gap = 0.0;       ///< between surfaces [m]; half of it to a hard wall
-  std::uint64_t seed = 1;         ///< the same seed gives the same packing
+  /// Thickness of a shell around each particle that comes on top of half the minimum gap [m]: its coating, or what it
+  /// wants beyond the smallest gap. No two shells overlap. Empty: none.
+  std::vector<double> shells = {};
+  std::uint64_t seed = 1;  ///< the same seed gives the same packing
   /// Growth rate of the mean diameter, in units of the speed at which particles move; at most 1. A packing that jams
   /// too early is repeated with slower growth. Slow growth packs denser and takes longer.
   double growth_rate = 0.1;
@@ -45,7 +48,7 @@ class PackingError : public NumericalError {
   double attainable_fraction_;
 };
 
-/// Volume fraction of the particles with half the gap around each.
+/// Volume fraction of the particles with half the gap, and their shells, around each.
 template <int dim>
 [[nodiscard]] double inflated_fraction(const PackingRequest& request);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -57,6 +58,7 @@ struct ExplicitPacking {
   std::filesystem::path file;
   std::vector<Disc> discs;
   Walls walls = Walls::hard;
+  std::vector<std::size_t> fillers = {};  ///< the number of the filler of each disc; empty where all are of the first
 };
 
 using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
@@ -69,16 +71,26 @@ enum class GapSource {
   points          ///< a number of material points, so that the gap depends on the grid
 };
 
-/// The particles of a stage. An explicit packing has no sizes; only a random packing drawn from sizes has a fraction.
+/// A layer of another material around each particle (an interphase), outside its diameter.
+struct Coating {
+  Material material;
+  double thickness = 0.0;  ///< [m]
+};
+
+/// Particles of one kind in a stage. With an explicit packing a filler has no sizes; only one that is drawn from sizes
+/// for a random packing has a fraction.
 struct Filler {
   Material material;
-  std::optional<double> fraction = {};  ///< area fraction in the box [-]
+  std::optional<double> fraction = {};  ///< area fraction of the particles in the box, without their coatings [-]
   std::optional<double> smallest = {};  ///< sizes are cut below this diameter [m]
   std::optional<double> largest = {};   ///< sizes are cut above this diameter [m]
   std::optional<Sizes> sizes = {};
-  double gap = 0.0;  ///< smallest distance between particles, and between a particle and a wall [m]
+  double gap = 0.0;  ///< smallest distance between coated particles of this filler [m]
   GapSource gap_source = GapSource::length;
-  PackingMethod packing = {};
+  std::optional<Coating> coating = {};
+
+  /// Thickness of the coating [m]; 0 where there is none.
+  [[nodiscard]] double coating_thickness() const { return coating ? coating->thickness : 0.0; }
 };
 
 }  // namespace breccia

@@ -3,12 +3,12 @@
 #include <optional>
 
 #include "breccia/microstructure/size_distribution.hpp"
-#include "breccia/study/filler.hpp"
+#include "breccia/study/stage.hpp"
 
 namespace breccia {
 
-/// The size distribution from which a random packing is drawn; nothing for a list of particles. Throws InputError when
-/// no part of it lies between the smallest and the largest size of the filler.
+/// The size distribution from which a filler of a random packing is drawn; nothing for a list of particles. Throws
+/// InputError when no part of it lies between the smallest and the largest size of the filler.
 std::optional<SizeDistribution> distribution_of(const Filler& filler);
 
 /// A range of diameters [m].
@@ -19,5 +19,13 @@ struct DiameterRange {
 
 /// The range of the diameters that a filler can have; nothing if it has no sizes.
 std::optional<DiameterRange> diameters_of(const Filler& filler);
+
+/// The range of the diameters that the particles of all fillers of a stage can have, without their coatings; nothing if
+/// there are none.
+std::optional<DiameterRange> diameters_of(const Stage& stage);
+
+/// The area fraction of all fillers that a stage asks for [-]; nothing where it has none, or a filler without a
+/// fraction.
+std::optional<double> fraction_asked_of(const Stage& stage);
 
 }  // namespace breccia

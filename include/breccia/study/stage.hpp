@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,14 +24,19 @@ const std::string& name_of(const StageMatrix& matrix);
 struct Stage {
   std::string name;  ///< name of the stage and of its directory
   StageMatrix matrix;
-  double side = 0.0;                    ///< side of the square box [m]
-  int cells = 0;                        ///< cells per side of the finest grid
-  std::vector<int> coarser_cells = {};  ///< cells per side of the coarser grids, rising, for extrapolation
-  std::optional<Filler> filler = {};
+  double side = 0.0;                       ///< side of the square box [m]
+  int cells = 0;                           ///< cells per side of the finest grid
+  std::vector<int> coarser_cells = {};     ///< cells per side of the coarser grids, rising, for extrapolation
+  std::vector<Filler> fillers = {};        ///< the kinds of particles in the box
+  PackingMethod packing = {};              ///< of the particles of all fillers together; unused without a filler
   std::vector<std::string> warnings = {};  ///< warnings about the deck, without the name of the stage
 
   /// Side of a cell of the finest grid [m].
   [[nodiscard]] double cell_size() const { return side / cells; }
+  /// The particles of a list (an explicit packing), which have no sizes; nullptr for any other packing.
+  [[nodiscard]] const ExplicitPacking* listed() const { return std::get_if<ExplicitPacking>(&packing); }
+  /// Whether the particles are packed at random.
+  [[nodiscard]] bool is_random() const { return std::holds_alternative<LubachevskyStillingerPacking>(packing); }
   /// Cells per side of all grids, rising.
   [[nodiscard]] std::vector<int> grids() const;
 };

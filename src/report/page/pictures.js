@@ -4,7 +4,7 @@ import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
 import {boundNames, methodNames, wordsOnStage} from "./names.js";
-import {display} from "./numbers.js";
+import {display, percentOfWhole} from "./numbers.js";
 import {own} from "./records.js";
 
 /// Shows the microstructure of each stage.
@@ -19,14 +19,38 @@ export function showPictures() {
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
 }
 
+/// The colours of phases in the pictures (report/microstructure_picture.hpp), from the first filler on.
+const phaseColours = ["#5b7f95", "#b5652b", "#6b8e4e", "#8a6bac", "#c9a227", "#a8444f", "#3f8f8b", "#7a7a7a"];
+
+/// The materials of the phases in a picture: those of the fillers, then those of their coatings, each once.
+function phasesOf(fillers) {
+  const coatings = fillers.flatMap(({coating}) => (coating === null ? [] : [coating.material]));
+  return [...new Set([...fillers.map(({material}) => material), ...coatings])];
+}
+
 /// The legend of a microstructure: the colours of its materials, and the sizes of its particles.
-function legendOf({matrix, filler, microstructure}) {
+function legendOf({matrix, filler, fillers = [], microstructure}) {
   const entry = (kind, text) => element("li", {}, element("span", {className: `swatch ${kind}`}), text);
+  const sizesOf = ({smallest_diameter_m: smallest, largest_diameter_m: largest}) =>
+    [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
+  const described = (material, sizes) => (sizes.length > 0 ? `${material}, diameter ${sizes.join(" to ")}` : material);
   const entries = [entry("matrix", matrix)];
-  if (filler !== null) {
-    const {smallest_diameter_m: smallest, largest_diameter_m: largest} = microstructure;
-    const sizes = [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
-    entries.push(entry("filler", sizes.length > 0 ? `${filler}, diameter ${sizes.join(" to ")}` : filler));
+  const phases = phasesOf(fillers);
+  if (filler !== null && phases.length < 2) {
+    entries.push(entry("filler", described(filler, sizesOf(microstructure))));
+  } else {
+    const coloured = (material, text) => {
+      const place = entry("filler", text);
+      place.firstChild.style.background = phaseColours[phases.indexOf(material) % phaseColours.length];
+      return place;
+    };
+    for (const one of fillers) {
+      const share = `${one.particles} particles, ${percentOfWhole(one.fraction)}`;
+      entries.push(coloured(one.material, `${described(one.material, sizesOf(one))} (${share})`));
+      if (one.coating === null) continue;
+      const thickness = display(one.coating.thickness_m, "m");
+      entries.push(coloured(one.coating.material, `${one.coating.material}, coating of ${thickness}`));
+    }
   }
   return [element("ul", {className: "legend"}, ...entries)];
 }

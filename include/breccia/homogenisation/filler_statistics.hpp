@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "breccia/microstructure/microstructure.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// What the particles of one filler are in the box of a stage.
+struct FillerStatistics {
+  std::size_t particles = 0;
+  double fraction = 0.0;                                ///< area of the particles per area of the box [-]
+  double coating_fraction = 0.0;                        ///< area of their coatings per area of the box [-]
+  std::optional<double> smallest_diameter = {};         ///< without the coating [m]; nothing without particles
+  std::optional<double> largest_diameter = {};          ///< without the coating [m]; nothing without particles
+  std::optional<double> size_deviation = std::nullopt;  ///< of the drawn and the wanted size distribution [-]
+};
+
+/// The statistics of each filler of a stage, in their order, without size deviations.
+std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Microstructure<2>& microstructure);
+
+}  // namespace breccia

@@ -1,0 +1,29 @@
+#include "breccia/study/coatings.hpp"
+
+#include <algorithm>
+
+namespace breccia {
+
+const Filler& filler_of(const Stage& stage, const Microstructure<2>& microstructure, std::size_t particle) {
+  return stage.fillers.at(microstructure.filler_of(particle));
+}
+
+Microstructure<2> with_coatings(const Stage& stage, Microstructure<2> microstructure) {
+  for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
+    // A thickness that is not positive is a mistake of the coating, which is reported as such.
+    const double thickness = std::max(0.0, filler_of(stage, microstructure, particle).coating_thickness());
+    microstructure.particles[particle].diameter += 2.0 * thickness;
+  }
+  return microstructure;
+}
+
+std::optional<double> thinnest_coating(const Stage& stage) {
+  std::optional<double> thinnest;
+  for (const auto& filler : stage.fillers) {
+    if (!filler.coating) continue;
+    thinnest = std::min(thinnest.value_or(filler.coating->thickness), filler.coating->thickness);
+  }
+  return thinnest;
+}
+
+}  // namespace breccia
