@@ -134,6 +134,35 @@ TEST_F(SweepDeck, RangesOfNumbers) {
               ElementsAre("tolerance-1e-06", "tolerance-1e-05", "tolerance-0.0001"));
 }
 
+TEST_F(SweepDeck, KeysOfASecondFiller) {
+  deck = test::join(test::materials, R"([[stages]]
+name = "HB-1"
+matrix = "binder"
+box = "48 um"
+cells = 300
+packing = { method = "lubachevsky-stillinger" }
+[[stages.filler]]
+material = "hmx"
+fraction = 0.3
+sizes = { diameter = "8 um" }
+[[stages.filler]]
+material = "hmx"
+fraction = 0.1
+sizes = { diameter = "4 um" }
+coating = { material = "binder", thickness = "0.3 um" }
+)",
+                    test::tests);
+  const auto sweep = read(
+      "[sweep]\n\"stages.HB-1.filler.1.fraction\" = [0.1, 0.2]\n"
+      "\"stages.0.filler.1.coating.thickness\" = [\"0.2 um\", \"0.4 um\"]\n");
+  ASSERT_EQ(sweep.tasks.size(), 4U);
+  const auto& fillers = sweep.tasks[3].study.stages.at(0).fillers;
+  EXPECT_EQ(sweep.tasks[3].name, "fraction-0.2_thickness-0.4-um");
+  EXPECT_EQ(fillers.at(0).fraction, 0.3);
+  EXPECT_EQ(fillers.at(1).fraction, 0.2);
+  EXPECT_DOUBLE_EQ(fillers.at(1).coating->thickness, 0.4e-6);
+}
+
 TEST_F(SweepDeck, RangesOfQuantities) {
   const auto sweep = read("[sweep]\n\"stages.0.filler.to\" = { from = \"10 um\", to = \"0.02 mm\", count = 3 }\n");
   ASSERT_EQ(sweep.tasks.size(), 3U);

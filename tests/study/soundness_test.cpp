@@ -305,6 +305,9 @@ TEST(RequireSound, NamesEachMistakeOfTheOptionsOfMethods) {
 
 TEST(RequireSound, NamesMethodsThatCannotBeUsedOnTheStages) {
   auto study = test::two_stages();
+  filler_of(study).coating = Coating{test::binder, 1e-5};
+  EXPECT_THAT(mistakes_of(study), HasSubstr("the coating of stage fine, binder, relaxes: expected the solver"));
+  filler_of(study).coating.reset();
   filler_of(study).material = test::binder;
   EXPECT_THAT(mistakes_of(study), HasSubstr("the filler of stage fine, binder, relaxes: expected the solver"));
   study.tests.quasistatic.solver = Solver::stepping;
