@@ -94,6 +94,34 @@ TEST(Coating, ThinnerThanTwoCellsIsWarnedOf) {
   EXPECT_THAT(warnings_of(resolved), Not(HasSubstr("the thinnest coating")));
 }
 
+// Steps in log time and explicit motion treat histories of their own in each phase of a mixed cell, or of the mixture.
+TEST(Coating, ThatRelaxesIsTheSameByBothMethods) {
+  const Material rubber = {"rubber", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})};
+  const Material layer = {"layer", 1000.0, PronySeries(3e6), PronySeries(0.5e6, {{0.003, 1.5e6}})};
+  const Material disc = {"disc", 1500.0, PronySeries(50e6), PronySeries(18.8e6)};
+  Filler filler = {.material = disc, .sizes = SingleSize{2e-3}};
+  filler.coating = Coating{layer, 0.4e-3};
+  Study study;
+  study.stages = {{.name = "discs",
+                   .matrix = rubber,
+                   .side = 6e-3,
+                   .cells = 30,
+                   .fillers = {filler},
+                   .packing = RegularPacking{2, 2}}};
+  study.tests.boundaries = {Boundary::displacement};
+  study.tests.methods = {Method::quasistatic, Method::dynamic};
+  study.tests.quasistatic.solver = Solver::stepping;
+  study.tests.first_time = 1e-3;
+  study.tests.last_time = 50e-3;
+  const auto tests = solve(study).stages.front().tests;
+  const auto& steps = preferred_test(tests, Load::shear, Boundary::displacement, Method::quasistatic).modulus;
+  const auto& motion = preferred_test(tests, Load::shear, Boundary::displacement, Method::dynamic).modulus;
+  ASSERT_EQ(steps.size(), motion.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    EXPECT_NEAR(motion[i].modulus / steps[i].modulus, 1.0, 2e-3) << steps[i].time;
+  }
+}
+
 TEST(Coating, IsPartOfTheDensityOfItsStage) {
   auto study = coated_cylinder(stiff_layer, 32);
   study.tests.loads = {Load::shear, Load::bulk};
