@@ -100,8 +100,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
     }
     // A finer grid is planned by this one: its points would take long, and memory that may not be there.
     constexpr int most_planned = 1000;
-    const auto discretisation =
-        discretise(stage, packed.microstructure, std::min(cells, most_planned), study.tests.mixing);
+    const auto discretisation = discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing);
     const auto matrix = expected_matrix(study, stage);
     for (const auto load : loads_of(study, stage)) {
       plan.add(dynamic_plan(stage, make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0), cells));

@@ -15,10 +15,14 @@ namespace {
 
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
-  auto text = fmt::format("{}: {} particles fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
-                          packed.microstructure.particles.size(), 100.0 * packed.fraction,
+  auto text = fmt::format("{}: {} {} fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name, packed.particles(),
+                          packed.grains ? "grains" : "particles", 100.0 * packed.fraction,
                           100.0 * result.point_fraction, result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
+  if (packed.grains) {
+    text += fmt::format(", films of {} ({:.2g} cells)", readable(packed.grains->film, Dimension::length),
+                        packed.grains->film / stage.cell_size());
+  }
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
       const auto& own = packed.fillers[number];

@@ -64,6 +64,13 @@ struct DescribeSizes {
 };
 
 struct DescribePacking {
+  std::string operator()(const LaguerrePacking& packing) const {
+    const auto* walls = packing.walls == Walls::hard ? "half a film along the walls" : "periodic";
+    const auto grains = packing.is_random() ? fmt::format("seed {}", packing.seed)
+                                            : fmt::format("{}, {} sites", packing.file.string(), packing.sites.size());
+    const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";
+    return fmt::format("Laguerre tessellation, {}, {}{}", walls, grains, film);
+  }
   std::string operator()(const LubachevskyStillingerPacking& packing) const {
     return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
                        packing.seed);

@@ -70,8 +70,28 @@ void check_fit(const Section& section, const Filler& filler, const Stage& stage)
   for (const auto& mistake : mistakes_of_diameters(filler, stage.packing, stage.side)) section.report("sizes", mistake);
 }
 
+/// Reads fraction and sizes of grains that fill the box.
+void read_grains(const Section& section, const LaguerrePacking& grains, Filler& filler) {
+  if (grains.is_random() && grains.file.empty()) {
+    filler.sizes = read_sizes(section);
+    read_cuts(section, filler);
+  } else {
+    section.refuse({"sizes", "from", "to"}, "the sizes of the grains follow from packing.sites");
+  }
+  if (grains.film) {
+    section.refuse({"fraction"}, "it follows from packing.film");
+  } else {
+    filler.fraction = section.fraction("fraction");
+  }
+  section.refuse({"coating"}, "grains of a tessellation have films alone");
+}
+
 /// Reads fraction and sizes as far as the packing allows them.
 void read_amount(const Section& section, const PackingMethod& packing, Filler& filler) {
+  if (const auto* grains = std::get_if<LaguerrePacking>(&packing)) {
+    read_grains(section, *grains, filler);
+    return;
+  }
   if (std::holds_alternative<ExplicitPacking>(packing)) {
     section.refuse({"sizes", "fraction", "from", "to"}, "the discs of an explicit packing are all listed in its file");
     return;
@@ -103,7 +123,7 @@ Filler read_filler(const Section& section, const Stage& stage, const std::vector
   Filler filler;
   filler.material = read_material_reference(section, "material", materials);
   section.refuse({"shape", "image"}, discs_alone);
-  filler.coating = read_coating(section, materials);
+  if (stage.grains() == nullptr) filler.coating = read_coating(section, materials);
   read_amount(section, stage.packing, filler);
   read_gap(section, stage, filler);
   check_fit(section, filler, stage);
@@ -125,6 +145,9 @@ void check_together(const Section& section, const Stage& stage) {
   }
   if (std::holds_alternative<RegularPacking>(stage.packing) && stage.fillers.size() > 1) {
     section.report("filler", fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
+  }
+  if (stage.grains() != nullptr && stage.fillers.size() > 1) {
+    section.report("filler", fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
   }
   for (const auto& mistake : mistakes_of_fractions(stage)) section.report("filler", mistake);
   const auto lacks_name = [](const Filler& filler) { return filler.material.name.empty(); };

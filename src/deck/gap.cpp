@@ -61,6 +61,10 @@ std::optional<Gap> parse_gap(const std::string& text, double point_spacing, doub
 }  // namespace
 
 void read_gap(const Section& section, const Stage& stage, Filler& filler) {
+  if (stage.grains() != nullptr) {
+    section.refuse({"gap"}, "grains of a tessellation are parted by films: packing.film, or the fraction");
+    return;
+  }
   if (!stage.is_random()) {
     section.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
     return;

@@ -21,9 +21,9 @@ namespace breccia {
 
 namespace {
 
-constexpr std::string_view random_method = "lubachevsky-stillinger";
+constexpr std::string_view random_method = "lubachevsky-stillinger", grain_method = "laguerre";
 
-enum class MethodName { lubachevsky_stillinger, regular, listed };
+enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre };
 
 std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistakes& mistakes) {
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
@@ -67,8 +67,8 @@ std::vector<std::size_t> read_filler_numbers(const MeasuredTable& table, std::si
   return fillers > 1 ? numbers : std::vector<std::size_t>();
 }
 
-Walls read_walls(const Section& packing) {
-  return packing.optional_boolean("walls").value_or(true) ? Walls::hard : Walls::periodic;
+Walls read_walls(const Section& packing, bool by_default = true) {
+  return packing.optional_boolean("walls").value_or(by_default) ? Walls::hard : Walls::periodic;
 }
 
 LubachevskyStillingerPacking read_random(const Section& packing) {
@@ -110,18 +110,55 @@ ExplicitPacking read_explicit(const Section& packing, double side, std::size_t f
   return listed;
 }
 
+/// The sites of a tessellation. Those in a table without weights all weigh the same.
+std::vector<Site<2>> read_sites(const std::filesystem::path& file, double side, Walls walls) {
+  const auto table = read_measured_table(file);
+  table.require({Quantity::x, Quantity::y});
+  table.refuse_unknown_units({Quantity::weight});
+  const auto& x = table.column(Quantity::x);
+  const auto& y = table.column(Quantity::y);
+  const auto* weights = table.has({Quantity::weight}) ? &table.column(Quantity::weight) : nullptr;
+  std::vector<Site<2>> sites;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    sites.push_back({{x.values[row], y.values[row]}, weights == nullptr ? 0.0 : weights->values[row]});
+  }
+  FileMistakes mistakes(file);
+  if (sites.empty()) mistakes.add("", "expected at least one site");
+  // The side of the box may be unknown because of a mistake elsewhere.
+  if (!sites.empty() && side > 0.0) {
+    for (const auto& [site, text] : breccia::mistakes<2>({side, walls, sites})) mistakes.add(table.place(site), text);
+  }
+  mistakes.refuse();
+  return sites;
+}
+
+LaguerrePacking read_laguerre(const Section& packing, double side) {
+  LaguerrePacking grains = {.walls = read_walls(packing, false)};
+  grains.film = packing.optional_quantity("film", Dimension::length, Range::positive());
+  if (packing.has("sites")) {
+    packing.refuse({"seed"}, "the grains follow from packing.sites");
+    grains.file = packing.file("sites");
+    if (grains.file.empty()) return grains;
+    packing.report_errors_of("sites", [&] { grains.sites = read_sites(grains.file, side, grains.walls); });
+  } else {
+    grains.seed = static_cast<std::uint64_t>(packing.optional_integer("seed", Range::not_negative()).value_or(1));
+  }
+  return grains;
+}
+
 /// A packing method that does not exist, but that users may expect.
 bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
-  constexpr std::array<std::string_view, 6> methods = {"image",    "voronoi",  "laguerre",
-                                                       "polygons", "ellipses", "tessellation"};
+  constexpr std::array<std::string_view, 3> methods = {"image", "polygons", "ellipses"};
   return std::ranges::find(methods, packing.optional_text("method").value_or("")) != methods.end();
 }
 
 }  // namespace
 
 bool takes_seed(const Section& packing) {
-  return packing.kind("method") == Kind::text && packing.optional_text("method") == random_method;
+  if (packing.kind("method") != Kind::text) return false;
+  const auto method = packing.optional_text("method");
+  return method == random_method || (method == grain_method && !packing.has("sites"));
 }
 
 void require_room(const Stage& stage, const ExplicitPacking& listed) {
@@ -145,6 +182,7 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
                                                                {random_method, MethodName::lubachevsky_stillinger},
                                                                {"regular", MethodName::regular},
                                                                {"explicit", MethodName::listed},
+                                                               {grain_method, MethodName::laguerre},
                                                            });
   if (!method) {
     packing.accept_all_keys();
@@ -155,6 +193,8 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
       return read_regular(packing);
     case MethodName::listed:
       return read_explicit(packing, side, fillers);
+    case MethodName::laguerre:
+      return read_laguerre(packing, side);
     default:
       return read_random(packing);
   }

@@ -10,7 +10,8 @@ namespace breccia {
 
 /// Message about a key for particles that are not discs.
 inline constexpr auto discs_alone =
-    "all particles are discs so far: other shapes and images are not available (docs/limitations.md)";
+    "particles are discs, or grains of a tessellation (\"laguerre\"): other shapes and images are not available "
+    "(docs/limitations.md)";
 
 /// Reads `packing` of a stage with a box of the given side [m] and so many fillers.
 std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers);

@@ -97,12 +97,20 @@ bool has_periodic_particles(const Stage& stage) {
   if (stage.fillers.empty()) return false;
   const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.packing);
   const auto* listed = stage.listed();
+  const auto* grains = stage.grains();
   return (random != nullptr && random->walls == Walls::periodic) ||
-         (listed != nullptr && listed->walls == Walls::periodic);
+         (listed != nullptr && listed->walls == Walls::periodic) ||
+         (grains != nullptr && grains->walls == Walls::periodic);
 }
 
-/// The default boundaries: periodic if a box is periodic, since the others would cut its particles.
+bool has_films_along_walls(const Stage& stage) {
+  return !stage.fillers.empty() && stage.grains() != nullptr && stage.grains()->walls == Walls::hard;
+}
+
+/// The default boundaries: displacement if films run along the sides of a box, which take no other; periodic if a box
+/// is periodic, since the others would cut its particles.
 std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
+  if (std::ranges::any_of(stages, has_films_along_walls)) return {Boundary::displacement};
   if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
   return {Boundary::displacement, Boundary::traction};
 }

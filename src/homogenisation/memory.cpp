@@ -26,7 +26,8 @@ namespace {
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Neither the positions of the particles matter nor the grid on which the time domains are planned.
   constexpr int few = 2;
-  const auto discretisation = discretise(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
+  const auto discretisation =
+      discretise(stage, Microstructure<2>{stage.side, Walls::hard, {}}, few, study.tests.mixing);
   const double refinement = static_cast<double>(cells) / few;
   double most = 0.0;
   try {

@@ -14,7 +14,7 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   result.cells = stage.cells;
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
-  const auto discretisation = discretise(stage, result.microstructure.microstructure, stage.cells, study.tests.mixing);
+  const auto discretisation = discretise(stage, result.microstructure, stage.cells, study.tests.mixing);
   result.points = discretisation.points();
   const auto phases = phases_of(stage);
   const auto fractions = discretisation.fractions(phases.size());

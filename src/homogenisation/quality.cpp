@@ -164,7 +164,7 @@ std::vector<LoadQuality> bounds_of_tests(const StageResult& result) {
 StageQuality quality_of(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
   StageQuality quality{.matrix_stage = {},
-                       .particles = packed.microstructure.particles.size(),
+                       .particles = packed.particles(),
                        .fraction = packed.fraction,
                        .fraction_asked = {},
                        .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
@@ -178,7 +178,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
   quality.grid_share = largest_grid_share(result);
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
-  quality.is_random = !stage.fillers.empty() && stage.is_random();
+  quality.is_random = !stage.fillers.empty() && stage.has_seed();
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
 }
@@ -220,8 +220,8 @@ std::vector<std::string> warnings_on_packing(const Stage& stage, const StageMicr
   std::vector<std::string> warnings;
   if (stage.fillers.empty()) return warnings;
   constexpr std::size_t enough_particles = 30;
-  const auto particles = packed.microstructure.particles.size();
-  if (stage.is_random() && particles < enough_particles) {
+  const auto particles = packed.particles();
+  if (stage.has_seed() && particles < enough_particles) {
     warnings.push_back(fmt::format(
         "only {} particle{} in the box; with fewer than {} another packing may change the modulus by 10 % and more "
         "(packings of other seeds show by how much; a larger box holds more)",

@@ -31,8 +31,7 @@ class StageSolution {
 
   void run(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_,
-                           discretise(stage_, done_.microstructure.microstructure, cells, study_.tests.mixing),
+      const StageGrid grid{&study_, &stage_, discretise(stage_, done_.microstructure, cells, study_.tests.mixing),
                            threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);

@@ -1,14 +1,18 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
+#include "breccia/microstructure/grain_locator.hpp"
 
 namespace breccia {
 
@@ -57,6 +61,28 @@ Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& micros
   const std::span<const ParticlePhases> particles(of_particles);
   return mixing == Mixing::points ? discretise(microstructure, cells, matrix, particles)
                                   : discretise_mixed(microstructure, cells, matrix, particles, phases.size());
+}
+
+namespace {
+
+/// Places in the grains of a tessellation have the phase of the filler, those in its films that of the matrix.
+Labelling<2> labelling_of(const StageGrains& grains, PhaseIndex matrix, PhaseIndex filler) {
+  const auto locator = std::make_shared<const GrainLocator<2>>(Tessellation<2>(grains.sites), grains.film);
+  return [locator, matrix, filler](const Vector<2>& position) -> PhaseAt {
+    const auto place = locator->at(position);
+    return {place.is_in_grain() ? filler : matrix, std::abs(place.depth)};
+  };
+}
+
+}  // namespace
+
+Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
+  if (!packed.grains) return discretise(stage, packed.microstructure, cells, mixing);
+  const auto phases = phases_of(stage);
+  const auto labelling = labelling_of(*packed.grains, phases.index_of(name_of_matrix_phase),
+                                      phases.index_of(phase_of(stage, stage.fillers.front().material)));
+  const Grid<2> grid = {{cells, cells}, stage.side / cells};
+  return mixing == Mixing::points ? discretise<2>(grid, labelling) : discretise_mixed(grid, labelling, phases.size());
 }
 
 std::size_t point_count(int cells) {

@@ -12,8 +12,10 @@
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
+#include "breccia/microstructure/random_sites.hpp"
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/statistics.hpp"
+#include "breccia/microstructure/tessellation.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_sizes.hpp"
@@ -147,6 +149,29 @@ Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillinger
   return {stage.side, method.walls, std::move(packed.balls), std::move(fillers)};
 }
 
+/// The sites of the grains: listed, or at random for the sizes of the filler.
+LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
+  if (!method.is_random()) return {stage.side, method.walls, method.sites};
+  const auto& filler = stage.fillers.front();
+  RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
+  if (const auto distribution = distribution_of(filler)) {
+    // With films of a given thickness the fraction is not known before the grains are: their cells have these sizes.
+    constexpr double whole_box = 1.0 - 1e-12;
+    request.diameters = draw_diameters<2>(*distribution, filler.fraction.value_or(whole_box), stage.side);
+    result.fillers.push_back({.size_deviation = largest_deviation<2>(*distribution, request.diameters)});
+  } else {
+    request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
+  }
+  return random_sites<2>(request);
+}
+
+StageGrains make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
+  auto sites = sites_of(stage, method, result);
+  const double film =
+      method.film ? *method.film : film_thickness(Tessellation<2>(sites), stage.fillers.front().fraction.value());
+  return {std::move(sites), film};
+}
+
 Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
   if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
   return std::visit(
@@ -155,6 +180,10 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
           [&](const RegularPacking& array) {
             const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
             return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
+          },
+          [&](const LaguerrePacking& method) {
+            result.grains = make_grains(stage, method, result);
+            return Microstructure<2>{stage.side, method.walls, {}};
           },
           [&](const ExplicitPacking& listed) {
             Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs, listed.fillers};

@@ -17,6 +17,8 @@ namespace breccia {
 
 namespace {
 
+constexpr const char* name_of_film = "/film_m";
+
 std::string name_of_size_deviation(std::size_t filler) {
   return fmt::format("/size_deviation/{}", filler);
 }
@@ -30,6 +32,30 @@ std::vector<std::size_t> filler_numbers(const std::vector<double>& numbers, std:
     read.push_back(static_cast<std::size_t>(number));
   }
   return read;
+}
+
+void save_grains(StateWriter& state, const StageGrains& grains) {
+  std::vector<double> x, y, weights;
+  for (const auto& [position, weight] : grains.sites.sites) {
+    x.push_back(position[0]);
+    y.push_back(position[1]);
+    weights.push_back(weight);
+  }
+  state.write("/site_x_m", x);
+  state.write("/site_y_m", y);
+  state.write("/site_weight_m2", weights);
+  state.write(name_of_film, grains.film);
+}
+
+StageGrains read_grains(const StateReader& state, double side, Walls walls) {
+  StageGrains grains = {.sites = {side, walls, {}}, .film = state.number(name_of_film)};
+  const auto x = state.numbers("/site_x_m");
+  const auto y = state.numbers("/site_y_m", x.size()), weights = state.numbers("/site_weight_m2", x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) grains.sites.sites.push_back({{x[i], y[i]}, weights[i]});
+  if (!(grains.film >= 0.0 && std::isfinite(grains.film)) || !mistakes(grains.sites).empty()) {
+    throw FileError("a checkpoint of a packing: expected grains and films in a box");
+  }
+  return grains;
 }
 
 }  // namespace
@@ -48,6 +74,7 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
   state.write("/y_m", y);
   state.write("/diameter_m", diameters);
   if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
+  if (microstructure.grains) save_grains(state, *microstructure.grains);
   for (std::size_t number = 0; number < microstructure.fillers.size(); ++number) {
     const auto deviation = microstructure.fillers[number].size_deviation;
     if (deviation) state.write(name_of_size_deviation(number), *deviation);
@@ -74,6 +101,7 @@ StageMicrostructure read_stage_microstructure(const StateReader& state, const St
     throw FileError("a checkpoint of a packing: expected discs in a box");
   }
   if (state.has("/filler")) fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
+  if (state.has(name_of_film)) result.grains = read_grains(state, side, walls);
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto name = name_of_size_deviation(number);

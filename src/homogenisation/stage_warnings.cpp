@@ -61,7 +61,8 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
   const auto shown = display_beside(cells, cells_per_gap);
-  return fmt::format("the smallest gap between particles or to a wall, {}, is {} {} wide{}; below {:g} cells {}{}",
+  return fmt::format("{}, {}, is {} {} wide{}; below {:g} cells {}{}",
+                     packed.grains ? "the film between grains" : "the smallest gap between particles or to a wall",
                      readable(gap, Dimension::length), shown, shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
                      cells_per_gap, consequence,

@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 20> stems{{
+constexpr std::array<Stem, 21> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -45,6 +45,7 @@ constexpr std::array<Stem, 20> stems{{
     {"temp.", temperature},
     {"diameter", diameter},
     {"cumulative volume fraction", cumulative_volume_fraction},
+    {"weight", weight},
     {"filler", filler},
     {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},
 }};

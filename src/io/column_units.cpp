@@ -100,6 +100,8 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
     case Quantity::x:
     case Quantity::y:
       return "um";
+    case Quantity::weight:
+      return "m2";
     default:
       return "Pa";
   }
@@ -134,6 +136,8 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::x:
     case Quantity::y:
       return by_unit(unit, Dimension::length);
+    case Quantity::weight:
+      return by_unit(unit, Dimension::area);
     default:
       return by_unit(unit, Dimension::pressure);
   }

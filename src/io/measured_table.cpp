@@ -39,6 +39,8 @@ std::string_view example_of(Quantity quantity) {
       return "called y, such as y_um";
     case Quantity::cumulative_volume_fraction:
       return "called cumulative_volume_fraction";
+    case Quantity::weight:
+      return "called weight, such as weight_m2";
     case Quantity::filler:
       return "called filler";
   }

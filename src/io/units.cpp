@@ -44,10 +44,11 @@ constexpr std::array<ReadableUnit, 5> frequencies{
 constexpr std::array<ReadableUnit, 4> pressures{{{1.0, "Pa"}, {1e3, "kPa"}, {1e6, "MPa"}, {1e9, "GPa"}}};
 constexpr std::array<ReadableUnit, 1> densities{{{1.0, "kg/m^3"}}};
 constexpr std::array<ReadableUnit, 1> temperatures{{{1.0, "K"}}};
+constexpr std::array<ReadableUnit, 3> areas{{{1e-12, "um^2"}, {1e-6, "mm^2"}, {1.0, "m^2"}}};
 constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm"}, {1e6, "1/um"}}};
 
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 8> all{{
+  static const std::array<DimensionFacts, 9> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -56,6 +57,7 @@ const DimensionFacts& facts(Dimension dimension) {
       {"temperature", "19 degC", "K", temperatures, {"degC", "K", "degF"}},
       {"temperature difference", "120 K", "K", temperatures, {"K", "degC", "degF"}},
       {"reciprocal length", "12500 /mm", "m-1", inverse_lengths, {"1/m", "1/mm", "1/um"}},
+      {"area", "2 mm^2", "m2", areas, {"um^2", "mm^2", "m^2"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }

@@ -11,16 +11,12 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/display.hpp"
+
+#include "picture_frame.hpp"
 
 namespace breccia {
 
 namespace {
-
-/// Sizes of the drawing: the box is 1000 units wide, with a strip for the scale bar below it.
-constexpr double drawn_side = 1000.0;
-constexpr double margin = 20.0;
-constexpr double strip = 70.0;
 
 /// Whether any part of the disc lies inside the box [0, side]^2.
 bool shows_in_box(const Disc& disc, double side) {
@@ -66,21 +62,6 @@ std::vector<DrawnDisc> visible_discs(const Microstructure<2>& microstructure, co
   return visible;
 }
 
-/// The longest of 1, 2, 5 times a power of ten that is at most a quarter of the side.
-double scale_bar_length(double side) {
-  const double longest = side / 4.0;
-  const double power = std::pow(10.0, std::floor(std::log10(longest) + 1e-9));
-  for (const double step : {5.0, 2.0}) {
-    if (step * power <= longest * (1.0 + 1e-9)) return step * power;
-  }
-  return power;
-}
-
-std::string with_micro_sign(double length) {
-  const auto [number, prefix, scale] = with_prefix(length);
-  return fmt::format("{:.3g} {}m", number, prefix == "u" ? "µ" : prefix);
-}
-
 }  // namespace
 
 std::string_view colour_of_phase(std::size_t number) {
@@ -96,41 +77,17 @@ std::string microstructure_picture(const Microstructure<2>& microstructure, cons
   if ((needs_one && fillers.empty()) || std::ranges::any_of(microstructure.fillers, is_unknown)) {
     throw InputError("picture of a microstructure: a particle belongs to no filler");
   }
-  if (!(side > 0.0) || !std::isfinite(side)) {
-    throw InputError(fmt::format("picture of a microstructure: the side of the box must be positive, got {} m", side));
-  }
-  const double scale = drawn_side / side;
-  const double bar = scale_bar_length(side);
-
-  std::string svg;
-  const auto out = std::back_inserter(svg);
-  fmt::format_to(
-      out,
-      R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="{0} {0} {1} {2}" font-family="sans-serif" role="img" aria-labelledby="title">
-<title id="title">Microstructure: {3} particles in a box of {4}</title>
-<clipPath id="box"><rect width="{5}" height="{5}"/></clipPath>
-<rect x="{0}" y="{0}" width="{1}" height="{2}" fill="#fff"/>
-<rect width="{5}" height="{5}" fill="#f3e9d8"/>
-<g clip-path="url(#box)" fill="#5b7f95" stroke="#2f4858" stroke-width="1">
-)svg",
-      -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, microstructure.particles.size(),
-      with_micro_sign(side), drawn_side);
+  std::string shapes;
+  const auto out = std::back_inserter(shapes);
+  const double scale = picture_scale(side);
   for (const auto& [disc, colour] : visible_discs(microstructure, fillers)) {
     fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"", disc.centre[0] * scale,
                    drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);
     if (colour != 1) fmt::format_to(out, " fill=\"{}\"", colour_of_phase(colour));
     fmt::format_to(out, "/>\n");
   }
-  fmt::format_to(out,
-                 R"svg(</g>
-<rect width="{0}" height="{0}" fill="none" stroke="#222" stroke-width="2"/>
-<rect id="scale-bar" y="{1}" width="{2:.6g}" height="10" fill="#222"/>
-<text x="{3:.6g}" y="{4}" font-size="40" fill="#222">{5}</text>
-</svg>
-)svg",
-                 drawn_side, drawn_side + 40.0, bar * scale, bar * scale + 18.0, drawn_side + 59.0,
-                 with_micro_sign(bar));
-  return svg;
+  constexpr auto style = R"(fill="#5b7f95" stroke="#2f4858" stroke-width="1")";
+  return framed_picture(side, fmt::format("{} particles", microstructure.particles.size()), style, shapes);
 }
 
 }  // namespace breccia

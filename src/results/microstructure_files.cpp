@@ -7,6 +7,8 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/microstructure/tessellation_statistics.hpp"
+#include "breccia/report/grain_picture.hpp"
 #include "breccia/report/microstructure_picture.hpp"
 
 namespace breccia {
@@ -25,10 +27,43 @@ std::vector<DrawnFiller> drawn_fillers(const Stage& stage) {
   return drawn;
 }
 
+void write_grains(const std::filesystem::path& directory, const Stage& stage, const StageGrains& grains) {
+  const Tessellation<2> tessellation(grains.sites);
+  std::vector<double> x, y, weights, cells, areas, diameters, aspect_ratios, neighbours;
+  for (const auto& [position, weight] : grains.sites.sites) {
+    x.push_back(position[0]);
+    y.push_back(position[1]);
+    weights.push_back(weight);
+  }
+  for (const auto& grain : grain_geometries(tessellation, grains.film)) {
+    cells.push_back(grain.cell_volume);
+    areas.push_back(grain.grain_volume);
+    diameters.push_back(grain.diameter);
+    aspect_ratios.push_back(grain.aspect_ratio);
+    neighbours.push_back(static_cast<double>(grain.neighbours));
+  }
+  write_csv(directory / "grains.csv",
+            {{"x_m", x},
+             {"y_m", y},
+             {"weight_m2", weights},
+             {"cell_area_m2", cells},
+             {"grain_area_m2", areas},
+             {"equivalent_diameter_m", diameters},
+             {"aspect_ratio", aspect_ratios},
+             {"neighbours", neighbours}},
+            fmt::format("Grains of stage {} in a box of {} m, with films of {} m between them", stage.name, stage.side,
+                        grains.film));
+  write_text(directory / "microstructure.svg", grain_picture(tessellation, grains.film));
+}
+
 }  // namespace
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
+  if (microstructure.grains) {
+    write_grains(directory, stage, *microstructure.grains);
+    return;
+  }
   std::vector<double> x, y, diameters;
   for (const auto& [centre, diameter] : microstructure.microstructure.particles) {
     x.push_back(centre[0]);

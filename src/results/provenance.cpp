@@ -240,7 +240,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
   const auto& packing = result.microstructure;
-  Json microstructure = {{"particles", packing.microstructure.particles.size()},
+  Json microstructure = {{"particles", packing.particles()},
                          {"fraction", packing.fraction},
                          {"interface_per_area_1_per_m", packing.interface_per_area},
                          {"smallest_gap_m", finite_or_null(packing.gap)},
@@ -252,6 +252,14 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                                                          [](const auto& particle) { return particle.diameter; });
     microstructure["smallest_diameter_m"] = smallest.diameter;
     microstructure["largest_diameter_m"] = largest.diameter;
+  }
+  if (packing.grains) {
+    const auto& grains = packing.fillers.front();
+    microstructure["film_m"] = packing.grains->film;
+    microstructure["film_cells"] = packing.grains->film / stage.cell_size();
+    microstructure["smallest_diameter_m"] = json_of(grains.smallest_diameter);
+    microstructure["largest_diameter_m"] = json_of(grains.largest_diameter);
+    if (stage.has_seed()) microstructure["seed"] = std::get<LaguerrePacking>(stage.packing).seed;
   }
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {

@@ -93,6 +93,42 @@ void check_gap(const Filler& filler, const PackingMethod& packing, const std::st
   }
 }
 
+/// The sizes and the fraction of grains that fill the box.
+void check_grains(const Filler& filler, const LaguerrePacking& grains, const std::string& part,
+                  StudyMistakes& mistakes) {
+  if (filler.coating) mistakes.add(part, "expected no coating: grains have films alone");
+  if (grains.film) mistakes.check_quantity(part, "film", *grains.film, Range::positive(), Dimension::length);
+  if (filler.fraction.has_value() == grains.film.has_value()) {
+    mistakes.add(part, "expected either the fraction of the grains or the thickness of the film between them");
+  }
+  if (filler.fraction) mistakes.check_number(part, "fraction", *filler.fraction, allowed::fraction);
+  if (grains.is_random()) {
+    if (!filler.sizes) {
+      mistakes.add(part, "expected sizes or sites");
+      return;
+    }
+    check_cuts(filler, part, mistakes);
+    if (const auto* listed = std::get_if<ListedSizes>(&*filler.sizes)) {
+      check_list(*listed, part, mistakes);
+    } else if (has_ordered_cuts(filler)) {
+      mistakes.add_error_of(part, [&filler] { static_cast<void>(distribution_of(filler)); });
+    }
+  } else if (filler.sizes || filler.smallest || filler.largest) {
+    mistakes.add(part, "expected no sizes: those of the grains follow from their sites");
+  }
+}
+
+void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  const auto& grains = *stage.grains();
+  if (stage.fillers.size() > 1) {
+    mistakes.add(part, fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
+  }
+  if (grains.is_random() || !accepts(allowed::side, stage.side)) return;
+  for (const auto& [site, text] : breccia::mistakes<2>({stage.side, grains.walls, grains.sites})) {
+    mistakes.add(part, fmt::format("site {}: {}", site, text));
+  }
+}
+
 void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   check_material(filler.material, part, mistakes);
   if (filler.coating) {
@@ -101,6 +137,10 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
                             Dimension::length);
   }
   check_gap(filler, stage.packing, part, mistakes);
+  if (const auto* grains = stage.grains()) {
+    check_grains(filler, *grains, part, mistakes);
+    return;
+  }
   if (stage.listed() != nullptr) {
     check_no_sizes(filler, part, mistakes);
     return;
@@ -148,6 +188,7 @@ void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& m
   mistakes.add_all(part, mistakes_of_phases(stage));
   const auto packing = part + (are_several ? ", packing" : ", filler");
   if (stage.listed() != nullptr) check_listed_particles(stage, packing, mistakes);
+  if (stage.grains() != nullptr) check_sites(stage, packing, mistakes);
   if (const auto* regular = std::get_if<RegularPacking>(&stage.packing)) {
     mistakes.check_integer(packing, "columns", regular->columns, allowed::rows);
     mistakes.check_integer(packing, "rows", regular->rows, allowed::rows);

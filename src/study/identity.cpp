@@ -151,6 +151,16 @@ class Content {
     add_all(discs, walls, fillers);
     static_cast<void>(file);
   }
+  void add(const LaguerrePacking& packing) {
+    const auto& [walls, seed, film, file, sites] = packing;
+    add_all(walls, seed, film, sites);
+    static_cast<void>(file);
+  }
+  void add(const Site<2>& site) {
+    const auto& [position, weight] = site;
+    for (const double coordinate : position) add(coordinate);
+    add(weight);
+  }
   void add(const Disc& disc) {
     const auto& [centre, diameter] = disc;
     for (const double coordinate : centre) add(coordinate);

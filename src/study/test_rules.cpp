@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -40,6 +41,22 @@ std::vector<std::string> relaxing_fillers(const Study& study) {
       refuse_relaxing("filler", filler.material);
       if (filler.coating) refuse_relaxing("coating", filler.coating->material);
     }
+  }
+  return mistakes;
+}
+
+/// A film along the walls spoils the lower bound: it is so soft that the box moves in it as a whole.
+std::vector<std::string> films_along_walls(const Study& study) {
+  const auto is_other = [](Boundary boundary) { return boundary != Boundary::displacement; };
+  if (std::ranges::none_of(study.tests.boundaries, is_other)) return {};
+  std::vector<std::string> mistakes;
+  for (const auto& stage : study.stages) {
+    const auto* grains = stage.grains();
+    if (stage.fillers.empty() || grains == nullptr || grains->walls == Walls::periodic) continue;
+    mistakes.push_back(
+        fmt::format("the grains of stage {} have films along the walls: expected the boundary \"{}\" "
+                    "alone, or packing.walls = false",
+                    stage.name, name_of(Boundary::displacement)));
   }
   return mistakes;
 }
@@ -99,6 +116,7 @@ bool has_standard_points(const Tests& tests) {
 
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = relaxing_fillers(study);
+  std::ranges::move(films_along_walls(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;

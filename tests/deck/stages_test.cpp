@@ -329,8 +329,57 @@ TEST_F(DeckStages, CoatingsOfListedDiscsMustNotOverlap) {
   EXPECT_THAT(mistakes(with("70 um")), HasSubstr("overlap by 4e-05 m"));
 }
 
+TEST_F(DeckStages, GrainsHaveAFractionOrFilms) {
+  const auto with = [](std::string_view filler, std::string_view packing) {
+    return test::join("cells = 60\nfiller = { material = \"hmx\", ", filler, " }\npacking = { method = \"laguerre\"",
+                      packing, " }\n");
+  };
+  constexpr auto sizes = "sizes = { diameter = \"1 mm\" }";
+  const auto by_fraction = stage(with("fraction = \"94 %\", sizes = { diameter = \"1 mm\" }", ", seed = 7"));
+  ASSERT_NE(by_fraction.grains(), nullptr);
+  EXPECT_EQ(by_fraction.fillers.front().fraction, 0.94);
+  EXPECT_EQ(by_fraction.grains()->seed, 7U);
+  EXPECT_EQ(by_fraction.grains()->walls, Walls::periodic);
+  EXPECT_FALSE(by_fraction.grains()->film);
+  const auto by_film = stage(with(sizes, ", film = \"20 um\", walls = true"));
+  EXPECT_EQ(by_film.grains()->film, 20e-6);
+  EXPECT_EQ(by_film.grains()->walls, Walls::hard);
+  EXPECT_FALSE(by_film.fillers.front().fraction);
+  EXPECT_THAT(mistakes(with("fraction = 0.9, gap = \"1 um\", coating = {}, sizes = { diameter = \"1 mm\" }",
+                            ", film = \"20 um\"")),
+              AllOf(HasSubstr("filler.fraction: "), HasSubstr("it follows from packing.film"),
+                    HasSubstr("filler.gap: "), HasSubstr("filler.coating: ")));
+  EXPECT_THAT(mistakes(with(sizes, "")), HasSubstr("filler.fraction: missing"));
+  EXPECT_THAT(mistakes(with(sizes, ", film = \"0 um\"")), HasSubstr("packing.film: expected a positive length"));
+}
+
+TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
+  constexpr auto lines =
+      "cells = 60\nfiller = { material = \"hmx\" }\npacking = { method = \"laguerre\", sites = \"sites.csv\", film = "
+      "\"10 um\" }\n";
+  directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n4,5,0.5\n");
+  const auto read = stage(lines);
+  ASSERT_EQ(read.grains()->sites.size(), 2U);
+  EXPECT_THAT(read.grains()->sites[1].position, ElementsAre(testing::DoubleEq(4e-3), testing::DoubleEq(5e-3)));
+  EXPECT_DOUBLE_EQ(read.grains()->sites[1].weight, 0.5e-6);
+  directory.write("sites.csv", "x_mm,y_mm\n1,1\n4,5\n");
+  EXPECT_EQ(stage(lines).grains()->sites[1].weight, 0.0) << "without weights all are equal";
+  directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,7,0\n4,-5,0\n");
+  EXPECT_THAT(mistakes(lines), AllOf(HasSubstr("sites.csv:2: "), HasSubstr("sites.csv:3: ")));
+  directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n1.1,1,9\n");
+  EXPECT_THAT(mistakes(lines), HasSubstr("sites.csv:2: ")) << "the heavier site takes its place";
+  directory.write("sites.csv", "x_mm,y_mm,weight_mm\n1,1,0\n");
+  EXPECT_THAT(mistakes(lines), HasSubstr("sites.csv"));
+  directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n4,5,0.5\n");
+  EXPECT_THAT(
+      mistakes("cells = 60\nfiller = { material = \"hmx\", sizes = { diameter = \"1 mm\" } }\npacking = { method = "
+               "\"laguerre\", sites = \"sites.csv\", film = \"10 um\", seed = 2 }\n"),
+      AllOf(HasSubstr("filler.sizes: "), HasSubstr("packing.seed: ")));
+}
+
 TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
-  const auto discs_alone = HasSubstr("all particles are discs so far: other shapes and images are not available");
+  const auto discs_alone = HasSubstr(
+      "particles are discs, or grains of a tessellation (\"laguerre\"): other shapes and images are not available");
   EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"image\", image = \"grains.png\""), discs_alone);
   EXPECT_THAT(mistakes("shape = \"ellipse\", sizes = { diameter = \"1 mm\" }", regular_packing),
               AllOf(HasSubstr("a.filler.shape: "), discs_alone, Not(HasSubstr("unknown key"))));

@@ -10,6 +10,7 @@
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 
 #include "messages.hpp"
@@ -51,6 +52,10 @@ Particles listed(const std::vector<Disc>& discs) {
 Particles random(Sizes sizes, std::optional<double> fraction, Walls walls = Walls::hard, std::uint64_t seed = 1) {
   return {Filler{.material = {}, .fraction = fraction, .sizes = std::move(sizes), .gap = 0.15e-3},
           LubachevskyStillingerPacking{walls, seed}};
+}
+
+Particles grains(double diameter, double fraction, std::uint64_t seed = 1) {
+  return {Filler{.fraction = fraction, .sizes = SingleSize{diameter}}, LaguerrePacking{.seed = seed}};
 }
 
 std::vector<double> diameters(const StageMicrostructure& packed) {
@@ -200,6 +205,50 @@ TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
       stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
   EXPECT_EQ(again.microstructure.particles, packed.microstructure.particles);
   EXPECT_EQ(again.gap, packed.gap);
+}
+
+TEST(Grains, FillTheirFractionOfTheBox) {
+  const auto packed = make_microstructure(box(grains(1e-3, 0.93)));
+  ASSERT_TRUE(packed.grains);
+  EXPECT_NEAR(packed.fraction, 0.93, 1e-12);
+  // As many as discs of that size that fill the fraction.
+  EXPECT_EQ(packed.particles(), static_cast<std::size_t>(std::lround(0.93 * 100.0 / (pi / 4.0))));
+  EXPECT_EQ(packed.gap, packed.grains->film);
+  EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
+  // Two sides of every film, each of the length L / A = (1 - fraction) / t but for the corners.
+  EXPECT_NEAR(packed.interface_per_area * packed.gap / 2.0, 0.07, 0.005);
+  ASSERT_EQ(packed.fillers.size(), 1U);
+  EXPECT_NEAR(packed.fillers[0].smallest_diameter.value() / 1e-3, 1.0, 0.02);
+  EXPECT_NEAR(packed.fillers[0].largest_diameter.value() / 1e-3, 1.0, 0.02);
+}
+
+TEST(Grains, OfOneSeedAreTheSame) {
+  const auto one = make_microstructure(box(grains(1e-3, 0.93, 1))),
+             same = make_microstructure(box(grains(1e-3, 0.93, 1)));
+  const auto other = make_microstructure(box(grains(1e-3, 0.93, 2)));
+  EXPECT_EQ(one.grains->film, same.grains->film);
+  EXPECT_NE(one.grains->film, other.grains->film);
+}
+
+TEST(Grains, AreInTheCellsAsInTheBox) {
+  const auto stage = box(grains(2e-3, 0.93));
+  const auto packed = make_microstructure(stage);
+  EXPECT_NEAR(discretise(stage, packed, 100, Mixing::series).fractions(2)[1], 0.93, 2e-4);
+  EXPECT_NEAR(discretise(stage, packed, 400, Mixing::points).fractions(2)[1], 0.93, 2e-3);
+}
+
+TEST(Grains, AreReadFromTheirState) {
+  const test::TemporaryDirectory directory;
+  const auto stage = box(grains(2e-3, 0.93));
+  const auto packed = make_microstructure(stage);
+  {
+    StateWriter state(directory.path() / "grains.h5");
+    save(state, packed);
+  }
+  const auto read = read_stage_microstructure(StateReader(directory.path() / "grains.h5"), stage);
+  EXPECT_EQ(read.grains->film, packed.grains->film);
+  EXPECT_EQ(read.fraction, packed.fraction);
+  EXPECT_EQ(read.particles(), packed.particles());
 }
 
 }  // namespace

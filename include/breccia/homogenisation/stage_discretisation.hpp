@@ -6,6 +6,7 @@
 
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/phases.hpp"
+#include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/study/phase_names.hpp"
 #include "breccia/study/stage.hpp"
@@ -23,6 +24,9 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 /// the phases of the stage (phases_of), and those of cells that an interface crosses are as `mixing` says. Throws
 /// InputError when a particle belongs to no filler of the stage.
 Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing);
+
+/// The same for the particles or the grains that the stage has.
+Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing);
 
 /// Material points of such a discretisation.
 std::size_t point_count(int cells);

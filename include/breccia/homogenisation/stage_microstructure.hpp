@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "breccia/homogenisation/filler_statistics.hpp"
+#include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/study/stage.hpp"
 
@@ -13,17 +15,28 @@ namespace breccia {
 
 class Checkpoint;
 
-/// The particles of a stage with their statistics.
+/// Grains that fill the box of a stage, parted by films of the matrix.
+struct StageGrains {
+  LaguerreSites<2> sites;
+  double film = 0.0;      ///< thickness [m]
+  std::size_t count = 0;  ///< grains that the films leave
+};
+
+/// The particles or grains of a stage with their statistics.
 struct StageMicrostructure {
-  Microstructure<2> microstructure;
-  double fraction = 0.0;            ///< area of the particles per area of the box [-]
-  double interface_per_area = 0.0;  ///< length of the interface per area of the box, S/A [1/m]
-  double wall_gap = 0.0;            ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
-  double gap = 0.0;                 ///< smallest gap between two coated particles [m]; infinite without two particles
+  Microstructure<2> microstructure;        ///< without particles where there are grains
+  std::optional<StageGrains> grains = {};  ///< in place of particles
+  double fraction = 0.0;                   ///< area of the particles per area of the box [-]
+  double interface_per_area = 0.0;         ///< length of the interface per area of the box, S/A [1/m]
+  double wall_gap = 0.0;  ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
+  double gap = 0.0;       ///< smallest gap between two coated particles, or film between grains [m]; infinite
+                          ///< without two particles
   std::vector<FillerStatistics> fillers = {};  ///< in the order of the stage
   std::uint64_t events = 0;                    ///< number of events of the packing
   double seconds = 0.0;                        ///< wall time of the packing [s]
 
+  /// Number of particles, or of grains.
+  [[nodiscard]] std::size_t particles() const { return grains ? grains->count : microstructure.particles.size(); }
   /// Largest difference of the drawn and the wanted size distribution of a filler [-]; nothing where none was drawn.
   [[nodiscard]] std::optional<double> size_deviation() const;
 };

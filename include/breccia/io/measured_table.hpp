@@ -24,6 +24,7 @@ enum class Quantity {
   x,                           ///< [m]
   y,                           ///< [m]
   cumulative_volume_fraction,  ///< from 0 to 1
+  weight,                      ///< of a site of a tessellation [m^2]
   filler,                      ///< number of the filler of a particle; known beside diameters alone
 };
 

@@ -15,7 +15,8 @@ enum class Dimension {
   density,                 ///< [kg/m^3]
   temperature,             ///< [K]; "19 degC" is 292.15 K
   temperature_difference,  ///< [K]; "120 degC" is 120 K
-  inverse_length           ///< [1/m]
+  inverse_length,          ///< [1/m]
+  area                     ///< [m^2]
 };
 
 /// The dimension as a noun: "length", "pressure".

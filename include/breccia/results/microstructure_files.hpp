@@ -7,7 +7,8 @@
 
 namespace breccia {
 
-/// Writes `microstructure.csv` and `microstructure.svg` of a stage to its directory. Throws FileError.
+/// Writes the particles (`microstructure.csv`) or grains (`grains.csv`) of a stage, and a picture
+/// (`microstructure.svg`), to its directory. Throws FileError.
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure);
 

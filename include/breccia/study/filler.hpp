@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -61,7 +62,18 @@ struct ExplicitPacking {
   std::vector<std::size_t> fillers = {};  ///< the number of the filler of each disc; empty where all are of the first
 };
 
-using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking>;
+/// Grains of a Laguerre tessellation, which fill the box but for films of the matrix of one thickness between them.
+struct LaguerrePacking {
+  Walls walls = Walls::periodic;    ///< hard: with half a film along the sides of the box
+  std::uint64_t seed = 1;           ///< of a random tessellation
+  std::optional<double> film = {};  ///< thickness [m]; without it that of the fraction of the filler
+  std::filesystem::path file = {};  ///< of the sites; empty for a random tessellation
+  std::vector<Site<2>> sites = {};  ///< of the grains; none for a random tessellation
+
+  [[nodiscard]] bool is_random() const { return sites.empty(); }
+};
+
+using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking>;
 
 /// The form in which a deck gives the gap between particles.
 enum class GapSource {

@@ -35,8 +35,12 @@ struct Stage {
   [[nodiscard]] double cell_size() const { return side / cells; }
   /// The particles of a list (an explicit packing), which have no sizes; nullptr for any other packing.
   [[nodiscard]] const ExplicitPacking* listed() const { return std::get_if<ExplicitPacking>(&packing); }
+  /// The grains that fill the box; nullptr for particles.
+  [[nodiscard]] const LaguerrePacking* grains() const { return std::get_if<LaguerrePacking>(&packing); }
   /// Whether the particles are packed at random.
   [[nodiscard]] bool is_random() const { return std::holds_alternative<LubachevskyStillingerPacking>(packing); }
+  /// Whether particles or grains are placed at random, by a seed.
+  [[nodiscard]] bool has_seed() const { return is_random() || (grains() != nullptr && grains()->is_random()); }
   /// Cells per side of all grids, rising.
   [[nodiscard]] std::vector<int> grids() const;
 };

@@ -29,8 +29,9 @@ export function nameOfTest(stage, test) {
 export function wordsOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
   if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
-  const {particles, fraction} = stage.microstructure;
-  return `${particles} particles of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
+  const {particles, fraction, film_m: film} = stage.microstructure;
+  const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them,`;
+  return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }
 
 /// "a", "a and b", "a, b and c".

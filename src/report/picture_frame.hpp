@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace breccia {
+
+/// Side of the box in a picture of a microstructure, in the units of the drawing.
+inline constexpr double drawn_side = 1000.0;
+
+/// Units of the drawing per metre for a box of this side [m]. Throws InputError if it is not positive and finite.
+double picture_scale(double side);
+
+/// SVG picture of a box with a scale bar below. `shapes` are the elements inside, in the units of the drawing with y
+/// downwards, clipped at its sides; `style` are the attributes that they share; `content` is what the title names.
+std::string framed_picture(double side, std::string_view content, std::string_view style, std::string_view shapes);
+
+}  // namespace breccia

@@ -1,0 +1,103 @@
+// Grains of a tessellation through the command line.
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::StudyDirectory;
+using testing::HasSubstr;
+
+constexpr const char* voronoi_deck = R"(
+title = "25 Voronoi grains"
+
+[materials.binder]
+density = "1.48 g/cm^3"
+bulk    = "3.6 GPa"
+shear   = { prony = "binder.csv" }
+
+[materials.hmx]
+density = "1.85 g/cm^3"
+bulk    = "13.4 GPa"
+shear   = "5.84 GPa"
+
+[[stages]]
+name    = "grains"
+matrix  = "binder"
+box     = "1 mm"
+cells   = 256
+filler  = { material = "hmx" }
+packing = { method = "laguerre", sites = "sites.csv", film = "9.375 um" }
+
+[tests]
+times  = ["10 ns", "10 ms"]
+mixing = "points"
+fields = "none"
+)";
+
+/// The reference sites, whose box has a side of 1, for one of 1 mm.
+std::string sites_in_millimetres() {
+  const auto table = read_csv(BRECCIA_SOURCE_DIRECTORY "/tests/reference/voronoi_sites_25.csv");
+  std::string text = "x_mm,y_mm\n";
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    text += fmt::format("{},{}\n", table.numbers("x_m")[row], table.numbers("y_m")[row]);
+  }
+  return text;
+}
+
+// G(t) of the same composite by another program.
+TEST(Grains, OfTheReferenceSitesHaveTheirModulus) {
+  const StudyDirectory study(voronoi_deck);
+  study.write("sites.csv", sites_in_millimetres());
+  study.write("binder.csv", read_text(BRECCIA_SOURCE_DIRECTORY "/data/pbx9501_binder_prony.csv"));
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("25 grains fill 91.11 % of the box"));
+  EXPECT_THAT(run.output, HasSubstr("films of 9.375 um (2.4 cells)"));
+  const auto curve = test::read_curve(study.result("curves.csv"), "grains", "shear");
+  constexpr std::array<double, 7> known = {4150e6, 3399e6, 2596e6, 2175e6, 2028e6, 1993e6, 1985e6};
+  double time = 1e-8;
+  for (const double modulus : known) {
+    EXPECT_NEAR(test::modulus_at(curve, time) / modulus, 1.0, 5e-3) << time;
+    time *= 10.0;
+  }
+  const auto grains = read_csv(study.result("grains/grains.csv"));
+  EXPECT_EQ(grains.rows(), 25U);
+  double area = 0.0, neighbours = 0.0;
+  for (std::size_t row = 0; row < grains.rows(); ++row) {
+    area += grains.numbers("cell_area_m2")[row];
+    neighbours += grains.numbers("neighbours")[row] / 25.0;
+  }
+  EXPECT_NEAR(area, 1e-6, 1e-17);
+  EXPECT_DOUBLE_EQ(neighbours, 6.0) << "by Euler's formula, in a periodic box";
+  const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0]["microstructure"];
+  EXPECT_NEAR(record["film_cells"].get<double>(), 2.4, 1e-12);
+  EXPECT_THAT(read_text(study.result("grains/microstructure.svg")), HasSubstr("25 grains in a box of 1 mm"));
+}
+
+TEST(Grains, AlongWallsHaveFilmsAlone) {
+  const StudyDirectory study(voronoi_deck);
+  study.write("sites.csv", sites_in_millimetres());
+  study.write("binder.csv", read_text(BRECCIA_SOURCE_DIRECTORY "/data/pbx9501_binder_prony.csv"));
+  const auto refused = study.breccia(
+      "run", {"--set", "stages.0.packing.walls=true", "--set", R"(tests.boundaries=["displacement", "traction"])"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("the grains of stage grains have films along the walls: expected the boundary "
+                                        "\"displacement\" alone, or packing.walls = false"));
+}
+
+}  // namespace
+}  // namespace breccia
