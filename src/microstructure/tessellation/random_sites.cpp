@@ -112,14 +112,23 @@ void set_weights(LaguerreSites<dim>& sites, const std::vector<double>& volumes, 
   for (std::size_t site = 0; site < sites.sites.size(); ++site) sites.sites[site].weight = fitted.weights[site];
 }
 
+/// Moves every site to the centroid of its cell. The new weight is the square of the distance to the nearest face: the
+/// ball of this radius lies in the old cell, so it overlaps no other one and lies in the new cell, which has a volume.
 template <int dim>
 void move_to_centroids(LaguerreSites<dim>& sites) {
   const Tessellation<dim> tessellation(sites);
-  for (std::size_t site = 0; site < sites.sites.size(); ++site) {
-    auto& position = sites.sites[site].position;
-    position = displaced(position, 1.0, moments(tessellation.cell(site)).centroid);
-    for (double& x : position)
-      x = sites.walls == Walls::periodic ? wrapped(x, sites.side) : std::clamp(x, 0.0, sites.side);
+  for (std::size_t number = 0; number < sites.sites.size(); ++number) {
+    const auto& cell = tessellation.cell(number);
+    const Vector<dim> centroid = moments(cell).centroid;
+    double radius = sites.side;
+    for (const auto& face : cell.half_spaces()) radius = std::min(radius, -face.height(centroid));
+    auto& site = sites.sites[number];
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      const double moved = site.position[axis] + centroid[axis];
+      site.position[axis] =
+          sites.walls == Walls::periodic ? wrapped(moved, sites.side) : std::clamp(moved, 0.0, sites.side);
+    }
+    site.weight = radius * radius;
   }
 }
 
