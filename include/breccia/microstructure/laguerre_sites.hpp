@@ -11,8 +11,8 @@ namespace breccia {
 /// What a grain of a tessellation grows from.
 template <int dim>
 struct Site {
-  Vector<dim> position;  ///< [m]
-  double weight = 0.0;   ///< the larger, the larger is the grain [m^2]
+  Vector<dim> position{};  ///< [m]
+  double weight = 0.0;     ///< the larger, the larger is the grain [m^2]
 };
 
 /// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a place x belongs to the site with

@@ -100,7 +100,7 @@ ConvexCell<dim>::ConvexCell(const Vector<dim>& lower, const Vector<dim>& upper, 
     half_spaces_.push_back({normal, upper[axis], behind[axis][1]});
   }
   for (std::uint32_t sides = 0; sides < (1U << dim); ++sides) {  // bit by bit, below or above along each axis
-    Corner corner;
+    Corner corner{};
     for (std::uint32_t axis = 0; axis < dim; ++axis) {
       const std::uint32_t is_above = (sides >> axis) & 1U;
       corner.position[axis] = is_above ? upper[axis] : lower[axis];

@@ -59,16 +59,15 @@ class Cells {
     if (!all_have_volume()) require_none(mistakes(sites_));
   }
 
-  /// Derivatives of the volumes with respect to the weights [m^(dim - 2)], without the row and the column of the first
-  /// site: with -dV_i/dw_j = (face between i and j) / (2 |c_j - c_i|), all rows of the whole matrix sum to zero.
+  /// Derivatives of the volumes with respect to the weights [m^(dim - 2)], -dV_i/dw_j = (face between i and j) /
+  /// (2 |c_j - c_i|), with rows that sum to zero; but the weight of the first site, which is held, acts on no other.
   [[nodiscard]] Eigen::SparseMatrix<double> derivatives() const {
     std::vector<Eigen::Triplet<double, int>> entries;
     for (const auto& [site, other, rate] : rates_) {
-      if (site == 0) continue;
-      entries.emplace_back(site - 1, site - 1, rate);
-      if (other != 0) entries.emplace_back(site - 1, other - 1, -rate);
+      entries.emplace_back(site, site, rate);
+      if (site != 0 && other != 0) entries.emplace_back(site, other, -rate);
     }
-    Eigen::SparseMatrix<double> matrix(volumes_.size() - 1, volumes_.size() - 1);
+    Eigen::SparseMatrix<double> matrix(volumes_.size(), volumes_.size());
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;
   }
@@ -130,14 +129,12 @@ double largest_error(const Eigen::VectorXd& volumes, const Eigen::VectorXd& aske
 }
 
 /// The Newton step; the weight of the first site stays. In 3D a complete factor takes a hundred times as long.
-Eigen::VectorXd newton_step(const Eigen::SparseMatrix<double>& derivatives, const Eigen::VectorXd& missing) {
+Eigen::VectorXd newton_step(const Eigen::SparseMatrix<double>& derivatives, Eigen::VectorXd missing) {
   using Matrix = Eigen::SparseMatrix<double>;
+  missing[0] = 0.0;
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Eigen::IncompleteCholesky<double>> solver;
   solver.setTolerance(1e-6);
-  solver.compute(derivatives);
-  Eigen::VectorXd step = Eigen::VectorXd::Zero(missing.size());
-  step.tail(missing.size() - 1) = solver.solve(missing.tail(missing.size() - 1));
-  return step;
+  return solver.compute(derivatives).solve(missing);
 }
 
 }  // namespace
