@@ -118,6 +118,13 @@ TEST(Fillers, AreDrawnEachFromItsOwnSizes) {
   EXPECT_NEAR(packed.size_deviation().value(), 0.0, 1e-12);
 }
 
+TEST(Fillers, ThatCannotBeDrawnAreNamed) {
+  const Filler large = {.material = wax, .fraction = 0.01, .sizes = SingleSize{5e-3}};
+  const auto stage = box_with({filler_of(sand, {1e-3}), large});
+  EXPECT_THAT(test::message_of<NumericalError>([&] { static_cast<void>(make_microstructure(stage)); }),
+              HasSubstr("box: filler 1, wax: "));
+}
+
 TEST(Fillers, OfOneMaterialAreOnePhase) {
   const auto coated = [](Filler filler, const Material& material) {
     filler.coating = Coating{material, 0.1e-3};
