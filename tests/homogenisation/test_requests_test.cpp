@@ -60,7 +60,7 @@ TEST_F(TestRequests, LetTheMatrixVaryAndAFillerThatRelaxes) {
     return names;
   };
   EXPECT_THAT(varying_names(), ElementsAre("matrix"));
-  study.stages[0].filler->material.bulk = PronySeries(1e9, {{1e-3, 1e9}});
+  study.stages[0].fillers[0].material.bulk = PronySeries(1e9, {{1e-3, 1e9}});
   EXPECT_THAT(varying_names(), ElementsAre("matrix", "filler"));
 }
 

@@ -72,8 +72,8 @@ TEST_F(VaryingModuli, OfAStageWithFillersThatRelaxAreTakenAtOneLaplaceVariable) 
   const auto relaxing = [](const char* name, double time) {
     return Material{name, 1000.0, PronySeries(9e9), PronySeries(1e9, {{time, 1e9}})};
   };
-  study.stages[0].filler->material = relaxing("fine filler", 1e-6);
-  study.stages[1].filler->material = relaxing("coarse filler", 3600.0);
+  study.stages[0].fillers[0].material = relaxing("fine filler", 1e-6);
+  study.stages[1].fillers[0].material = relaxing("coarse filler", 3600.0);
   fine.tests = {linear_test(Load::shear, {3.0, 2.0, 0.0}), linear_test(Load::bulk, {1.0, 1.0, 0.8})};
   const auto one = [](double x) -> Eigen::MatrixXd { return Eigen::MatrixXd::Constant(1, 1, x); };
   for (auto& test : fine.tests) {
@@ -82,7 +82,8 @@ TEST_F(VaryingModuli, OfAStageWithFillersThatRelaxAreTakenAtOneLaplaceVariable) 
     parts.push_back({{"filler", ElasticModulus::bulk}, one(0.0)});
   }
   const auto moduli = varying_moduli(study, study.stages[1], {fine}, Boundary::displacement);
-  const std::vector materials = {test::binder, study.stages[0].filler->material, study.stages[1].filler->material};
+  const std::vector materials = {test::binder, study.stages[0].fillers[0].material,
+                                 study.stages[1].fillers[0].material};
   const auto path = relaxation_path(materials, {study.tests.first_time, study.tests.last_time});
   ASSERT_EQ(moduli.size(), path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {

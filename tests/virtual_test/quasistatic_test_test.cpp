@@ -39,7 +39,7 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   auto test = one_particle(0, 1);
   test.varying = {{no_phase, "matrix"}};
   EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(run_quasistatic_test(test)); }),
-            "quasi-static test: expected one of the 2 phases as the matrix, got number 255");
+            "quasi-static test: expected one of the 2 phases as the matrix, got number 65535");
   test.varying.clear();
   EXPECT_THROW(static_cast<void>(run_quasistatic_test(test)), InputError);
   test.varying = {{2, "matrix"}};
