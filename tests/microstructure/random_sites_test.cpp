@@ -20,12 +20,12 @@ namespace {
 
 using test::diameters_of_ratio;
 using test::expect_error;
-using test::random_places;
 
 /// Areas of discs, or volumes of balls.
 template <int dim>
 std::vector<double> volumes_of(const std::vector<double>& diameters) {
   std::vector<double> volumes;
+  volumes.reserve(diameters.size());
   for (const double diameter : diameters) volumes.push_back(ball_volume<dim>(diameter));
   return volumes;
 }
