@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,31 +17,8 @@
 namespace breccia {
 namespace {
 
-bool is_elastic(const Material& material) {
-  return material.bulk.is_elastic() && material.shear.is_elastic();
-}
-
 bool uses(const Tests& tests, Method method) {
   return std::ranges::find(tests.methods, method) != tests.methods.end();
-}
-
-/// Reports fillers and coatings that relax with the reduced solver, which needs elastic ones.
-std::vector<std::string> relaxing_fillers(const Study& study) {
-  if (!uses(study.tests, Method::quasistatic) || study.tests.quasistatic.solver != Solver::reduced) return {};
-  std::vector<std::string> mistakes;
-  for (const auto& stage : study.stages) {
-    const auto refuse_relaxing = [&](const char* what, const Material& material) {
-      if (is_elastic(material)) return;
-      auto mistake = fmt::format(R"(the {} of stage {}, {}, relaxes: expected the solver "{}" or the method "{}")",
-                                 what, stage.name, material.name, name_of(Solver::stepping), name_of(Method::dynamic));
-      if (std::ranges::find(mistakes, mistake) == mistakes.end()) mistakes.push_back(std::move(mistake));
-    };
-    for (const auto& filler : stage.fillers) {
-      refuse_relaxing("filler", filler.material);
-      if (filler.coating) refuse_relaxing("coating", filler.coating->material);
-    }
-  }
-  return mistakes;
 }
 
 /// A film along the walls spoils the lower bound: it is so soft that the box moves in it as a whole.
@@ -115,8 +91,7 @@ bool has_standard_points(const Tests& tests) {
 }
 
 std::vector<std::string> contradictions(const Study& study) {
-  auto mistakes = relaxing_fillers(study);
-  std::ranges::move(films_along_walls(study), std::back_inserter(mistakes));
+  auto mistakes = films_along_walls(study);
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;

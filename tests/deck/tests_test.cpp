@@ -181,8 +181,7 @@ filler = { material = "soft", sizes = { diameter = "0.2 mm" } }
 packing = { method = "regular", columns = 2, rows = 2 }
 )";
   const auto with = [&](const char* tests) { return test::join(test::materials, soft, "[tests]\n", tests); };
-  EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]")),
-              HasSubstr("tests: the filler of stage S, soft, relaxes"));
+  EXPECT_EQ(directory.study(with("times = [\"1 s\", \"9 s\"]")).stages.size(), 1U);
   EXPECT_EQ(directory.study(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"")).stages.size(), 1U);
   EXPECT_THAT(directory.mistakes(with("times = [\"1 s\", \"9 s\"]\nsolver = \"stepping\"\npoints_per_decade = 1")),
               HasSubstr("give 2 times, of which no series can be fitted"));

@@ -306,10 +306,8 @@ TEST(RequireSound, NamesEachMistakeOfTheOptionsOfMethods) {
 TEST(RequireSound, NamesMethodsThatCannotBeUsedOnTheStages) {
   auto study = test::two_stages();
   filler_of(study).coating = Coating{test::binder, 1e-5};
-  EXPECT_THAT(mistakes_of(study), HasSubstr("the coating of stage fine, binder, relaxes: expected the solver"));
-  filler_of(study).coating.reset();
   filler_of(study).material = test::binder;
-  EXPECT_THAT(mistakes_of(study), HasSubstr("the filler of stage fine, binder, relaxes: expected the solver"));
+  EXPECT_NO_THROW(require_sound(study)) << "fillers and coatings may relax";
   study.tests.quasistatic.solver = Solver::stepping;
   EXPECT_NO_THROW(require_sound(study));
   study.tests.points_per_decade = 1;
