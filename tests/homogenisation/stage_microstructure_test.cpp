@@ -55,7 +55,7 @@ Particles random(Sizes sizes, std::optional<double> fraction, Walls walls = Wall
 }
 
 Particles grains(double diameter, double fraction, std::uint64_t seed = 1) {
-  return {Filler{.fraction = fraction, .sizes = SingleSize{diameter}}, LaguerrePacking{.seed = seed}};
+  return {Filler{.material = {}, .fraction = fraction, .sizes = SingleSize{diameter}}, LaguerrePacking{.seed = seed}};
 }
 
 std::vector<double> diameters(const StageMicrostructure& packed) {
@@ -242,8 +242,9 @@ TEST(Grains, AreReadFromTheirState) {
   const auto stage = box(grains(2e-3, 0.93));
   const auto packed = make_microstructure(stage);
   {
-    StateWriter state(directory.path() / "grains.h5");
+    StateWriter state(directory.path() / "grains.h5", {"deck", "1.0"});
     save(state, packed);
+    state.commit();
   }
   const auto read = read_stage_microstructure(StateReader(directory.path() / "grains.h5"), stage);
   EXPECT_EQ(read.grains->film, packed.grains->film);

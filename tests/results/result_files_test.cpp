@@ -67,6 +67,7 @@ TEST(MicrostructureFiles, TellEveryParticle) {
               HasSubstr("# Particles of stage A in a box of 0.006 m"));
   EXPECT_THAT(read_text(directory.path() / "microstructure.svg"), HasSubstr("2 particles in a box of 6 mm"));
   stage.fillers.resize(2);
+  stage.fillers[0].material.name = "quartz";
   stage.fillers[1].material.name = "glass";
   packed.microstructure.fillers = {1, 0};
   write_microstructure(directory.path(), stage, packed);

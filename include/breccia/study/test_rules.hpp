@@ -29,8 +29,8 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 /// Whether one of the methods takes standard volumetric strains, which mixed cells do not have.
 bool has_standard_points(const Tests& tests);
 
-/// What each part of a study allows and the whole does not: mixed cells with standard volumetric strains, films along the
-/// walls under a boundary other than displacement, and too few times for the fits that the study needs.
+/// What each part of a study allows and the whole does not: mixed cells with standard volumetric strains, films along
+/// the walls under a boundary other than displacement, and too few times for the fits that the study needs.
 std::vector<std::string> contradictions(const Study& study);
 
 }  // namespace breccia
