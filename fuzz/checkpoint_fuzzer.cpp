@@ -62,8 +62,10 @@ void go_on_packing(const StateReader& state, Walls walls) {
 
 void read_all(const StateReader& state) {
   static const Discretisation<2> two_cells(Grid<2>{{2, 1}, 1e-3});
+  static const Stage two_fillers = {
+      .name = "stage", .matrix = {}, .side = 1e-3, .cells = 2, .fillers = {Filler(), Filler()}};
   const auto read = [](const auto& action) { fuzz::allow_refusal([&] { static_cast<void>(action()); }); };
-  read([&] { return read_stage_microstructure(state); });
+  read([&] { return read_stage_microstructure(state, two_fillers); });
   read([&] { return read_quasistatic_result(state); });
   read([&] { return read_domains(state); });
   read([&] { return read_domain(state, "/running"); });

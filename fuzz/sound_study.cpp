@@ -48,18 +48,27 @@ struct RequireSizes {
   }
 };
 
-void require_sound(const Filler& filler, double side) {
+void require_sound(const Filler& filler) {
   require_sound(filler.material);
   if (filler.fraction) require(*filler.fraction > 0.0 && *filler.fraction < 1.0, "a fraction between 0 and 1");
   if (filler.smallest) require(*filler.smallest < *filler.largest, "sizes from the smallest to the largest");
   if (filler.sizes) std::visit(RequireSizes(), *filler.sizes);
   require(filler.gap >= 0.0 && std::isfinite(filler.gap), "a gap");
-  if (const auto* listed = std::get_if<ExplicitPacking>(&filler.packing)) {
-    require(!listed->discs.empty(), "discs");
-    for (const auto& disc : listed->discs) {
-      require(is_positive(disc.diameter) && disc.diameter <= side, "diameters of discs within the box");
-    }
+  if (!filler.coating) return;
+  require_sound(filler.coating->material);
+  require(is_positive(filler.coating->thickness), "a thickness of the coating");
+}
+
+void require_sound(const ExplicitPacking& listed, double side) {
+  require(!listed.discs.empty(), "discs");
+  for (const auto& disc : listed.discs) {
+    require(is_positive(disc.diameter) && disc.diameter <= side, "diameters of discs within the box");
   }
+}
+
+void require_sound(const LaguerrePacking& grains) {
+  if (grains.film) require(is_positive(*grains.film), "a thickness of the films");
+  for (const auto& site : grains.sites) require(std::isfinite(site.weight), "weights of the sites");
 }
 
 void require_sound(const Stage& stage) {
@@ -67,7 +76,10 @@ void require_sound(const Stage& stage) {
   if (const auto* matrix = std::get_if<Material>(&stage.matrix)) require_sound(*matrix);
   require(is_positive(stage.side) && is_positive(stage.side * stage.side), "an area of the box");
   require(stage.cells >= 2 && is_positive(stage.cell_size()), "cells");
-  if (stage.filler) require_sound(*stage.filler, stage.side);
+  for (const auto& filler : stage.fillers) require_sound(filler);
+  if (stage.fillers.empty()) return;
+  if (const auto* listed = stage.listed()) require_sound(*listed, stage.side);
+  if (const auto* grains = stage.grains()) require_sound(*grains);
 }
 
 }  // namespace
