@@ -129,7 +129,8 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
                         const std::vector<double>& errors) {
   const double gap = std::min(packed.gap, packed.wall_gap);
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
-  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated) return {};
+  // The rule is known for discs; grains with films take more cells.
+  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || packed.grains) return {};
   std::vector<std::string> advice;
   for (const double error : errors) {
     const double cells = std::ceil(cells_per_gap_for(mixing, error) * stage.side / gap);

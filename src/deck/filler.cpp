@@ -80,6 +80,8 @@ void read_grains(const Section& section, const LaguerrePacking& grains, Filler& 
   }
   if (grains.film) {
     section.refuse({"fraction"}, "it follows from packing.film");
+  } else if (!section.has("fraction")) {
+    section.report("fraction", "missing, expected the fraction of the grains, or packing.film");
   } else {
     filler.fraction = section.fraction("fraction");
   }

@@ -134,11 +134,15 @@ std::vector<Site<2>> read_sites(const std::filesystem::path& file, double side, 
 
 LaguerrePacking read_laguerre(const Section& packing, double side) {
   LaguerrePacking grains = {.walls = read_walls(packing, false)};
-  grains.film = packing.optional_quantity("film", Dimension::length, Range::positive());
+  // A film that is no length has been reported; the filler still needs no fraction.
+  if (packing.has("film")) grains.film = packing.quantity("film", Dimension::length, Range::positive());
   if (packing.has("sites")) {
     packing.refuse({"seed"}, "the grains follow from packing.sites");
     grains.file = packing.file("sites");
-    if (grains.file.empty()) return grains;
+    if (grains.file.empty()) {
+      grains.file = "missing";  // which has been reported; the filler still needs no sizes
+      return grains;
+    }
     packing.report_errors_of("sites", [&] { grains.sites = read_sites(grains.file, side, grains.walls); });
   } else {
     grains.seed = static_cast<std::uint64_t>(packing.optional_integer("seed", Range::not_negative()).value_or(1));

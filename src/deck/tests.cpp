@@ -107,11 +107,11 @@ bool has_films_along_walls(const Stage& stage) {
   return !stage.fillers.empty() && stage.grains() != nullptr && stage.grains()->walls == Walls::hard;
 }
 
-/// The default boundaries: displacement if films run along the sides of a box, which take no other; periodic if a box
-/// is periodic, since the others would cut its particles.
+/// The default boundaries: periodic if a box is periodic, since the others would cut its particles; displacement if
+/// films run along the sides of a box, which take no other.
 std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
-  if (std::ranges::any_of(stages, has_films_along_walls)) return {Boundary::displacement};
   if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
+  if (std::ranges::any_of(stages, has_films_along_walls)) return {Boundary::displacement};
   return {Boundary::displacement, Boundary::traction};
 }
 

@@ -67,6 +67,28 @@ std::vector<Material> materials_for(const StoredResponses& stored, const Reduced
   return response.materials(by_phase);
 }
 
+namespace {
+
+/// Materials that are covered one by one may still lie beside the joint path of several phases: the error estimate
+/// tells.
+void require_joint_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
+  constexpr double most = 0.01;
+  double largest = 0.0;
+  for (const auto& [cells, response] : stored.entries) {
+    if (response.phases().size() < 2) continue;
+    largest =
+        std::max(largest, largest_error(response, materials_for(stored, response, matrix(response.boundary)), window));
+  }
+  if (largest <= most) return;
+  throw NotCovered(
+      fmt::format("stage {}: with these materials together the error of the reduced basis is about {:.2g} %, "
+                  "expected {:.2g} % at most: the study has sampled the moduli of its phases along one path\n{}",
+                  stored.stage, 100.0 * largest, 100.0 * most, remedy_for(stored)),
+      std::nullopt);
+}
+
+}  // namespace
+
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
   std::vector<std::string> lines;
   std::optional<TimeWindow> covered = window;
@@ -81,7 +103,10 @@ void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, 
       if (std::ranges::find(lines, line) == lines.end()) lines.push_back(std::move(line));
     }
   }
-  if (lines.empty()) return;
+  if (lines.empty()) {
+    require_joint_coverage(stored, matrix, window);
+    return;
+  }
   if (covered) covered = rounded_within(*covered, window);
   throw NotCovered(fmt::format("{}\n{}", fmt::join(lines, "\n"), remedy_for(stored)), covered);
 }

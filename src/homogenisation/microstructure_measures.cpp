@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/tessellation_statistics.hpp"
@@ -17,19 +18,21 @@ namespace {
 void measure_grains(StageMicrostructure& result) {
   auto& [sites, film, count] = *result.grains;
   const Tessellation<2> tessellation(sites);
-  const auto [grains, vanished, fraction, film_surface, cell_volume, diameter, aspect_ratio, neighbours] =
-      statistics(tessellation, film);
-  count = grains - vanished;
-  result.fraction = fraction;
-  result.interface_per_area = 2.0 * film_surface;
+  auto grains = grain_geometries(tessellation, film);
+  std::erase_if(grains, [](const GrainGeometry<2>& grain) { return !(grain.grain_volume > 0.0); });
+  count = grains.size();
+  double outlines = 0.0;
+  for (const auto& grain : grains) outlines += grain.grain_surface;
+  result.fraction = grain_fraction(tessellation, film);
+  result.interface_per_area = outlines / (sites.side * sites.side);
   result.gap = film;
   result.wall_gap = sites.walls == Walls::hard ? 0.5 * film : std::numeric_limits<double>::infinity();
   const auto deviation = result.fillers.empty() ? std::nullopt : result.fillers.front().size_deviation;
-  result.fillers = {{.particles = count,
-                     .fraction = fraction,
-                     .smallest_diameter = diameter.smallest,
-                     .largest_diameter = diameter.largest,
-                     .size_deviation = deviation}};
+  result.fillers = {{.particles = count, .fraction = result.fraction, .size_deviation = deviation}};
+  if (grains.empty()) return;
+  const auto [smallest, largest] = std::ranges::minmax(grains, {}, &GrainGeometry<2>::diameter);
+  result.fillers.front().smallest_diameter = smallest.diameter;
+  result.fillers.front().largest_diameter = largest.diameter;
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ std::string words_on_bounds(const StageQuality& quality) {
   }
   const auto& times = quality.loads.front().times;
   const auto first = times.front().distance(), last = times.back().distance();
+  if (quality.has_films_along_walls) return "bounds: only the upper one, the other would take no films along the walls";
   if (!first || !last) {
     return fmt::format(R"(bounds: only the {} one, distance unknown (tests.boundaries = ["displacement", "traction"]))",
                        times.front().upper ? "upper" : "lower");
@@ -170,6 +171,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
                        .gap_cells = std::min(packed.gap, packed.wall_gap) / stage.cell_size(),
                        .grids = stage.grids(),
                        .is_random = false,
+                       .has_films_along_walls = false,
                        .is_periodic = false,
                        .grid_share = {},
                        .loads = bounds_of_tests(result)};
@@ -179,6 +181,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
+  quality.has_films_along_walls = packed.grains && packed.grains->sites.walls == Walls::hard;
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
 }

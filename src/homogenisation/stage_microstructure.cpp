@@ -161,9 +161,9 @@ LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, Sta
   const auto& filler = stage.fillers.front();
   RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
   if (const auto distribution = distribution_of(filler)) {
-    // With films of a given thickness the fraction is not known before the grains are: their cells have these sizes.
+    // The cells, grains with half of the films around them, have these sizes.
     constexpr double whole_box = 1.0 - 1e-12;
-    request.diameters = draw_diameters<2>(*distribution, filler.fraction.value_or(whole_box), stage.side);
+    request.diameters = draw_diameters<2>(*distribution, whole_box, stage.side);
     result.fillers.push_back({.size_deviation = largest_deviation<2>(*distribution, request.diameters)});
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
@@ -173,8 +173,14 @@ LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, Sta
 
 StageGrains make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
   auto sites = sites_of(stage, method, result);
-  const double film =
-      method.film ? *method.film : film_thickness(Tessellation<2>(sites), stage.fillers.front().fraction.value());
+  const Tessellation<2> tessellation(sites);
+  const double film = method.film ? *method.film : film_thickness(tessellation, stage.fillers.front().fraction.value());
+  if (!(grain_fraction(tessellation, film) > 0.0)) {
+    throw InputError(
+        fmt::format("packing.film: films of {} leave nothing of any grain; with films of {} the grains fill "
+                    "half of the box",
+                    readable(film, Dimension::length), readable(film_thickness(tessellation, 0.5), Dimension::length)));
+  }
   return {std::move(sites), film};
 }
 

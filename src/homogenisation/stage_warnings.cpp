@@ -51,9 +51,22 @@ constexpr GapRule gap_rule(Mixing mixing) {
           "up to several times too high"};
 }
 
+/// Thin films between grains carry the load of the whole composite, and so want more cells than a few narrow gaps.
+constexpr GapRule film_rule(Mixing mixing) {
+  auto rule = gap_rule(mixing);
+  rule.cells = mixing == Mixing::points ? 6.0 : 2.4;
+  return rule;
+}
+
+/// What the narrowest gap of a stage is.
+const char* name_of_gap(const StageMicrostructure& packed) {
+  if (!packed.grains) return "the smallest gap between particles or to a wall";
+  return packed.wall_gap < packed.gap ? "the half film along the walls" : "the film between grains";
+}
+
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
                                                   Mixing mixing) {
-  const auto [cells_per_gap, consequence] = gap_rule(mixing);
+  const auto [cells_per_gap, consequence] = packed.grains ? film_rule(mixing) : gap_rule(mixing);
   constexpr double rounding = 1e-9;
   const double gap = std::min(packed.gap, packed.wall_gap);
   // The coarsest grid has a part in the extrapolation or in the error band.
@@ -61,8 +74,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
   const auto shown = display_beside(cells, cells_per_gap);
-  return fmt::format("{}, {}, is {} {} wide{}; below {:g} cells {}{}",
-                     packed.grains ? "the film between grains" : "the smallest gap between particles or to a wall",
+  return fmt::format("{}, {}, is {} {} wide{}; below {:g} cells {}{}", name_of_gap(packed),
                      readable(gap, Dimension::length), shown, shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
                      cells_per_gap, consequence,
@@ -100,6 +112,13 @@ bool has_particles_across_sides(const Microstructure<2>& microstructure) {
 std::optional<std::string> warning_of_cut_particles(const std::vector<Boundary>& boundaries,
                                                     const StageMicrostructure& packed) {
   const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
+  if (cuts && packed.grains && packed.grains->sites.walls == Walls::periodic) {
+    return "the displacement or the traction boundary cuts the grains of a periodic box like a window in a larger "
+           "body; "
+           "cut grains are stiff along the sides under the first, and with few grains the two moduli lie far apart; "
+           "the "
+           "boundary \"periodic\" cuts none";
+  }
   if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
   return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
          "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "

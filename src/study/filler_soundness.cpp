@@ -125,7 +125,7 @@ void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mis
   }
   if (grains.is_random() || !accepts(allowed::side, stage.side)) return;
   for (const auto& [site, text] : breccia::mistakes<2>({stage.side, grains.walls, grains.sites})) {
-    mistakes.add(part, fmt::format("site {}: {}", site, text));
+    mistakes.add(part, fmt::format("site {}: {}", site + 1, text));
   }
 }
 

@@ -211,15 +211,23 @@ TEST(Grains, FillTheirFractionOfTheBox) {
   const auto packed = make_microstructure(box(grains(1e-3, 0.93)));
   ASSERT_TRUE(packed.grains);
   EXPECT_NEAR(packed.fraction, 0.93, 1e-12);
-  // As many as discs of that size that fill the fraction.
-  EXPECT_EQ(packed.particles(), static_cast<std::size_t>(std::lround(0.93 * 100.0 / (pi / 4.0))));
+  // As many as discs of that size that fill the box.
+  EXPECT_EQ(packed.particles(), static_cast<std::size_t>(std::lround(100.0 / (pi / 4.0))));
   EXPECT_EQ(packed.gap, packed.grains->film);
   EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
-  // Two sides of every film, each of the length L / A = (1 - fraction) / t but for the corners.
-  EXPECT_NEAR(packed.interface_per_area * packed.gap / 2.0, 0.07, 0.005);
+  // What the films take is half a film along all outlines, but for the corners.
+  EXPECT_NEAR(packed.interface_per_area * packed.gap / 2.0, 0.07, 0.003);
   ASSERT_EQ(packed.fillers.size(), 1U);
-  EXPECT_NEAR(packed.fillers[0].smallest_diameter.value() / 1e-3, 1.0, 0.02);
-  EXPECT_NEAR(packed.fillers[0].largest_diameter.value() / 1e-3, 1.0, 0.02);
+  EXPECT_NEAR(packed.fillers[0].smallest_diameter.value() / 1e-3, std::sqrt(0.93), 0.02);
+  EXPECT_NEAR(packed.fillers[0].largest_diameter.value() / 1e-3, std::sqrt(0.93), 0.02);
+}
+
+TEST(Grains, ThatFilmsTakeWhollyAreRefused) {
+  auto stage = box(grains(1e-3, 0.93));
+  stage.fillers.front().fraction.reset();
+  std::get<LaguerrePacking>(stage.packing).film = 5e-3;
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(make_microstructure(stage)); }),
+              HasSubstr("packing.film: films of 5 mm leave nothing of any grain"));
 }
 
 TEST(Grains, OfOneSeedAreTheSame) {

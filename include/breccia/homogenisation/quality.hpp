@@ -39,6 +39,7 @@ struct StageQuality {
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
   std::vector<int> grids;                    ///< cells per side, rising
   bool is_random = false;                    ///< whether the packing depends on a seed
+  bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
   bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound
   std::optional<double> grid_share;  ///< largest half band of a test over its modulus [-]; nothing for a single grid
   std::vector<LoadQuality> loads;    ///< of the finished tests
