@@ -13,11 +13,17 @@
 namespace breccia::cli {
 namespace {
 
+/// "40 particles", "25 grains", "pixels of the filler".
+std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& packed) {
+  if (stage.image() != nullptr) return stage.fillers.size() > 1 ? "pixels of the fillers" : "pixels of the filler";
+  return fmt::format("{} {}", packed.particles(), packed.grains ? "grains" : "particles");
+}
+
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
-  auto text = fmt::format("{}: {} {} fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name, packed.particles(),
-                          packed.grains ? "grains" : "particles", 100.0 * packed.fraction,
-                          100.0 * result.point_fraction, result.points);
+  auto text = fmt::format("{}: {} fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
+                          inclusions_in_words(stage, packed), 100.0 * packed.fraction, 100.0 * result.point_fraction,
+                          result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
   if (packed.grains) {
     text += fmt::format(", films of {} ({:.2g} cells)", readable(packed.grains->film, Dimension::length),
@@ -26,8 +32,9 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
       const auto& own = packed.fillers[number];
-      text += fmt::format("\n  filler {}, {}: {} particles fill {:.2f} %", number, stage.fillers[number].material.name,
-                          own.particles, 100.0 * own.fraction);
+      const auto particles = stage.image() != nullptr ? "pixels" : fmt::format("{} particles", own.particles);
+      text += fmt::format("\n  filler {}, {}: {} fill {:.2f} %", number, stage.fillers[number].material.name, particles,
+                          100.0 * own.fraction);
     }
   }
   for (const auto& warning : result.warnings) text += "\nwarning: " + warning;

@@ -71,6 +71,12 @@ struct DescribePacking {
     const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";
     return fmt::format("Laguerre tessellation, {}, {}{}", walls, grains, film);
   }
+  std::string operator()(const ImagePacking& packing) const {
+    const auto& image = *packing.image;
+    return fmt::format("{}{}{}, {} x {} pixels of {}{}", packing.file.string(), packing.array.empty() ? "" : ":/",
+                       packing.array, image.pixels[0], image.pixels[1], length(image.pixel_side),
+                       image.walls == Walls::periodic ? ", periodic" : "");
+  }
   std::string operator()(const LubachevskyStillingerPacking& packing) const {
     return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
                        packing.seed);

@@ -124,7 +124,8 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Ma
 Filler read_filler(const Section& section, const Stage& stage, const std::vector<Material>& materials) {
   Filler filler;
   filler.material = read_material_reference(section, "material", materials);
-  section.refuse({"shape", "image"}, discs_alone);
+  section.refuse({"shape"}, discs_alone);
+  section.refuse({"image"}, image_elsewhere);
   if (stage.grains() == nullptr) filler.coating = read_coating(section, materials);
   read_amount(section, stage.packing, filler);
   read_gap(section, stage, filler);
@@ -164,7 +165,7 @@ void read_fillers(const Section& section, const std::vector<Material>& materials
   const auto tables = filler_sections(section);
   if (tables.empty()) {
     if (section.kind("filler") == Kind::array) section.report("filler", "expected at least one table");
-    section.refuse({"packing"}, "there is no filler to pack");
+    section.refuse({"packing"}, "there is no filler to pack; method = \"image\" alone needs none");
     return;
   }
   auto packing = read_packing(section, stage.side, tables.size());

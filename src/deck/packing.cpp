@@ -21,9 +21,9 @@ namespace breccia {
 
 namespace {
 
-constexpr std::string_view random_method = "lubachevsky-stillinger", grain_method = "laguerre";
+constexpr std::string_view random_method = "lubachevsky-stillinger", grain_method = "laguerre", image_method = "image";
 
-enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre };
+enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre, image };
 
 std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistakes& mistakes) {
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
@@ -95,7 +95,7 @@ ExplicitPacking read_explicit(const Section& packing, double side, std::size_t f
   if (listed.file.empty()) return listed;
   if (is_picture(listed.file)) {
     packing.report("discs", fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
-                                        listed.file.string(), discs_alone));
+                                        listed.file.string(), image_elsewhere));
     return listed;
   }
   packing.report_errors_of("discs", [&] {
@@ -153,7 +153,7 @@ LaguerrePacking read_laguerre(const Section& packing, double side) {
 /// A packing method that does not exist, but that users may expect.
 bool asks_for_other_shapes(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
-  constexpr std::array<std::string_view, 3> methods = {"image", "polygons", "ellipses"};
+  constexpr std::array<std::string_view, 2> methods = {"polygons", "ellipses"};
   return std::ranges::find(methods, packing.optional_text("method").value_or("")) != methods.end();
 }
 
@@ -181,12 +181,13 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
     packing.accept_all_keys();
     return std::nullopt;
   }
-  packing.refuse({"image"}, discs_alone);
+  packing.refuse({"image"}, image_elsewhere);
   const auto method = packing.choice<MethodName>("method", {
                                                                {random_method, MethodName::lubachevsky_stillinger},
                                                                {"regular", MethodName::regular},
                                                                {"explicit", MethodName::listed},
                                                                {grain_method, MethodName::laguerre},
+                                                               {image_method, MethodName::image},
                                                            });
   if (!method) {
     packing.accept_all_keys();
@@ -199,6 +200,8 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
       return read_explicit(packing, side, fillers);
     case MethodName::laguerre:
       return read_laguerre(packing, side);
+    case MethodName::image:
+      return std::nullopt;  // read_image() reads it
     default:
       return read_random(packing);
   }

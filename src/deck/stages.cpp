@@ -10,6 +10,7 @@
 #include "breccia/study/stage_rules.hpp"
 
 #include "filler.hpp"
+#include "image.hpp"
 #include "packing.hpp"
 
 namespace breccia {
@@ -94,17 +95,24 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
     Stage stage;
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
-    stage.side = section.quantity("box", Dimension::length, allowed::side);
+    const bool is_image = has_image(section);
+    if (is_image) {
+      read_image(section, materials, stage);
+    } else {
+      stage.side = section.quantity("box", Dimension::length, allowed::side);
+    }
     if (section.kind("cells") == Kind::array) {
       section.refuse({"resolution"}, "the cells are given already");
       stage.coarser_cells = read_grids(section);
       stage.cells = stage.coarser_cells.back();
       stage.coarser_cells.pop_back();
+    } else if (is_image && !section.has("cells") && !section.has("resolution")) {
+      stage.cells = cells_of_points(section, stage);
     } else {
       stage.cells = read_cells(section, stage.side);
     }
-    section.refuse({"image"}, discs_alone);
-    read_fillers(section, materials, stage);
+    section.refuse({"image"}, image_elsewhere);
+    if (!is_image) read_fillers(section, materials, stage);
     if (auto warning = warning_of_gap_on_grids(stage)) stage.warnings.push_back(*std::move(warning));
     stages.push_back(std::move(stage));
   }

@@ -100,7 +100,8 @@ bool has_periodic_particles(const Stage& stage) {
   const auto* grains = stage.grains();
   return (random != nullptr && random->walls == Walls::periodic) ||
          (listed != nullptr && listed->walls == Walls::periodic) ||
-         (grains != nullptr && grains->walls == Walls::periodic);
+         (grains != nullptr && grains->walls == Walls::periodic) ||
+         (stage.image() != nullptr && stage.image()->walls == Walls::periodic);
 }
 
 bool has_films_along_walls(const Stage& stage) {

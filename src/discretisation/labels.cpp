@@ -1,14 +1,13 @@
 #include "breccia/discretisation/labels.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
 
 #include "mixture_numbers.hpp"
@@ -23,7 +22,7 @@ class PartCounter {
   PartCounter(const Labelling<2>& labelling, std::size_t phases) : labelling_(labelling), counts_(phases) {}
 
   /// Parts of each phase in the cell with this lower corner and side [m], by PhaseIndex.
-  const std::vector<int>& count(const Vector<2>& corner, double side) {
+  const std::vector<std::int64_t>& count(const Vector<2>& corner, double side) {
     std::ranges::fill(counts_, 0);
     count(corner, side, label_subdivisions);
     return counts_;
@@ -39,7 +38,7 @@ class PartCounter {
         throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
                                      place.phase, counts_.size()));
       }
-      counts_[place.phase] += parts * parts;
+      counts_[place.phase] += std::int64_t{parts} * parts;
       return;
     }
     for (const double y : {corner[1], corner[1] + half}) {
@@ -48,27 +47,8 @@ class PartCounter {
   }
 
   const Labelling<2>& labelling_;
-  std::vector<int> counts_;
+  std::vector<std::int64_t> counts_;
 };
-
-/// The shares in steps: those of all phases but the largest are rounded, and that one has the rest.
-CellContent content_of(const std::vector<int>& counts) {
-  constexpr double steps_per_part = static_cast<double>(mixture_steps) / (label_subdivisions * label_subdivisions);
-  const auto largest = std::ranges::max_element(counts) - counts.begin();
-  CellContent content;
-  int rest = mixture_steps;
-  for (std::size_t phase = 0; phase < counts.size(); ++phase) {
-    const int steps = static_cast<int>(std::lround(steps_per_part * counts[phase]));
-    if (static_cast<std::ptrdiff_t>(phase) == largest) {
-      content.emplace_back(static_cast<PhaseIndex>(phase), 0);
-    } else if (steps > 0) {
-      content.emplace_back(static_cast<PhaseIndex>(phase), steps);
-      rest -= steps;
-    }
-  }
-  std::ranges::find(content, static_cast<PhaseIndex>(largest), &CellContent::value_type::first)->second = rest;
-  return content;
-}
 
 }  // namespace
 
@@ -85,7 +65,7 @@ Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labe
   PartCounter parts(labelling, phases);
   grid.for_each_cell([&](const Index<2>& cell) {
     const Vector<2> corner = {cell[0] * grid.cell_side, cell[1] * grid.cell_side};
-    numbers.fill(cell, content_of(parts.count(corner, grid.cell_side)));
+    numbers.fill(cell, rounded_content(parts.count(corner, grid.cell_side)));
   });
   return discretisation;
 }

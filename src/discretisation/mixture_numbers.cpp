@@ -1,5 +1,9 @@
 #include "mixture_numbers.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "breccia/discretisation/mixed_cells.hpp"
 
 namespace breccia {
@@ -12,6 +16,25 @@ Mixture mixture_of(const CellContent& content) {
 }
 
 }  // namespace
+
+CellContent rounded_content(std::span<const std::int64_t> shares) {
+  const double steps_per_unit =
+      static_cast<double>(mixture_steps) / static_cast<double>(std::reduce(shares.begin(), shares.end()));
+  const auto largest = std::ranges::max_element(shares) - shares.begin();
+  CellContent content;
+  int rest = mixture_steps;
+  for (std::size_t phase = 0; phase < shares.size(); ++phase) {
+    const int steps = static_cast<int>(std::lround(steps_per_unit * static_cast<double>(shares[phase])));
+    if (static_cast<std::ptrdiff_t>(phase) == largest) {
+      content.emplace_back(static_cast<PhaseIndex>(phase), 0);
+    } else if (steps > 0) {
+      content.emplace_back(static_cast<PhaseIndex>(phase), steps);
+      rest -= steps;
+    }
+  }
+  std::ranges::find(content, static_cast<PhaseIndex>(largest), &CellContent::value_type::first)->second = rest;
+  return content;
+}
 
 void MixtureNumbers::fill(const Index<2>& cell, const CellContent& content) {
   if (content.size() == 1) {

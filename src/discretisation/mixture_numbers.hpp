@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,10 @@ namespace breccia {
 
 /// The phases of a cell with their shares in steps of 1 / mixture_steps.
 using CellContent = std::vector<std::pair<PhaseIndex, int>>;
+
+/// The content of a cell in which each phase has a share of this size, by PhaseIndex: the shares of all phases but the
+/// largest are rounded to steps, and that one has the rest.
+CellContent rounded_content(std::span<const std::int64_t> shares);
 
 /// Fills cells with what they hold, and adds a mixture to their discretisation for every new content of several phases.
 class MixtureNumbers {

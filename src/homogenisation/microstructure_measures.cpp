@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "breccia/microstructure/image_statistics.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/study/coatings.hpp"
@@ -35,9 +36,26 @@ void measure_grains(StageMicrostructure& result) {
   result.fillers.front().largest_diameter = largest.diameter;
 }
 
+void measure_image(const Stage& stage, const LabelImage<2>& image, StageMicrostructure& result) {
+  const auto fractions = label_fractions(image, stage.fillers.size() + 1);
+  result.fillers.clear();
+  for (std::size_t filler = 0; filler < stage.fillers.size(); ++filler) {
+    result.fillers.push_back({.fraction = fractions[filler + 1]});
+    result.fraction += fractions[filler + 1];
+  }
+  result.interface_per_area = specific_interface(image);
+  // Pixels do not tell one particle from another.
+  result.gap = std::numeric_limits<double>::infinity();
+  result.wall_gap = std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
 void measure(const Stage& stage, StageMicrostructure& result) {
+  if (const auto* image = stage.image()) {
+    measure_image(stage, *image, result);
+    return;
+  }
   if (result.grains) {
     measure_grains(result);
     return;

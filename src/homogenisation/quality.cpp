@@ -187,7 +187,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
 }
 
 std::string summary_of(const StageQuality& quality) {
-  if (quality.particles == 0) return {};
+  if (quality.particles == 0 && !(quality.fraction > 0.0)) return {};
   std::vector<std::string> parts{words_on_bounds(quality), words_on_grid(quality)};
   if (std::isfinite(quality.gap_cells)) parts.push_back(words_on_gap(quality));
   if (quality.coating_cells) parts.push_back(fmt::format("thinnest coating: {:.2g} cells", *quality.coating_cells));

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/image_cells.hpp"
 #include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
@@ -76,7 +77,21 @@ Labelling<2> labelling_of(const StageGrains& grains, PhaseIndex matrix, PhaseInd
 
 }  // namespace
 
+namespace {
+
+Discretisation<2> discretise_image(const Stage& stage, const LabelImage<2>& image, int cells, Mixing mixing) {
+  const auto phases = phases_of(stage);
+  std::vector<PhaseIndex> of_labels = {phases.index_of(name_of_matrix_phase)};
+  for (const auto& filler : stage.fillers) of_labels.push_back(phases.index_of(phase_of(stage, filler.material)));
+  const Grid<2> grid = {{cells, cells}, stage.side / cells};
+  return mixing == Mixing::points ? discretise(grid, image, of_labels)
+                                  : discretise_mixed(grid, image, of_labels, phases.size());
+}
+
+}  // namespace
+
 Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
+  if (const auto* image = stage.image()) return discretise_image(stage, *image, cells, mixing);
   if (!packed.grains) return discretise(stage, packed.microstructure, cells, mixing);
   const auto phases = phases_of(stage);
   const auto labelling = labelling_of(*packed.grains, phases.index_of(name_of_matrix_phase),

@@ -197,6 +197,9 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
             result.grains = make_grains(stage, method, result);
             return Microstructure<2>{stage.side, method.walls, {}};
           },
+          [&](const ImagePacking& pixels) {
+            return Microstructure<2>{stage.side, pixels.image->walls, {}};
+          },
           [&](const ExplicitPacking& listed) {
             Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs, listed.fillers};
             require_valid(with_coatings(stage, microstructure));

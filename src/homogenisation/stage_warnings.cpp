@@ -109,7 +109,7 @@ bool has_particles_across_sides(const Microstructure<2>& microstructure) {
   });
 }
 
-std::optional<std::string> warning_of_cut_particles(const std::vector<Boundary>& boundaries,
+std::optional<std::string> warning_of_cut_particles(const Stage& stage, const std::vector<Boundary>& boundaries,
                                                     const StageMicrostructure& packed) {
   const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
   if (cuts && packed.grains && packed.grains->sites.walls == Walls::periodic) {
@@ -118,6 +118,10 @@ std::optional<std::string> warning_of_cut_particles(const std::vector<Boundary>&
            "cut grains are stiff along the sides under the first, and with few grains the two moduli lie far apart; "
            "the "
            "boundary \"periodic\" cuts none";
+  }
+  if (cuts && stage.image() != nullptr && stage.image()->walls == Walls::periodic) {
+    return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
+           "tests.boundaries it is tested under the periodic boundary alone";
   }
   if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
   return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
@@ -167,7 +171,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
         warning_of_narrow_gaps(stage, microstructure, study.tests.mixing),
-        warning_of_cut_particles(study.tests.boundaries, microstructure),
+        warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
     if (warning) of_stage.push_back(*warning);
   }

@@ -269,8 +269,11 @@ std::optional<std::string> Section::optional_text(const std::string& key) const 
 std::filesystem::path Section::file(const std::string& key) const {
   const auto* value = require(key, "the name of a file");
   const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
-  if (!name) return {};
-  auto path = (state_->path.parent_path() / *name).lexically_normal();
+  return name ? file(key, *name) : std::filesystem::path();
+}
+
+std::filesystem::path Section::file(const std::string& key, const std::string& name) const {
+  auto path = (state_->path.parent_path() / name).lexically_normal();
   std::error_code is_no_name_of_a_file;  // too long, for example
   if (std::filesystem::is_regular_file(path, is_no_name_of_a_file)) {
     state_->files.insert(path);

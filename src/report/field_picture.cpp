@@ -11,6 +11,7 @@
 #include "breccia/io/display.hpp"
 
 #include "colour_map.hpp"
+#include "embedded_png.hpp"
 #include "markup.hpp"
 
 namespace breccia {
@@ -84,22 +85,6 @@ class Colours {
   double from_, to_;
 };
 
-/// A number with three digits and without an exponent: "3970", not "3.97e+03".
-std::string base64(const std::string& bytes) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0U;
-    };
-    const std::uint32_t group = byte(0) << 16U | byte(1) << 8U | byte(2);
-    for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? digits[group >> (18U - 6U * k) & 63U] : '=';
-    }
-  }
-  return text;
-}
-
 /// The pixels row by row from the top, while the values begin at the bottom.
 std::string encoded_map(const Raster& raster, const Colours& colours) {
   std::vector<std::uint8_t> pixels;
@@ -109,13 +94,13 @@ std::string encoded_map(const Raster& raster, const Colours& colours) {
       pixels.push_back(colours.index_of(raster.values[row * raster.columns + column]));
     }
   }
-  return base64(encode_png(raster.columns, pixels, perceptual_colours()));
+  return embedded_png(raster.columns, pixels, perceptual_colours());
 }
 
 std::string encoded_bar() {
   std::vector<std::uint8_t> pixels(256);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(255 - i);
-  return base64(encode_png(1, pixels, perceptual_colours()));
+  return embedded_png(1, pixels, perceptual_colours());
 }
 
 void require_square(const FieldPicture& picture) {
@@ -147,9 +132,9 @@ std::string field_picture(const FieldPicture& picture) {
 <title id="title">{0}</title>
 <rect x="-20" y="-70" width="1240" height="1150" fill="#fff"/>
 <text y="-24" font-size="34" fill="#222">{0}</text>
-<image width="1000" height="1000" preserveAspectRatio="none" style="image-rendering: pixelated" href="data:image/png;base64,{1}"/>
+<image width="1000" height="1000" preserveAspectRatio="none" style="image-rendering: pixelated" href="{1}"/>
 <rect width="1000" height="1000" fill="none" stroke="#222" stroke-width="2"/>
-<image x="1030" width="40" height="1000" preserveAspectRatio="none" href="data:image/png;base64,{2}"/>
+<image x="1030" width="40" height="1000" preserveAspectRatio="none" href="{2}"/>
 <rect x="1030" width="40" height="1000" fill="none" stroke="#222" stroke-width="2"/>
 )svg",
       as_markup(picture.title), encoded_map(raster, colours), encoded_bar());

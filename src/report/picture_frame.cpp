@@ -46,11 +46,11 @@ std::string framed_picture(double side, std::string_view content, std::string_vi
 <title id="title">Microstructure: {3} in a box of {4}</title>
 <clipPath id="box"><rect width="{5}" height="{5}"/></clipPath>
 <rect x="{0}" y="{0}" width="{1}" height="{2}" fill="#fff"/>
-<rect width="{5}" height="{5}" fill="#f3e9d8"/>
+<rect width="{5}" height="{5}" fill="{7}"/>
 <g clip-path="url(#box)" {6}>
 )svg",
              -margin, drawn_side + 2.0 * margin, drawn_side + 2.0 * margin + strip, content, with_micro_sign(side),
-             drawn_side, style)
+             drawn_side, style, matrix_colour)
       .append(shapes)
       .append(fmt::format(
           R"svg(</g>

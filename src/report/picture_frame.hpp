@@ -8,6 +8,9 @@ namespace breccia {
 /// Side of the box in a picture of a microstructure, in the units of the drawing.
 inline constexpr double drawn_side = 1000.0;
 
+/// Colour of the box, where nothing is drawn above it.
+inline constexpr std::string_view matrix_colour = "#f3e9d8";
+
 /// Units of the drawing per metre for a box of this side [m]. Throws InputError if it is not positive and finite.
 double picture_scale(double side);
 

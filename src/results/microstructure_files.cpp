@@ -9,7 +9,9 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/report/grain_picture.hpp"
+#include "breccia/report/image_picture.hpp"
 #include "breccia/report/microstructure_picture.hpp"
+#include "breccia/results/label_files.hpp"
 
 namespace breccia {
 namespace {
@@ -56,10 +58,22 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
   write_text(directory / "microstructure.svg", grain_picture(tessellation, grains.film));
 }
 
+void write_image(const std::filesystem::path& directory, const Stage& stage, const LabelImage<2>& image) {
+  const auto phases = phases_of(stage);
+  std::vector<std::size_t> colours = {0};
+  for (const auto& filler : stage.fillers) colours.push_back(phases.index_of(phase_of(stage, filler.material)));
+  write_text(directory / "microstructure.svg", image_picture(image, colours));
+}
+
 }  // namespace
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
+  write_labels(directory, stage, microstructure);
+  if (const auto* image = stage.image()) {
+    write_image(directory, stage, *image);
+    return;
+  }
   if (microstructure.grains) {
     write_grains(directory, stage, *microstructure.grains);
     return;

@@ -219,7 +219,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating] = stage.fillers[number];
     const auto& statistics = packed[number];
     Json filler = {{"material", material.name},
-                   {"particles", statistics.particles},
+                   {"particles", stage.image() == nullptr ? Json(statistics.particles) : Json()},
                    {"fraction", statistics.fraction},
                    {"fraction_asked", json_of(fraction)},
                    {"smallest_diameter_m", json_of(statistics.smallest_diameter)},
@@ -260,6 +260,11 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["smallest_diameter_m"] = json_of(grains.smallest_diameter);
     microstructure["largest_diameter_m"] = json_of(grains.largest_diameter);
     if (stage.has_seed()) microstructure["seed"] = std::get<LaguerrePacking>(stage.packing).seed;
+  }
+  if (const auto* image = stage.image()) {
+    microstructure["particles"] = Json();  // which pixels do not tell
+    microstructure["pixels"] = image->pixels;
+    microstructure["pixel_m"] = image->pixel_side;
   }
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {

@@ -1,12 +1,15 @@
 #include "filler_soundness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
+#include "breccia/microstructure/image_statistics.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_sizes.hpp"
@@ -129,6 +132,34 @@ void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mis
   }
 }
 
+/// A filler whose pixels are labelled.
+void check_labelled(const Filler& filler, const std::string& part, StudyMistakes& mistakes) {
+  if (filler.sizes || filler.fraction || filler.smallest || filler.largest) {
+    mistakes.add(part, "expected neither sizes nor a fraction: both follow from the image");
+  }
+  if (filler.coating) mistakes.add(part, "expected no coating: in an image it is a filler with a label of its own");
+}
+
+void check_image(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  const auto* image = stage.image();
+  if (image == nullptr) {
+    mistakes.add(part, "expected an image");
+    return;
+  }
+  mistakes.add_error_of(part, [&] {
+    require_valid(*image);
+    static_cast<void>(label_fractions(*image, stage.fillers.size() + 1));
+    if (!has_equal_sides(*image)) {
+      throw InputError(fmt::format("expected a square image, got {} x {} pixels", image->pixels[0], image->pixels[1]));
+    }
+    constexpr double rounding = 1e-9;
+    if (!(std::abs(box_of(*image)[0] / stage.side - 1.0) <= rounding)) {
+      throw InputError(fmt::format("expected {} pixels that fill the box of {} m, got a side of {} m", image->pixels[0],
+                                   stage.side, box_of(*image)[0]));
+    }
+  });
+}
+
 void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   check_material(filler.material, part, mistakes);
   if (filler.coating) {
@@ -139,6 +170,10 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
   check_gap(filler, stage.packing, part, mistakes);
   if (const auto* grains = stage.grains()) {
     check_grains(filler, *grains, part, mistakes);
+    return;
+  }
+  if (std::holds_alternative<ImagePacking>(stage.packing)) {
+    check_labelled(filler, part, mistakes);
     return;
   }
   if (stage.listed() != nullptr) {
@@ -175,6 +210,7 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
 }  // namespace
 
 void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  if (std::holds_alternative<ImagePacking>(stage.packing)) check_image(stage, part + ", packing", mistakes);
   if (stage.fillers.empty()) return;
   if (stage.fillers.size() > allowed::most_fillers) {
     mistakes.add(part, fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));

@@ -156,6 +156,19 @@ class Content {
     add_all(walls, seed, film, sites);
     static_cast<void>(file);
   }
+  void add(const ImagePacking& packing) {
+    const auto& [file, array, image] = packing;
+    if (image) add(*image);
+    static_cast<void>(file);
+    static_cast<void>(array);
+  }
+  void add(const LabelImage<2>& image) {
+    const auto& [pixels, pixel_side, walls, labels] = image;
+    for (const int count : pixels) add(count);
+    add_all(pixel_side, walls);
+    // Eight bytes for each of millions of labels would be too many.
+    add(content_hash({reinterpret_cast<const char*>(labels.data()), labels.size() * sizeof(Label)}));
+  }
   void add(const Site<2>& site) {
     const auto& [position, weight] = site;
     for (const double coordinate : position) add(coordinate);

@@ -76,6 +76,8 @@ class Quasistatic : public ::testing::Test {
 
 TEST_F(Quasistatic, LeavesTheseFiles) {
   std::vector<std::string> expected = {"A/bulk_modulus.svg",
+                                       "A/labels.npy",
+                                       "A/labels.vti",
                                        "A/microstructure.csv",
                                        "A/microstructure.svg",
                                        "A/modulus.svg",

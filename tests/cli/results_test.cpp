@@ -67,7 +67,7 @@ class Results : public ::testing::Test {
 
 TEST_F(Results, AreTheseFiles) {
   const auto tests = provenance()["stages"][0]["tests"];
-  std::vector<std::string> expected{"A/bulk_modulus.svg", "A/fields-strain.svg",  "A/fields-stress.svg",
+  std::vector<std::string> expected{"A/labels.npy", "A/labels.vti", "A/bulk_modulus.svg", "A/fields-strain.svg",  "A/fields-stress.svg",
                                     "A/fields.vtkhdf",    "A/microstructure.csv", "A/microstructure.svg",
                                     "A/modulus.svg",      "curves.csv",           "prony.csv",
                                     "quality.csv",        "report.html",          "study.json"};
@@ -215,7 +215,7 @@ TEST(PackResults, AreTheMicrostructureAlone) {
   EXPECT_THAT(pack.output, HasSubstr("warning: A: the smallest gap between particles"));
   EXPECT_THAT(pack.output, HasSubstr("out/A/microstructure.svg"));
   EXPECT_THAT(study.results(),
-              ElementsAre("A/microstructure.csv", "A/microstructure.svg", "A/packing.checkpoint.h5", "study.json"));
+              ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.csv", "A/microstructure.svg", "A/packing.checkpoint.h5", "study.json"));
   const auto json = Json::parse(read_text(study.result("study.json")));
   const auto& stage = json["stages"][0];
   EXPECT_EQ(stage["microstructure"]["seed"], 1);

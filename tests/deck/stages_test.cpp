@@ -379,15 +379,16 @@ TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
 
 TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
   const auto discs_alone = HasSubstr(
-      "particles are discs, or grains of a tessellation (\"laguerre\"): other shapes and images are not available");
-  EXPECT_THAT(mistakes("sizes = { diameter = \"1 mm\" }", "\"image\", image = \"grains.png\""), discs_alone);
+      "particles are discs, or grains of a tessellation (\"laguerre\"), or pixels of an image (\"image\"): other shapes "
+      "are not available");
+  const auto image_elsewhere = HasSubstr("an image is a packing without a filler: packing = { method = \"image\", ");
   EXPECT_THAT(mistakes("shape = \"ellipse\", sizes = { diameter = \"1 mm\" }", regular_packing),
               AllOf(HasSubstr("a.filler.shape: "), discs_alone, Not(HasSubstr("unknown key"))));
-  EXPECT_THAT(mistakes("image = \"grains.png\", sizes = { diameter = \"1 mm\" }", regular_packing), discs_alone);
-  EXPECT_THAT(mistakes("cells = 60\nimage = \"grains.png\"\n"), discs_alone);
+  EXPECT_THAT(mistakes("image = \"grains.png\", sizes = { diameter = \"1 mm\" }", regular_packing), image_elsewhere);
+  EXPECT_THAT(mistakes("cells = 60\nimage = \"grains.png\"\n"), image_elsewhere);
   directory.write("grains.PNG", "\x89PNG\r\n\x1a\n");
   EXPECT_THAT(mistakes_with("\"explicit\", discs = \"grains.PNG\""),
-              AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), discs_alone));
+              AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), image_elsewhere));
 }
 
 TEST_F(DeckStages, MistakesInTheGrid) {

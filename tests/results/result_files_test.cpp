@@ -22,7 +22,7 @@ using testing::UnorderedElementsAre;
 
 TEST(ResultFiles, OfAStageAreKnownByTheirNames) {
   for (const auto* name :
-       {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5",
+       {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5", "labels.npy", "labels.vti",
         "shear-traction-dynamic-300-1.h5", "fields.vtkhdf", "fields-2-stress.svg", "packing.checkpoint.h5"}) {
     EXPECT_TRUE(is_file_of_a_stage(name)) << name;
   }
@@ -53,6 +53,7 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   Stage stage;
   stage.name = "A";
   stage.side = 6e-3;
+  stage.cells = 6;
   stage.fillers.resize(1);
   StageMicrostructure packed;
   packed.microstructure = {

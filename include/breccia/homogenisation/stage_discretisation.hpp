@@ -25,7 +25,7 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 /// InputError when a particle belongs to no filler of the stage.
 Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing);
 
-/// The same for the particles or the grains that the stage has.
+/// The same for the particles, the grains or the pixels that the stage has.
 Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing);
 
 /// Material points of such a discretisation.

@@ -22,9 +22,9 @@ struct StageGrains {
   std::size_t count = 0;  ///< grains that the films leave
 };
 
-/// The particles or grains of a stage with their statistics.
+/// The particles or grains of a stage with their statistics. Pixels are those of its image (Stage::image).
 struct StageMicrostructure {
-  Microstructure<2> microstructure;        ///< without particles where there are grains
+  Microstructure<2> microstructure;        ///< without particles where there are grains or pixels
   std::optional<StageGrains> grains = {};  ///< in place of particles
   double fraction = 0.0;                   ///< area of the particles per area of the box [-]
   double interface_per_area = 0.0;         ///< length of the interface per area of the box, S/A [1/m]
@@ -45,9 +45,9 @@ struct StageMicrostructure {
 using PackingFollower = std::function<void(const PackingProgress&)>;
 
 /// Makes the microstructure of a stage: packs the particles of all its fillers together, arranges them regularly, or
-/// takes them from its list. With a checkpoint, an earlier state is resumed, and the state and finally the result are
-/// saved. Throws InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave
-/// the box; NumericalError when the packing is impossible; Interrupted when the run shall end
+/// takes them from its list or its image. With a checkpoint, an earlier state is resumed, and the state and finally the
+/// result are saved. Throws InputError when the sizes are invalid, or when particles of a list or a regular array
+/// overlap or leave the box; NumericalError when the packing is impossible; Interrupted when the run shall end
 /// (CheckpointSchedule::stop).
 StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
                                         Checkpoint* checkpoint = nullptr);

@@ -65,6 +65,8 @@ class Section {
   [[nodiscard]] std::optional<std::string> optional_text(const std::string& key) const;
   /// The path of a file, which the deck names relative to itself. Reports a file that does not exist.
   [[nodiscard]] std::filesystem::path file(const std::string& key) const;
+  /// The same for a file whose name is a part of the value of an existing key.
+  [[nodiscard]] std::filesystem::path file(const std::string& key, const std::string& name) const;
 
   /// The value that the word of a key stands for.
   template <class T>

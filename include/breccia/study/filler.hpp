@@ -9,6 +9,7 @@
 
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/study/image_packing.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia {
@@ -73,7 +74,8 @@ struct LaguerrePacking {
   [[nodiscard]] bool is_random() const { return sites.empty(); }
 };
 
-using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking>;
+using PackingMethod =
+    std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking, ImagePacking>;
 
 /// The form in which a deck gives the gap between particles.
 enum class GapSource {

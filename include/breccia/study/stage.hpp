@@ -37,6 +37,11 @@ struct Stage {
   [[nodiscard]] const ExplicitPacking* listed() const { return std::get_if<ExplicitPacking>(&packing); }
   /// The grains that fill the box; nullptr for particles.
   [[nodiscard]] const LaguerrePacking* grains() const { return std::get_if<LaguerrePacking>(&packing); }
+  /// The image that fills the box; nullptr for particles and grains.
+  [[nodiscard]] const LabelImage<2>* image() const {
+    const auto* packing_of_pixels = std::get_if<ImagePacking>(&packing);
+    return packing_of_pixels == nullptr ? nullptr : packing_of_pixels->image.get();
+  }
   /// Whether the particles are packed at random.
   [[nodiscard]] bool is_random() const { return std::holds_alternative<LubachevskyStillingerPacking>(packing); }
   /// Whether particles or grains are placed at random, by a seed.

@@ -29,7 +29,11 @@ export function nameOfTest(stage, test) {
 export function wordsOnStage(stage) {
   const box = `a box of ${display(stage.box_m, "m")}`;
   if (stage.filler === null) return `${box} of ${stage.matrix} alone`;
-  const {particles, fraction, film_m: film} = stage.microstructure;
+  const {particles, pixels, fraction, film_m: film} = stage.microstructure;
+  if (pixels !== undefined) {
+    const image = `an image of ${pixels.join(" x ")} pixels: ${stage.filler}, ${percentOfWhole(fraction)}`;
+    return `${image} of ${box}, in ${stage.matrix}`;
+  }
   const kind = film === undefined ? "particles" : `grains, with films of ${display(film, "m")} between them,`;
   return `${particles} ${kind} of ${stage.filler} fill ${percentOfWhole(fraction)} of ${box} of ${stage.matrix}`;
 }

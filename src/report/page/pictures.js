@@ -45,7 +45,8 @@ function legendOf({matrix, filler, fillers = [], microstructure}) {
       return place;
     };
     for (const one of fillers) {
-      const share = `${one.particles} particles, ${percentOfWhole(one.fraction)}`;
+      const particles = one.particles === null ? "" : `${one.particles} particles, `;
+      const share = `${particles}${percentOfWhole(one.fraction)}`;
       entries.push(coloured(one.material, `${described(one.material, sizesOf(one))} (${share})`));
       if (one.coating === null) continue;
       const thickness = display(one.coating.thickness_m, "m");

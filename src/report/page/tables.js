@@ -128,7 +128,7 @@ export function showProvenance() {
     ["wall time", seconds === null || seconds === undefined ? "not complete" : duration(seconds)],
   ].map((row) => row.map(String))));
   place.append(table(["stage", "particles", "fraction", "smallest gap", "gap in cells", "seed", "packed in"],
-    study.stages.map(({name, microstructure: made}) => [name, String(made.particles), percentOfWhole(made.fraction),
+    study.stages.map(({name, microstructure: made}) => [name, String(made.particles ?? ""), percentOfWhole(made.fraction),
       made.smallest_gap_m === null ? "" : display(made.smallest_gap_m, "m", 3),
       made.smallest_gap_cells === null ? "" : String(Number(made.smallest_gap_cells.toPrecision(3))),
       String(made.seed ?? ""), display(made.wall_time_s, "s", 2)])));

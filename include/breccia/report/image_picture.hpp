@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "breccia/microstructure/label_image.hpp"
+
+namespace breccia {
+
+/// SVG picture of a square image of labels: the box, y upwards, with a scale bar. `colours` holds for each label the
+/// number of its colour (colour_of_phase), or 0 for the colour of the matrix. The picture has at most 1000 x 1000
+/// pixels; of more it shows equal squares in the colour of most of their pixels. Throws InputError when the image is
+/// not valid or not square, or a label has no colour.
+std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours);
+
+}  // namespace breccia

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "breccia/microstructure/label_image.hpp"
+
+namespace breccia {
+
+/// The pixels of an image in place of particles. The label 0 is that of the matrix, the label k that of the filler k -
+/// 1 of the stage.
+struct ImagePacking {
+  std::filesystem::path file;
+  std::string array = {};                           ///< data set of the file; empty if none was named
+  std::shared_ptr<const LabelImage<2>> image = {};  ///< fills the box; shared by copies of a stage, since it is large
+};
+
+}  // namespace breccia

@@ -1,0 +1,191 @@
+#include "image.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/io/raster_reader.hpp"
+#include "breccia/microstructure/pixel_labels.hpp"
+#include "breccia/study/limits.hpp"
+#include "breccia/study/stage_rules.hpp"
+
+#include "materials.hpp"
+#include "rounding.hpp"
+
+namespace breccia {
+namespace {
+
+/// The number of the filler of a material, which is added if it is new.
+std::size_t filler_of(const Material& material, Stage& stage) {
+  const auto has_name = [&](const Filler& filler) { return filler.material.name == material.name; };
+  const auto known = std::ranges::find_if(stage.fillers, has_name);
+  if (known != stage.fillers.end()) return static_cast<std::size_t>(known - stage.fillers.begin());
+  stage.fillers.push_back({.material = material});
+  return stage.fillers.size() - 1;
+}
+
+/// Reads `labels = [{ value = 0, material = "..." }, ...]` and adds the fillers of the stage. Empty where a value is
+/// not known because of a mistake.
+std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Material>& materials, Stage& stage) {
+  constexpr Range values = {.lower = static_cast<double>(std::numeric_limits<std::int32_t>::min()),
+                            .upper = static_cast<double>(std::numeric_limits<std::int32_t>::max())};
+  const auto& matrix = name_of(stage.matrix);
+  std::vector<ValueLabel> table;
+  bool has_matrix = false, has_values = true;
+  const auto sections = packing.sections("labels");
+  for (const auto& section : sections) {
+    auto& entry = table.emplace_back();
+    has_values = has_values && section.kind("value") == Kind::integer;
+    entry.value = static_cast<std::int32_t>(section.integer("value", values));
+    if (!matrix.empty() && section.kind("material") == Kind::text && section.optional_text("material") == matrix) {
+      has_matrix = true;
+      continue;
+    }
+    const auto material = read_material_reference(section, "material", materials);
+    if (!material.name.empty()) entry.label = static_cast<Label>(filler_of(material, stage) + 1);
+  }
+  // An unknown matrix has been reported already.
+  if (!sections.empty() && !has_matrix && !matrix.empty()) {
+    packing.report("labels", fmt::format("no label is of the matrix of the stage, \"{}\"", matrix));
+  }
+  if (stage.fillers.size() > allowed::most_fillers) {
+    packing.report("labels", fmt::format("expected at most {} materials beside the matrix, got {}",
+                                         allowed::most_fillers, stage.fillers.size()));
+  }
+  for (const auto& mistake : mistakes_of_phases(stage)) packing.report("labels", mistake);
+  return has_values ? table : std::vector<ValueLabel>();
+}
+
+/// Leaves one page of a stack, counted from 1. Reports a stack without a page, and a page that is none of the file.
+bool take_page(const Section& packing, Raster& raster) {
+  const auto page = packing.optional_integer("page", Range::positive());
+  const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
+  if (packing.has("page") && !page) return false;
+  if (page && static_cast<std::size_t>(*page) > pages) {
+    packing.report("page", fmt::format("expected a page from 1 to {}, got {}", pages, *page));
+    return false;
+  }
+  if (!page && pages > 1) {
+    packing.report("file",
+                   fmt::format("a stack of {} images: three dimensions are not available yet; packing.page = 1 takes "
+                               "the first one",
+                               pages));
+    return false;
+  }
+  const auto pixels = static_cast<std::int64_t>(raster.extents[0] * raster.extents[1]);
+  const auto first = raster.values.begin() + (page.value_or(1) - 1) * pixels;
+  if (pages > 1) raster.values = std::vector<std::int32_t>(first, first + pixels);
+  raster.extents.resize(2);
+  return true;
+}
+
+/// Reports an image that is not a square.
+bool require_square(const Section& packing, const Raster& raster) {
+  const auto columns = raster.extents[0], rows = raster.extents[1];
+  if (columns == rows) return true;
+  const auto side = std::min(columns, rows);
+  packing.report("file", fmt::format("expected a square image, since boxes are square, got {} x {} pixels; crop it to "
+                                     "{} x {} (ImageMagick: convert IN -crop {}x{}+0+0 +repage OUT)",
+                                     columns, rows, side, side, side, side));
+  return false;
+}
+
+std::optional<Raster> read_pixels(const Section& packing, ImagePacking& image) {
+  const auto written = packing.text("file");
+  if (written.empty()) return std::nullopt;
+  auto [file, array] = raster_name(written);
+  image.file = packing.file("file", file.string());
+  image.array = std::move(array);
+  if (image.file.empty()) return std::nullopt;
+  std::optional<Raster> raster;
+  packing.report_errors_of("file", [&] { raster = read_raster(image.file, image.array); });
+  const bool is_plane = raster && take_page(packing, *raster);
+  return is_plane && require_square(packing, *raster) ? raster : std::nullopt;
+}
+
+/// The side of the box [m] from `box` or `pixel` or both, which must agree; not a number where that is not
+/// known because of a mistake.
+double read_side(const Section& section, const Section& packing, const std::optional<Raster>& raster) {
+  const auto box = section.optional_quantity("box", Dimension::length, allowed::side);
+  const auto pixel = packing.optional_quantity("pixel", Dimension::length, Range::positive());
+  if (!section.has("box") && !packing.has("pixel")) {
+    const bool has_hint = raster && raster->pixel;
+    packing.report("pixel", fmt::format("missing, expected the side of a pixel, such as \"2 um\", or box{}",
+                                        has_hint ? fmt::format(" (the resolution in the file stands for pixels of {})",
+                                                               readable(*raster->pixel, Dimension::length))
+                                                 : ""));
+  }
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!raster || !pixel || !(*pixel > 0.0)) return box.value_or(unknown);
+  const auto pixels = static_cast<double>(raster->extents[0]);
+  const double side = as_typed(pixels * *pixel);
+  if (!accepts(allowed::side, side)) {
+    packing.report("pixel", fmt::format("{:.0f} pixels of {} give a box of {}", pixels,
+                                        readable(*pixel, Dimension::length), readable(side, Dimension::length)));
+    return unknown;
+  }
+  if (!box) return side;
+  constexpr double rounding = 1e-9;
+  if (*box > 0.0 && std::abs(side / *box - 1.0) > rounding) {
+    section.report("box", fmt::format("{:.0f} pixels of {} are {}: expected that, or box or packing.pixel alone",
+                                      pixels, readable(*pixel, Dimension::length), readable(side, Dimension::length)));
+  }
+  return *box;
+}
+
+}  // namespace
+
+bool has_image(const Section& stage) {
+  if (stage.kind("packing") != Kind::table) return false;
+  const auto packing = stage.section("packing");
+  return packing.kind("method") == Kind::text && packing.optional_text("method") == "image";
+}
+
+void read_image(const Section& section, const std::vector<Material>& materials, Stage& stage) {
+  const auto packing = section.section("packing");
+  section.refuse({"filler"},
+                 "the fillers of an image are the materials of its labels: packing.labels = [{ value = 0, "
+                 "material = \"...\" }, ...]");
+  packing.refuse({"walls"}, "an image has periodic = true or false");
+  packing.refuse({"seed"}, "nothing in an image is at random");
+  const auto table = read_labels(packing, materials, stage);
+  ImagePacking image;
+  auto raster = read_pixels(packing, image);
+  stage.side = read_side(section, packing, raster);
+  const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
+  if (raster && !table.empty()) {
+    packing.report_errors_of("labels", [&] {
+      const int pixels = static_cast<int>(raster->extents[0]);
+      auto labels = pixel_labels(raster->values, table);
+      image.image =
+          std::make_shared<const LabelImage<2>>(LabelImage<2>{.pixels = {pixels, pixels},
+                                                              .pixel_side = stage.side / pixels,
+                                                              .walls = is_periodic ? Walls::periodic : Walls::hard,
+                                                              .labels = std::move(labels)});
+    });
+  }
+  stage.packing = std::move(image);
+}
+
+int cells_of_points(const Section& section, const Stage& stage) {
+  // An image that could not be read has been reported already.
+  if (stage.image() == nullptr) return static_cast<int>(allowed::cells.lower);
+  const int pixels = stage.image()->pixels[0];
+  if (pixels % 2 == 0 && accepts(allowed::cells, 0.5 * pixels)) return pixels / 2;
+  section.report("cells", fmt::format("missing: cells of 2 x 2 points cannot give each of {} x {} pixels one point; "
+                                      "cells = {} gives each four points, and an image of an even number of pixels, {} "
+                                      "or more, needs no cells",
+                                      pixels, pixels, std::max(pixels, static_cast<int>(allowed::cells.lower)),
+                                      2.0 * allowed::cells.lower));
+  return static_cast<int>(allowed::cells.lower);
+}
+
+}  // namespace breccia

@@ -1,0 +1,81 @@
+#include "breccia/report/image_picture.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/report/microstructure_picture.hpp"
+
+#include "embedded_png.hpp"
+#include "picture_frame.hpp"
+
+namespace breccia {
+namespace {
+
+/// The colour that "#5b7f95" stands for.
+Rgb parse_colour(std::string_view text) {
+  const auto part = [text](std::size_t place) {
+    std::uint8_t value = 0;
+    const auto digits = text.substr(place, 2);
+    std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    return value;
+  };
+  return {part(1), part(3), part(5)};
+}
+
+/// The label of most pixels of the square with this lower left corner, of at most `side` pixels on a side.
+Label most_frequent_label(const LabelImage<2>& image, std::size_t column, std::size_t row, std::size_t side,
+                          std::vector<std::size_t>& counts) {
+  const auto columns = static_cast<std::size_t>(image.pixels[0]);
+  std::ranges::fill(counts, 0);
+  for (auto y = row; y < std::min(row + side, columns); ++y) {
+    for (auto x = column; x < std::min(column + side, columns); ++x) ++counts[image.labels[y * columns + x]];
+  }
+  return static_cast<Label>(std::ranges::max_element(counts) - counts.begin());
+}
+
+/// The rows of the picture from the top.
+std::vector<std::uint8_t> drawn_labels(const LabelImage<2>& image, std::size_t side, std::size_t labels) {
+  const auto columns = static_cast<std::size_t>(image.pixels[0]);
+  std::vector<std::size_t> counts(labels);
+  std::vector<std::uint8_t> drawn;
+  for (auto row = (columns + side - 1) / side; row-- > 0;) {
+    for (std::size_t column = 0; column < columns; column += side) {
+      drawn.push_back(static_cast<std::uint8_t>(most_frequent_label(image, column, row * side, side, counts)));
+    }
+  }
+  return drawn;
+}
+
+}  // namespace
+
+std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours) {
+  require_valid(image);
+  if (!has_equal_sides(image)) throw InputError("picture of an image: expected a square image");
+  if (std::ranges::max(image.labels) >= colours.size()) {
+    throw InputError("picture of an image: a label has no colour");
+  }
+  std::vector<Rgb> palette;
+  for (const auto colour : colours) {
+    palette.push_back(parse_colour(colour == 0 ? matrix_colour : colour_of_phase(colour)));
+  }
+  constexpr std::size_t most_columns = 1000;
+  const auto columns = static_cast<std::size_t>(image.pixels[0]);
+  const auto side = (columns + most_columns - 1) / most_columns;
+  const auto drawn = drawn_labels(image, side, colours.size());
+  const auto drawn_columns = (columns + side - 1) / side;
+  // The last squares may reach beyond the image.
+  const double width = drawn_side * static_cast<double>(drawn_columns * side) / static_cast<double>(columns);
+  const auto shapes = fmt::format(
+      "<image y=\"{0:.6g}\" width=\"{1:.6g}\" height=\"{1:.6g}\" style=\"image-rendering: pixelated\" href=\"{2}\"/>\n",
+      drawn_side - width, width, embedded_png(drawn_columns, drawn, palette));
+  return framed_picture(box_of(image)[0], fmt::format("an image of {0} x {0} pixels", columns), "", shapes);
+}
+
+}  // namespace breccia

@@ -1,0 +1,271 @@
+// Images of microstructures, and the labels of material points, through the command line.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "breccia/io/npy.hpp"
+#include "breccia/io/png.hpp"
+#include "breccia/io/raster_reader.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "study_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using test::run_breccia;
+using test::StudyDirectory;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr std::string_view materials = R"(
+[materials.binder]
+density = "1.48 g/cm^3"
+bulk    = "3.6 GPa"
+shear   = { terms = [ { time = "10 ms", modulus = "1 MPa" } ], equilibrium = "10 kPa" }
+[materials.hmx]
+density = "1.85 g/cm^3"
+bulk    = "13.4 GPa"
+shear   = "5.84 GPa"
+[materials.interphase]
+density = "1.6 g/cm^3"
+bulk    = "4 GPa"
+shear   = "20 MPa"
+)";
+
+constexpr std::string_view tests = R"(
+[tests]
+times  = ["10 us", "100 ms"]
+points_per_decade = 3
+fields = "none"
+mixing = "points"
+)";
+
+std::string deck_of(std::string_view stage) {
+  return fmt::format("{}\n[[stages]]\nname = \"A\"\nmatrix = \"binder\"\n{}\n{}", materials, stage, tests);
+}
+
+/// A stage of the labels that another one has written, with the matrix 0 and these further labels.
+std::string stage_of_labels(std::string_view file, std::string_view walls, std::string_view labels) {
+  return fmt::format(
+      "box = \"1 mm\"\npacking = {{ method = \"image\", file = \"{}\", periodic = {}, labels = [{{ value = 0, material "
+      "= "
+      "\"binder\" }}, {}] }}",
+      file, walls, labels);
+}
+
+/// A microstructure, and the labels that it has beside that of the matrix.
+struct Original {
+  std::string stage;
+  std::string periodic;
+  std::string labels;
+  std::string array;  ///< the further array of labels.vti
+};
+
+class LabelsOf : public testing::TestWithParam<Original> {};
+
+// The image has the same points, and so the same bits of G(t).
+TEST_P(LabelsOf, AMicrostructureAreReadBack) {
+  const auto& [stage, periodic, labels, array] = GetParam();
+  const StudyDirectory original(deck_of(stage));
+  const auto run = original.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto curves = read_text(original.result("curves.csv"));
+  for (const std::string name : {"labels.npy", "labels.vti"}) {
+    const StudyDirectory image(deck_of(stage_of_labels(name, periodic, labels)));
+    image.write(name, read_text(original.result("A/" + name)));
+    const auto again = image.breccia("run");
+    ASSERT_EQ(again.exit_code, 0) << again.errors;
+    EXPECT_EQ(read_text(image.result("curves.csv")), curves) << name;
+    EXPECT_EQ(read_raster(image.result("A/labels.npy")).values, read_raster(original.result("A/labels.npy")).values);
+  }
+  const auto particles = read_raster(original.result("A/labels.vti"), array);
+  EXPECT_EQ(std::ranges::min(particles.values), -1) << "the matrix";
+  EXPECT_GT(std::ranges::max(particles.values), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Image, LabelsOf,
+    testing::Values(
+        Original{
+            "box = \"1 mm\"\ncells = 33\nfiller = { material = \"hmx\", fraction = 0.5, sizes = { diameter = \"0.25 "
+            "mm\" } }\npacking = { method = \"lubachevsky-stillinger\" }",
+            "false", "{ value = 1, material = \"hmx\" }", "particle"},
+        Original{
+            "box = \"1 mm\"\ncells = 40\nfiller = { material = \"hmx\", fraction = 0.4, sizes = { diameter = \"0.25 "
+            "mm\" }, coating = { material = \"interphase\", thickness = \"30 um\" } }\npacking = { method = "
+            "\"lubachevsky-stillinger\", walls = false }",
+            "true", "{ value = 1, material = \"hmx\" }, { value = 2, material = \"interphase\" }", "particle"},
+        Original{"box = \"1 mm\"\ncells = 48\nfiller = { material = \"hmx\", fraction = 0.85, sizes = { diameter = "
+                 "\"0.3 mm\" } }\npacking = { method = \"laguerre\" }",
+                 "true", "{ value = 1, material = \"hmx\" }", "grain"}));
+
+/// A picture in which the pixels whose middle is in one of two discs have the colour 1 of the palette.
+std::string picture_of_discs(int pixels) {
+  std::vector<std::uint8_t> rows;
+  for (int row = pixels; row-- > 0;) {
+    for (int column = 0; column < pixels; ++column) {
+      const double x = (column + 0.5) / pixels, y = (row + 0.5) / pixels;
+      rows.push_back(std::hypot(x - 0.3, y - 0.25) <= 0.2 || std::hypot(x - 0.62, y - 0.66) <= 0.3 ? 1 : 0);
+    }
+  }
+  return encode_png(static_cast<std::size_t>(pixels), rows, std::array{Rgb{255, 255, 255}, Rgb{200, 30, 30}});
+}
+
+constexpr auto two_discs = R"(box = "1 mm"
+cells = 32
+filler = { material = "hmx" }
+packing = { method = "explicit", discs = "discs.csv" })";
+
+std::string image_of_discs(std::string_view file, std::string_view cells = "") {
+  return fmt::format(
+      "{}\npacking = {{ method = \"image\", file = \"{}\", pixel = \"{}\", labels = [{{ value = 0, material "
+      "= \"binder\" }}, {{ value = 1, material = \"hmx\" }}] }}",
+      cells, file, "15.625 um");
+}
+
+TEST(Image, OfDiscsHasTheirPoints) {
+  const StudyDirectory discs(deck_of(two_discs));
+  discs.write("discs.csv", "x_mm,y_mm,diameter_mm\n0.3,0.25,0.4\n0.62,0.66,0.6\n");
+  const StudyDirectory image(deck_of(image_of_discs("discs.png")));
+  image.write("discs.png", picture_of_discs(64));
+  const auto of_discs = discs.breccia("run"), of_image = image.breccia("run");
+  ASSERT_EQ(of_discs.exit_code, 0) << of_discs.errors;
+  ASSERT_EQ(of_image.exit_code, 0) << of_image.errors;
+  EXPECT_EQ(read_text(image.result("curves.csv")), read_text(discs.result("curves.csv")));
+  EXPECT_THAT(of_image.output, AllOf(HasSubstr("A: pixels of the filler fill 40."), HasSubstr("of 4096 points")));
+  EXPECT_EQ(of_image.output.find("inf"), std::string::npos);
+}
+
+TEST(Image, OfFinerPixelsComesNearerToTheShapes) {
+  const auto series = [](std::string deck) {
+    return deck.replace(deck.find("mixing = \"points\""), 17, "mixing = \"series\"");
+  };
+  const StudyDirectory discs(series(deck_of(two_discs)));
+  discs.write("discs.csv", "x_mm,y_mm,diameter_mm\n0.3,0.25,0.4\n0.62,0.66,0.6\n");
+  const auto run = discs.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto exact = test::read_curve(discs.result("curves.csv"), "A", "shear");
+  double last_error = 1.0;
+  for (const int pixels : {32, 128, 1024}) {
+    const StudyDirectory image(series(deck_of(
+        fmt::format("box = \"1 mm\"\ncells = 32\npacking = {{ method = \"image\", file = \"discs.png\", labels = "
+                    "[{{ value = 0, material = \"binder\" }}, {{ value = 1, material = \"hmx\" }}] }}",
+                    pixels))));
+    image.write("discs.png", picture_of_discs(pixels));
+    const auto of_image = image.breccia("run");
+    ASSERT_EQ(of_image.exit_code, 0) << of_image.errors;
+    const auto curve = test::read_curve(image.result("curves.csv"), "A", "shear");
+    double error = 0.0;
+    for (const auto& sample : exact) {
+      error = std::max(error, std::abs(test::modulus_at(curve, sample.time) / sample.modulus - 1.0));
+    }
+    EXPECT_LT(error, 0.5 * last_error) << pixels;
+    last_error = error;
+  }
+  EXPECT_LT(last_error, 2e-3);
+}
+
+/// G(t) of layers under a shear along them, by the sum of their creep compliances. The matrix with the share f is a
+/// standard linear solid of 10 kPa and 1 MPa with the relaxation time 10 ms; the others are elastic and add the
+/// compliance c [1/Pa].
+double modulus_of_layers(double time, double f, double c) {
+  const double soft = 1e4, hard = 1.01e6;  // [Pa]
+  const double first = f / hard + c, last = f / soft + c;
+  const double retardation = 10e-3 * hard / soft;  // [s]
+  return 1.0 / last + (1.0 / first - 1.0 / last) * std::exp(-time * last / (retardation * first));
+}
+
+std::string layers(std::string_view lines) {
+  return deck_of(
+      fmt::format("{}\npacking = {{ method = \"image\", file = \"layers.npy\", pixel = \"10 um\", periodic = true, "
+                  "labels = [{{ value = 10, material = \"interphase\" }}, {{ value = 20, material = \"binder\" "
+                  "}}, {{ value = 30, material = \"hmx\" }}] }}",
+                  lines));
+}
+
+/// An image of horizontal layers: the value of each row of pixels, from the top.
+void write_layers(const StudyDirectory& study, const std::vector<std::uint16_t>& rows) {
+  const std::array<std::size_t, 2> extents = {rows.size(), rows.size()};
+  std::vector<std::uint16_t> values;  // from the bottom
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row) values.insert(values.end(), rows.size(), *row);
+  write_npy(study.path() / "layers.npy", extents, values);
+}
+
+void expect_modulus_of_layers(const StudyDirectory& study, double binder, double interphase, double hmx) {
+  for (const auto& [time, modulus] : test::read_curve(study.result("curves.csv"), "A", "shear")) {
+    EXPECT_NEAR(modulus / modulus_of_layers(time, binder, interphase / 20e6 + hmx / 5.84e9), 1.0, 1e-6) << time;
+  }
+}
+
+TEST(Image, OfThreeLayersIsExact) {
+  const StudyDirectory study(layers(""));
+  write_layers(study, {10, 10, 20, 20, 20, 20, 20, 20, 30, 30, 30, 30});
+  const auto points = study.breccia("run");
+  ASSERT_EQ(points.exit_code, 0) << points.errors;
+  expect_modulus_of_layers(study, 0.5, 1.0 / 6.0, 1.0 / 3.0);
+}
+
+// Series mixtures are exact for layers, wherever these lie in the cells.
+TEST(Image, OfThreeLayersAcrossCellsIsExact) {
+  const StudyDirectory study(layers("cells = 6"));
+  write_layers(study, {10, 10, 10, 20, 20, 20, 20, 30, 30, 30, 30, 30});
+  const auto series = study.breccia("run", {"--set", "tests.mixing=series"});
+  ASSERT_EQ(series.exit_code, 0) << series.errors;
+  expect_modulus_of_layers(study, 1.0 / 3.0, 0.25, 5.0 / 12.0);
+}
+
+TEST(Image, IsRecorded) {
+  const StudyDirectory study(layers(""));
+  write_layers(study, {10, 10, 20, 20, 20, 20, 20, 20, 30, 30, 30, 30});
+  const auto pack = study.breccia("pack");
+  ASSERT_EQ(pack.exit_code, 0) << pack.errors;
+  EXPECT_THAT(study.results(), ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.svg",
+                                           "A/packing.checkpoint.h5", "study.json"));
+  const auto stage = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0];
+  EXPECT_TRUE(stage["microstructure"]["particles"].is_null());
+  EXPECT_THAT(stage["microstructure"]["pixels"], ElementsAre(12, 12));
+  EXPECT_NEAR(stage["microstructure"]["interface_per_area_1_per_m"].get<double>(), 3.0 / 120e-6, 1e-6);
+  EXPECT_NEAR(stage["fillers"][0]["fraction"].get<double>(), 1.0 / 6.0, 1e-12);
+  EXPECT_THAT(read_text(study.result("A/microstructure.svg")), HasSubstr("an image of 12 x 12 pixels"));
+  const auto check = study.breccia("check");
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, AllOf(HasSubstr("layers.npy, 12 x 12 pixels of 10 um, periodic"), HasSubstr("hmx")));
+}
+
+TEST(Image, ThatChangesIsAnotherStudy) {
+  const StudyDirectory study(layers(""));
+  write_layers(study, {10, 10, 20, 20, 20, 20, 20, 20, 30, 30, 30, 30});
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
+  const auto same = study.breccia("run", {"--resume"});
+  EXPECT_EQ(same.exit_code, 0) << same.errors;
+  EXPECT_THAT(same.output, HasSubstr("are complete"));
+  write_layers(study, {10, 20, 20, 20, 20, 20, 20, 20, 30, 30, 30, 30});
+  const auto changed = study.breccia("run", {"--resume"});
+  EXPECT_EQ(changed.exit_code, 2);
+  EXPECT_THAT(changed.errors, HasSubstr("layers.npy"));
+}
+
+TEST(Image, IsSwept) {
+  const StudyDirectory study(layers(""));
+  write_layers(study, {10, 10, 20, 20, 20, 20, 20, 20, 30, 30, 30, 30});
+  std::filesystem::copy(study.path() / "layers.npy", study.path() / "first.npy");
+  write_layers(study, {10, 10, 20, 20, 20, 30, 30, 30, 30, 30, 30, 30});
+  const auto sweep = study.breccia("run", {"--sweep", R"(stages.A.packing.file=["first.npy", "layers.npy"])", "--sweep",
+                                           R"(stages.A.packing.pixel=["10 um", "20 um"])"});
+  ASSERT_EQ(sweep.exit_code, 0) << sweep.errors;
+  EXPECT_TRUE(std::filesystem::exists(study.result("sweep.csv")));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,221 @@
+// Images in the deck.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/npy.hpp"
+#include "breccia/io/png.hpp"
+#include "breccia/study/identity.hpp"
+
+#include "decks.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr auto two_labels = R"([{ value = 0, material = "binder" }, { value = 7, material = "hmx" }])";
+
+class DeckImage : public testing::Test {
+ protected:
+  DeckImage() {
+    // The lower left quarter of the picture is hmx.
+    const std::array<std::uint16_t, 16> values = {7, 7, 0, 0, 7, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    const std::array<std::size_t, 2> extents = {4, 4};
+    write_npy(directory.path() / "scan.npy", extents, values);
+  }
+
+  /// A deck with one stage, given by keys of the packing, and of the stage.
+  [[nodiscard]] static std::string deck(std::string_view packing, std::string_view stage = "") {
+    return test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n", stage,
+                      "\npacking = { method = \"image\", ", packing, " }\n", test::tests);
+  }
+  [[nodiscard]] static std::string keys(std::string_view file, std::string_view pixel = "pixel = \"2 um\"",
+                                        std::string_view labels = two_labels) {
+    return fmt::format("file = \"{}\", {}, labels = {}", file, pixel, labels);
+  }
+  [[nodiscard]] Study study(std::string_view packing, std::string_view stage = "") const {
+    return directory.study(deck(packing, stage));
+  }
+  [[nodiscard]] std::string mistakes(std::string_view packing, std::string_view stage = "") const {
+    return directory.mistakes(deck(packing, stage));
+  }
+  void write(const std::string& name, std::vector<std::size_t> extents, const std::vector<std::uint16_t>& values) {
+    write_npy(directory.path() / name, extents, values);
+  }
+
+  test::DeckDirectory directory;
+};
+
+TEST_F(DeckImage, IsABoxOfPixels) {
+  const auto stage = study(keys("scan.npy")).stages.at(0);
+  EXPECT_EQ(stage.side, 8e-6);
+  EXPECT_EQ(stage.cells, 2) << "one point a pixel";
+  ASSERT_EQ(stage.fillers.size(), 1U);
+  EXPECT_EQ(stage.fillers[0].material.name, "hmx");
+  ASSERT_NE(stage.image(), nullptr);
+  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0));
+  EXPECT_EQ(stage.image()->walls, Walls::hard);
+}
+
+TEST_F(DeckImage, TheGridMayBeAnother) {
+  EXPECT_EQ(study(keys("scan.npy"), "cells = 7").stages.at(0).cells, 7);
+  const auto grids = study(keys("scan.npy"), "cells = [3, 5]").stages.at(0);
+  EXPECT_EQ(grids.grids(), (std::vector{3, 5}));
+  EXPECT_EQ(study(keys("scan.npy"), "resolution = \"2 /um\"").stages.at(0).cells, 8);
+}
+
+TEST_F(DeckImage, TheBoxMayStandForThePixel) {
+  const auto stage = study(keys("scan.npy", "periodic = true"), "box = \"1 mm\"").stages.at(0);
+  EXPECT_EQ(stage.side, 1e-3);
+  EXPECT_DOUBLE_EQ(stage.image()->pixel_side, 0.25e-3);
+  EXPECT_EQ(stage.image()->walls, Walls::periodic);
+  EXPECT_EQ(study(keys("scan.npy"), "box = \"8.000000001 um\"").stages.at(0).side, 8.000000001e-6) << "both agree";
+}
+
+TEST_F(DeckImage, OfAPeriodicBoxIsTestedUnderThePeriodicBoundary) {
+  EXPECT_THAT(study(keys("scan.npy", "pixel = \"1 um\", periodic = true")).tests.boundaries,
+              ElementsAre(Boundary::periodic));
+  EXPECT_EQ(study(keys("scan.npy")).tests.boundaries.size(), 2U);
+}
+
+TEST_F(DeckImage, SeveralValuesMayHaveOneMaterial) {
+  write("three.npy", {2, 2}, {1, 2, 3, 1});
+  const auto labels =
+      R"([{ value = 3, material = "binder" }, { value = 1, material = "hmx" }, { value = 2, material = "hmx" }])";
+  const auto stage = study(keys("three.npy", "pixel = \"1 um\"", labels), "cells = 2").stages.at(0);
+  EXPECT_EQ(stage.fillers.size(), 1U);
+  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 1));
+}
+
+TEST_F(DeckImage, TheMatrixMayBeAnEarlierStage) {
+  const auto text =
+      test::join(test::materials, test::stage,
+                 "[[stages]]\nname = \"b\"\nmatrix = \"HB-1\"\npacking = { method = \"image\", file = "
+                 "\"scan.npy\", pixel = \"1 mm\", labels = [{ value = 0, material = \"HB-1\" }, { value = "
+                 "7, material = \"hmx\" }] }\n",
+                 test::tests);
+  const auto stage = directory.study(text).stages.at(1);
+  EXPECT_EQ(std::get<EarlierStage>(stage.matrix).name, "HB-1");
+  EXPECT_EQ(stage.image()->labels.front(), 1);
+}
+
+TEST_F(DeckImage, OnePageOfAStackMayBeTaken) {
+  write("stack.npy", {2, 2, 2}, {7, 7, 7, 7, 0, 0, 0, 7});
+  const auto stage = study(keys("stack.npy", "pixel = \"1 um\", page = 2"), "cells = 2").stages.at(0);
+  EXPECT_THAT(stage.image()->labels, ElementsAre(0, 0, 0, 1));
+  EXPECT_THAT(mistakes(keys("stack.npy"), "cells = 2"),
+              HasSubstr("stages.a.packing.file: a stack of 2 images: three dimensions are not available yet; "
+                        "packing.page = 1 takes the first one"));
+  EXPECT_THAT(mistakes(keys("stack.npy", "pixel = \"1 um\", page = 3"), "cells = 2"),
+              HasSubstr("packing.page: expected a page from 1 to 2, got 3"));
+  EXPECT_THAT(mistakes(keys("stack.npy", "pixel = \"1 um\", page = 0"), "cells = 2"), HasSubstr("packing.page: "));
+  EXPECT_EQ(study(keys("scan.npy", "pixel = \"1 um\", page = 1")).stages.at(0).cells, 2);
+}
+
+TEST_F(DeckImage, PixelsAreTheIdentityOfAStudyAndItsFileIsNot) {
+  const auto first = content_of(study(keys("scan.npy")));
+  const std::vector<std::uint16_t> same = {7, 7, 0, 0, 7, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  write("copy.npy", {4, 4}, same);
+  EXPECT_EQ(content_of(study(keys("copy.npy"))), first);
+  auto changed = same;
+  changed[2] = 7;
+  write("copy.npy", {4, 4}, changed);
+  EXPECT_NE(content_of(study(keys("copy.npy"))), first);
+  EXPECT_NE(content_of(study(keys("scan.npy", "pixel = \"3 um\""))), first);
+  EXPECT_NE(content_of(study(keys("scan.npy", "pixel = \"2 um\", periodic = true"))), first);
+  const auto read = study(keys("scan.npy"));
+  EXPECT_EQ(read.provenance.file_hashes.size(), 1U);
+}
+
+TEST_F(DeckImage, MistakesInTheLabels) {
+  const auto with_labels = [&](std::string_view labels) {
+    return mistakes(keys("scan.npy", "pixel = \"1 um\"", labels));
+  };
+  EXPECT_THAT(
+      with_labels(R"([{ value = 0, material = "binder" }, { value = 8, material = "hmx" }])"),
+      AllOf(HasSubstr("deck.toml:13: stages.a.packing.labels: image: values without a label: 7 (4 pixels, 25 %)"),
+            HasSubstr("image: no pixel has the value 8")));
+  EXPECT_THAT(with_labels(R"([{ value = 0, material = "binder" }, { value = 7, material = "hmxx" }])"),
+              HasSubstr("packing.labels.1.material: unknown material \"hmxx\" (did you mean \"hmx\"?)"));
+  EXPECT_THAT(with_labels(R"([{ value = 0, material = "hmx" }, { value = 7, material = "hmx" }])"),
+              HasSubstr("packing.labels: no label is of the matrix of the stage, \"binder\""));
+  EXPECT_THAT(with_labels(R"([{ value = 0, material = "binder" }, { value = 7, material = "hmx" },
+                              { value = 7, material = "binder" }])"),
+              HasSubstr("the value 7 has two labels"));
+  EXPECT_THAT(with_labels(R"([{ value = "0", material = "binder" }, { value = 7, material = "hmx" }])"),
+              AllOf(HasSubstr("packing.labels.0.value: "), Not(HasSubstr("without a label"))));
+  EXPECT_THAT(with_labels(R"([{ material = "binder" }, { value = 7.5, colour = "red" }])"),
+              AllOf(HasSubstr("labels.0: missing key value"), HasSubstr("labels.1.value: "),
+                    HasSubstr("labels.1: missing key material"), HasSubstr("unknown key colour")));
+  EXPECT_THAT(with_labels("[]"), HasSubstr("packing.labels: expected at least one"));
+  EXPECT_THAT(with_labels("{ value = 0, material = \"binder\" }"), HasSubstr("packing.labels: expected an array of"));
+  EXPECT_THAT(mistakes("file = \"scan.npy\", pixel = \"1 um\""), HasSubstr("packing: missing key labels"));
+}
+
+TEST_F(DeckImage, MistakesInTheSize) {
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = 2e-6")), HasSubstr("stages.a.packing.pixel: "));
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = \"2\"")), HasSubstr("stages.a.packing.pixel: "));
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = \"0 um\"")), HasSubstr("stages.a.packing.pixel: "));
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = \"10000 km\"")), HasSubstr("packing.pixel: 4 pixels of "));
+  EXPECT_THAT(mistakes(keys("scan.npy", "periodic = false")),
+              HasSubstr("missing, expected the side of a pixel, such as \"2 um\", or box"));
+  EXPECT_THAT(mistakes(keys("scan.npy"), "box = \"8.1 um\""),
+              HasSubstr("stages.a.box: 4 pixels of 2 um are 8 um: expected that, or box or packing.pixel alone"));
+  EXPECT_THAT(mistakes(keys("scan.npy"), "box = 8"), HasSubstr("stages.a.box: "));
+  write("wide.npy", {3, 2}, {0, 7, 0, 7, 0, 7});
+  EXPECT_THAT(
+      mistakes(keys("wide.npy")),
+      HasSubstr("stages.a.packing.file: expected a square image, since boxes are square, got 3 x 2 pixels; crop "
+                "it to 2 x 2 (ImageMagick: convert IN -crop 2x2+0+0 +repage OUT)"));
+  write("odd.npy", {3, 3}, {0, 7, 0, 7, 0, 7, 7, 7, 7});
+  EXPECT_THAT(mistakes(keys("odd.npy")), HasSubstr("stages.a: cells: missing: cells of 2 x 2 points cannot give each "
+                                                   "of 3 x 3 pixels one point; cells = 3 gives each four points"));
+  EXPECT_EQ(study(keys("odd.npy"), "cells = 3").stages.at(0).cells, 3);
+}
+
+TEST_F(DeckImage, MistakesInTheFile) {
+  EXPECT_THAT(mistakes(keys("no.png")), HasSubstr("stages.a.packing.file: no such file: no.png"));
+  EXPECT_THAT(mistakes(keys("no.h5:/labels")), HasSubstr("stages.a.packing.file: no such file: no.h5"));
+  EXPECT_THAT(mistakes("pixel = \"2 um\", labels = " + std::string(two_labels)),
+              HasSubstr("stages.a.packing: missing key file"));
+  directory.write("text.png", "not a picture");
+  EXPECT_THAT(mistakes(keys("text.png")), HasSubstr("stages.a.packing.file: text.png: "));
+  const std::array<std::uint8_t, 4> pixels = {0, 1, 2, 1};
+  const std::array<Rgb, 3> palette = {Rgb{0, 0, 0}, Rgb{255, 0, 0}, Rgb{9, 9, 9}};
+  const auto png = encode_png(2, pixels, palette);
+  directory.write("cut.png", std::string_view(png).substr(0, png.size() - 20));
+  EXPECT_THAT(mistakes(keys("cut.png")), HasSubstr("stages.a.packing.file: cut.png: "));
+}
+
+TEST_F(DeckImage, WhatAnImageDoesNotHave) {
+  EXPECT_THAT(mistakes(keys("scan.npy"), "filler = { material = \"hmx\" }"),
+              HasSubstr("stages.a.filler: not allowed here: the fillers of an image are the materials of its labels: "
+                        "packing.labels = [{ value = 0, material = \"...\" }, ...]"));
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = \"1 um\", walls = true, seed = 1, gap = 2")),
+              AllOf(HasSubstr("an image has periodic = true or false"), HasSubstr("nothing in an image is at random"),
+                    HasSubstr("unknown key gap")));
+  EXPECT_THAT(mistakes(keys("scan.npy", "pixel = \"1 um\", periodic = \"yes\"")), HasSubstr("packing.periodic: "));
+}
+
+TEST_F(DeckImage, AllMistakesAreToldAtOnce) {
+  EXPECT_THAT(mistakes("file = \"scan.npy\", pixel = 3, labels = [{ value = 0, material = \"bindr\" }, { value = 5, "
+                       "material = \"hmx\" }], peridic = true",
+                       "cells = 0"),
+              AllOf(HasSubstr("packing.pixel: "), HasSubstr("unknown material \"bindr\""), HasSubstr("without a label"),
+                    HasSubstr("no label is of the matrix"), HasSubstr("no pixel has the value 5"),
+                    HasSubstr("unknown key peridic"), HasSubstr("stages.a.cells: ")));
+}
+
+}  // namespace
+}  // namespace breccia
