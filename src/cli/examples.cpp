@@ -48,6 +48,7 @@ std::vector<fs::path> decks_below(const fs::path& directory) {
 
 constexpr auto pages = R"(  README.md               an overview of all pages
   tutorial.md             the first half hour
+  tutorial-image.md       from a micrograph to G(t)
   glossary.md             the words and symbols
   boundary-conditions.md  which boundary condition, and how large a box
   decks.md                every key of a deck

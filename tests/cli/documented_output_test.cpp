@@ -78,6 +78,10 @@ TEST(Documentation, TheTutorialQuotesWhatIsPrinted) {
   follow(root / "docs" / "tutorial.md");
 }
 
+TEST(Documentation, TheTutorialOfImagesQuotesWhatIsPrinted) {
+  follow(root / "docs" / "tutorial-image.md");
+}
+
 TEST(Documentation, TheReadmeQuotesWhatIsPrinted) {
   follow(root / "README.md");
 }
