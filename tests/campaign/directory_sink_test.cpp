@@ -95,7 +95,8 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
   packed.stages.front().tests.clear();
   sink.packed(fine(), packed);
   EXPECT_THAT(files(place), ElementsAre("study.json"));
-  EXPECT_THAT(files(place / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg"));
+  EXPECT_THAT(files(place / "fine"),
+              UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg"));
   EXPECT_FALSE(read_study_record(place).has_tests);
 
   sink.tested(fine(), result);
@@ -115,7 +116,8 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
   complete.seconds = 2.5;
   sink.finished(complete);
   EXPECT_TRUE(read_study_record(place).is_complete_run_of(study));
-  EXPECT_THAT(files(place / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg", "response.h5"));
+  EXPECT_THAT(files(place / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
+                                                          "microstructure.svg", "response.h5"));
 }
 
 TEST_F(DirectorySinkTest, WritesTheHistoryOfEachTimeDomain) {
@@ -173,7 +175,8 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
   EXPECT_EQ(told, place / "fine");
   EXPECT_THAT(files(other),
               UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv", "report.html"));
-  EXPECT_THAT(files(other / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg", "response.h5"));
+  EXPECT_THAT(files(other / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
+                                                          "microstructure.svg", "response.h5"));
   EXPECT_EQ(read_text(other / "curves.csv"), read_text(place / "curves.csv"));
 }
 

@@ -69,7 +69,8 @@ TEST_F(InterruptedRun, LeavesAPackingAndItsRecord) {
   RunObserver observer;
   observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
   EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), Interrupted);
-  EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg", "packing.checkpoint.h5"));
+  EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
+                                                  "microstructure.svg", "packing.checkpoint.h5"));
   EXPECT_FALSE(fs::exists(results / "coarse"));
   EXPECT_TRUE(read_study_record(results).is_of(study));
   EXPECT_FALSE(holds_tests(results));
@@ -101,7 +102,8 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
     EXPECT_EQ(read_text(results / table), read_text(whole / table)) << table;
   }
   EXPECT_TRUE(time_of_complete_run(study, results));
-  EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg", "response.h5"))
+  EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
+                                                  "microstructure.svg", "response.h5"))
       << "without checkpoints";
   EXPECT_THAT(files(), UnorderedElementsAre("study.json", "report.html", "curves.csv", "prony.csv", "quality.csv"));
 }
@@ -125,8 +127,8 @@ TEST_F(InterruptedRun, GoesOnFromAPacking) {
   const auto packed = pack_study(study, results);
   EXPECT_THAT(packed.stages.at(0).tests, IsEmpty());
   EXPECT_THAT(files(), UnorderedElementsAre("study.json"));
-  EXPECT_THAT(files("coarse"),
-              UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg", "packing.checkpoint.h5"));
+  EXPECT_THAT(files("coarse"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
+                                                    "microstructure.svg", "packing.checkpoint.h5"));
   const auto run = run_study(study, results, {.resume = true});
   EXPECT_EQ(run.stages.at(0).microstructure.microstructure.particles,
             packed.stages.at(0).microstructure.microstructure.particles);

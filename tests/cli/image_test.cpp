@@ -148,22 +148,20 @@ TEST(Image, OfDiscsHasTheirPoints) {
 }
 
 TEST(Image, OfFinerPixelsComesNearerToTheShapes) {
-  const auto series = [](std::string deck) {
-    return deck.replace(deck.find("mixing = \"points\""), 17, "mixing = \"series\"");
-  };
-  const StudyDirectory discs(series(deck_of(two_discs)));
+  const std::vector<std::string> one_bound = {"--set", "tests.mixing=series", "--set",
+                                              R"(tests.boundaries=["displacement"])"};
+  const StudyDirectory discs(deck_of(two_discs));
   discs.write("discs.csv", "x_mm,y_mm,diameter_mm\n0.3,0.25,0.4\n0.62,0.66,0.6\n");
-  const auto run = discs.breccia("run");
+  const auto run = discs.breccia("run", one_bound);
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   const auto exact = test::read_curve(discs.result("curves.csv"), "A", "shear");
   double last_error = 1.0;
   for (const int pixels : {32, 128, 1024}) {
-    const StudyDirectory image(series(deck_of(
-        fmt::format("box = \"1 mm\"\ncells = 32\npacking = {{ method = \"image\", file = \"discs.png\", labels = "
-                    "[{{ value = 0, material = \"binder\" }}, {{ value = 1, material = \"hmx\" }}] }}",
-                    pixels))));
+    const StudyDirectory image(deck_of(
+        "box = \"1 mm\"\ncells = 32\npacking = { method = \"image\", file = \"discs.png\", labels = [{ value = 0, "
+        "material = \"binder\" }, { value = 1, material = \"hmx\" }] }"));
     image.write("discs.png", picture_of_discs(pixels));
-    const auto of_image = image.breccia("run");
+    const auto of_image = image.breccia("run", one_bound);
     ASSERT_EQ(of_image.exit_code, 0) << of_image.errors;
     const auto curve = test::read_curve(image.result("curves.csv"), "A", "shear");
     double error = 0.0;
@@ -173,7 +171,7 @@ TEST(Image, OfFinerPixelsComesNearerToTheShapes) {
     EXPECT_LT(error, 0.5 * last_error) << pixels;
     last_error = error;
   }
-  EXPECT_LT(last_error, 2e-3);
+  EXPECT_LT(last_error, 5e-3);
 }
 
 /// G(t) of layers under a shear along them, by the sum of their creep compliances. The matrix with the share f is a

@@ -32,9 +32,10 @@ TEST_P(Interruption, KeepsFinishedTimeDomains) {
   const auto outcome = run.wait();
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.errors, "interrupted; the state is saved, and --resume continues from it\n");
-  EXPECT_THAT(study.results(), testing::ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.csv", "A/microstructure.svg",
-                                                    "A/packing.checkpoint.h5", "A/shear-displacement-dynamic-24-1.h5",
-                                                    "A/shear-displacement-dynamic-24.checkpoint.h5", "study.json"));
+  EXPECT_THAT(study.results(),
+              testing::ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.csv", "A/microstructure.svg",
+                                   "A/packing.checkpoint.h5", "A/shear-displacement-dynamic-24-1.h5",
+                                   "A/shear-displacement-dynamic-24.checkpoint.h5", "study.json"));
   EXPECT_EQ(Hdf5Reader(finished).attribute<double>("/history", "density_factor"), 0.1);
 }
 

@@ -67,10 +67,10 @@ class Results : public ::testing::Test {
 
 TEST_F(Results, AreTheseFiles) {
   const auto tests = provenance()["stages"][0]["tests"];
-  std::vector<std::string> expected{"A/labels.npy", "A/labels.vti", "A/bulk_modulus.svg", "A/fields-strain.svg",  "A/fields-stress.svg",
-                                    "A/fields.vtkhdf",    "A/microstructure.csv", "A/microstructure.svg",
-                                    "A/modulus.svg",      "curves.csv",           "prony.csv",
-                                    "quality.csv",        "report.html",          "study.json"};
+  std::vector<std::string> expected{
+      "A/labels.npy",    "A/labels.vti",         "A/bulk_modulus.svg",   "A/fields-strain.svg", "A/fields-stress.svg",
+      "A/fields.vtkhdf", "A/microstructure.csv", "A/microstructure.svg", "A/modulus.svg",       "curves.csv",
+      "prony.csv",       "quality.csv",          "report.html",          "study.json"};
   for (const auto& test : tests) {
     for (std::size_t i = 1; i <= test["time_domains"].size(); ++i) {
       expected.push_back("A/" + test["load"].get<std::string>() + "-displacement-dynamic-24-" + std::to_string(i) +
@@ -214,8 +214,8 @@ TEST(PackResults, AreTheMicrostructureAlone) {
   ASSERT_EQ(pack.exit_code, 0) << pack.errors;
   EXPECT_THAT(pack.output, HasSubstr("warning: A: the smallest gap between particles"));
   EXPECT_THAT(pack.output, HasSubstr("out/A/microstructure.svg"));
-  EXPECT_THAT(study.results(),
-              ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.csv", "A/microstructure.svg", "A/packing.checkpoint.h5", "study.json"));
+  EXPECT_THAT(study.results(), ElementsAre("A/labels.npy", "A/labels.vti", "A/microstructure.csv",
+                                           "A/microstructure.svg", "A/packing.checkpoint.h5", "study.json"));
   const auto json = Json::parse(read_text(study.result("study.json")));
   const auto& stage = json["stages"][0];
   EXPECT_EQ(stage["microstructure"]["seed"], 1);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,8 +11,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/io/hdf5.hpp"
 #include "breccia/io/npy.hpp"
 #include "breccia/io/png.hpp"
+#include "breccia/io/text_file.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "decks.hpp"
@@ -197,6 +200,27 @@ TEST_F(DeckImage, MistakesInTheFile) {
   const auto png = encode_png(2, pixels, palette);
   directory.write("cut.png", std::string_view(png).substr(0, png.size() - 20));
   EXPECT_THAT(mistakes(keys("cut.png")), HasSubstr("stages.a.packing.file: cut.png: "));
+}
+
+TEST_F(DeckImage, OfAnotherKindThanLabels) {
+  for (const auto* name : {"bad-colours.png", "bad-fraction.npy", "bad-jpeg.jpg"}) {
+    directory.write(name, read_text(std::filesystem::path(BRECCIA_IMAGES_DIRECTORY) / name));
+    EXPECT_THAT(mistakes(keys(name)), HasSubstr(fmt::format("stages.a.packing.file: {}: ", name)));
+  }
+}
+
+TEST_F(DeckImage, MayBeADataSetOfHdf5) {
+  const std::array<std::int64_t, 4> values = {0, 0, 7, 7};  // the top row first
+  {
+    Hdf5Writer file(directory.path() / "scan.h5");
+    file.create_group("/labels");
+    file.write("/labels/phase", values, {2, 2});
+    file.write("/labels/other", values, {2, 2});
+  }
+  const auto stage = study(keys("scan.h5:/labels/phase"), "cells = 2").stages.at(0);
+  EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 0)) << "from the bottom";
+  EXPECT_THAT(mistakes(keys("scan.h5:/labels/phases"), "cells = 2"), HasSubstr("stages.a.packing.file: scan.h5: "));
+  EXPECT_THAT(mistakes(keys("scan.h5"), "cells = 2"), HasSubstr("stages.a.packing.file: scan.h5: "));
 }
 
 TEST_F(DeckImage, WhatAnImageDoesNotHave) {

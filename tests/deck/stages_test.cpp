@@ -379,7 +379,8 @@ TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
 
 TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
   const auto discs_alone = HasSubstr(
-      "particles are discs, or grains of a tessellation (\"laguerre\"), or pixels of an image (\"image\"): other shapes "
+      "particles are discs, or grains of a tessellation (\"laguerre\"), or pixels of an image (\"image\"): other "
+      "shapes "
       "are not available");
   const auto image_elsewhere = HasSubstr("an image is a packing without a filler: packing = { method = \"image\", ");
   EXPECT_THAT(mistakes("shape = \"ellipse\", sizes = { diameter = \"1 mm\" }", regular_packing),
@@ -387,8 +388,9 @@ TEST_F(DeckStages, ReportsUnavailableFeaturesByName) {
   EXPECT_THAT(mistakes("image = \"grains.png\", sizes = { diameter = \"1 mm\" }", regular_packing), image_elsewhere);
   EXPECT_THAT(mistakes("cells = 60\nimage = \"grains.png\"\n"), image_elsewhere);
   directory.write("grains.PNG", "\x89PNG\r\n\x1a\n");
-  EXPECT_THAT(mistakes_with("\"explicit\", discs = \"grains.PNG\""),
-              AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), image_elsewhere));
+  EXPECT_THAT(
+      mistakes_with("\"explicit\", discs = \"grains.PNG\""),
+      AllOf(HasSubstr("expected a CSV file with columns x_m, y_m, diameter_m, got grains.PNG"), image_elsewhere));
 }
 
 TEST_F(DeckStages, MistakesInTheGrid) {

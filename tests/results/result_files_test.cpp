@@ -21,9 +21,9 @@ using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 TEST(ResultFiles, OfAStageAreKnownByTheirNames) {
-  for (const auto* name :
-       {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5", "labels.npy", "labels.vti",
-        "shear-traction-dynamic-300-1.h5", "fields.vtkhdf", "fields-2-stress.svg", "packing.checkpoint.h5"}) {
+  for (const auto* name : {"microstructure.csv", "microstructure.svg", "modulus.svg", "bulk_modulus.svg", "response.h5",
+                           "labels.npy", "labels.vti", "shear-traction-dynamic-300-1.h5", "fields.vtkhdf",
+                           "fields-2-stress.svg", "packing.checkpoint.h5"}) {
     EXPECT_TRUE(is_file_of_a_stage(name)) << name;
   }
   for (const auto* name : {"", "notes.txt", "study.json", "curves.csv", "microstructure.csv.bak", "fields.svg",
@@ -67,6 +67,8 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   EXPECT_THAT(read_text(directory.path() / "microstructure.csv"),
               HasSubstr("# Particles of stage A in a box of 0.006 m"));
   EXPECT_THAT(read_text(directory.path() / "microstructure.svg"), HasSubstr("2 particles in a box of 6 mm"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "labels.npy"));
+  EXPECT_THAT(read_text(directory.path() / "labels.vti"), HasSubstr("particle"));
   stage.fillers.resize(2);
   stage.fillers[0].material.name = "quartz";
   stage.fillers[1].material.name = "glass";
@@ -75,6 +77,17 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   const auto of_two = read_csv(directory.path() / "microstructure.csv");
   EXPECT_THAT(of_two.names(), ElementsAre("x_m", "y_m", "diameter_m", "filler"));
   EXPECT_THAT(of_two.numbers("filler"), ElementsAre(1.0, 0.0));
+}
+
+TEST(MicrostructureFiles, LeaveOutTheLabelsOfALargeGrid) {
+  const test::TemporaryDirectory directory;
+  const Stage stage = {.name = "A", .matrix = {}, .side = 1.0, .cells = 2049};
+  StageMicrostructure empty;
+  empty.microstructure.side = 1.0;
+  write_microstructure(directory.path(), stage, empty);
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "labels.npy"));
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "labels.vti"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "microstructure.svg"));
 }
 
 }  // namespace

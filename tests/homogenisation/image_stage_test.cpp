@@ -1,0 +1,108 @@
+// Stages that are images, and the labels of the points of others.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/point_labels.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
+#include "breccia/homogenisation/stage_warnings.hpp"
+
+namespace breccia {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const Material binder = {"binder", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.01, 0.5e6}})};
+const Material glass = {"glass", 2000.0, PronySeries(10e9), PronySeries(5e9)};
+const Material steel = {"steel", 7800.0, PronySeries(160e9), PronySeries(80e9)};
+
+/// A box of 4 mm with a layer of glass above one of steel, each a quarter of it.
+Stage layers(Walls walls) {
+  const LabelImage<2> image = {{4, 4}, 1e-3, walls, {0, 0, 0, 0, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0}};
+  return {.name = "A",
+          .matrix = binder,
+          .side = 4e-3,
+          .cells = 4,
+          .fillers = {{.material = glass}, {.material = steel}},
+          .packing = ImagePacking{.file = "layers.png", .image = std::make_shared<const LabelImage<2>>(image)}};
+}
+
+Study study_of(const Stage& stage, Mixing mixing) {
+  Study study;
+  study.stages = {stage};
+  study.tests.first_time = 1e-3;
+  study.tests.last_time = 1e-2;
+  study.tests.mixing = mixing;
+  return study;
+}
+
+TEST(ImageStage, HasFractionsAndAnInterfaceButNoGap) {
+  const auto packed = make_microstructure(layers(Walls::hard));
+  EXPECT_DOUBLE_EQ(packed.fraction, 0.5);
+  ASSERT_EQ(packed.fillers.size(), 2U);
+  EXPECT_DOUBLE_EQ(packed.fillers[1].fraction, 0.25);
+  EXPECT_DOUBLE_EQ(packed.interface_per_area, 3.0 / 4e-3);
+  EXPECT_EQ(packed.particles(), 0U);
+  EXPECT_TRUE(std::isinf(packed.gap) && std::isinf(packed.wall_gap));
+}
+
+TEST(ImageStage, HasThePhasesOfItsFillers) {
+  const auto stage = layers(Walls::hard);
+  const auto packed = make_microstructure(stage);
+  EXPECT_THAT(phases_of(stage).names(), ElementsAre("matrix", "glass", "steel"));
+  EXPECT_THAT(discretise(stage, packed, 4, Mixing::points).fractions(3), ElementsAre(0.5, 0.25, 0.25));
+  const auto mixed = discretise(stage, packed, 2, Mixing::series);
+  EXPECT_THAT(mixed.fractions(3), ElementsAre(0.5, 0.25, 0.25));
+  EXPECT_EQ(mixed.mixtures().size(), 2U) << "matrix and steel, glass and matrix";
+}
+
+TEST(ImageStage, WarnsOfABoundaryThatCutsAPeriodicImageAlone) {
+  for (const auto walls : {Walls::hard, Walls::periodic}) {
+    const auto stage = layers(walls);
+    auto study = study_of(stage, Mixing::series);
+    const auto packed = make_microstructure(stage);
+    study.tests.boundaries = {Boundary::periodic};
+    EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());
+    study.tests.boundaries = {Boundary::traction};
+    const auto cuts = HasSubstr("cuts what crosses the sides of a periodic image");
+    EXPECT_EQ(testing::Matches(ElementsAre(cuts))(warnings_on(study, stage, packed)), walls == Walls::periodic);
+  }
+}
+
+TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {
+  const auto stage = layers(Walls::hard);
+  const auto points = study_of(stage, Mixing::points), series = study_of(stage, Mixing::series);
+  // Three interfaces cross at most 3 of 300 rows of cells.
+  const double share = quasistatic_memory(series, stage, 300) / quasistatic_memory(points, stage, 300);
+  EXPECT_GT(share, 1.0);
+  EXPECT_LT(share, 1.02);
+}
+
+TEST(PointLabels, TellTheParticleOfEveryPointWithItsCoating) {
+  // A disc in the corner of a periodic box, and one in the middle.
+  Stage stage = {.name = "A", .matrix = binder, .side = 1.0, .cells = 20};
+  stage.fillers = {{.material = glass, .coating = Coating{steel, 0.1}}};
+  stage.packing = ExplicitPacking{"discs.csv", {{{0.0, 0.0}, 0.4}, {{0.5, 0.5}, 0.4}}, Walls::periodic};
+  const auto labels = point_labels(stage, make_microstructure(stage), stage.cells);
+  ASSERT_EQ(labels.phases.size(), 1600U);
+  ASSERT_EQ(labels.particles.size(), 1600U);
+  const auto at = [&](std::size_t column, std::size_t row) {
+    return std::pair(labels.phases[row * 40 + column], labels.particles[row * 40 + column]);
+  };
+  EXPECT_EQ(at(0, 0), std::pair(PhaseIndex{1}, 0));
+  EXPECT_EQ(at(39, 39), std::pair(PhaseIndex{1}, 0)) << "its image";
+  EXPECT_EQ(at(10, 0), std::pair(PhaseIndex{2}, 0)) << "its coating";
+  EXPECT_EQ(at(20, 20), std::pair(PhaseIndex{1}, 1));
+  EXPECT_EQ(at(20, 0), std::pair(PhaseIndex{0}, -1));
+  EXPECT_EQ(std::ranges::count(labels.phases, 0), std::ranges::count(labels.particles, -1));
+}
+
+}  // namespace
+}  // namespace breccia
