@@ -1,6 +1,8 @@
 #include "sound_study.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 
@@ -71,12 +73,19 @@ void require_sound(const LaguerrePacking& grains) {
   for (const auto& site : grains.sites) require(std::isfinite(site.weight), "weights of the sites");
 }
 
+void require_sound(const LabelImage<2>& image, const Stage& stage) {
+  const auto pixels = static_cast<std::size_t>(image.pixels[0]) * static_cast<std::size_t>(image.pixels[1]);
+  require(image.pixels[0] == image.pixels[1] && image.labels.size() == pixels, "a square of pixels");
+  require(std::ranges::max(image.labels) <= stage.fillers.size(), "fillers of the labels");
+}
+
 void require_sound(const Stage& stage) {
   require(!stage.name.empty() && stage.name.find_first_of("/\\") == std::string::npos, "a name for its directory");
   if (const auto* matrix = std::get_if<Material>(&stage.matrix)) require_sound(*matrix);
   require(is_positive(stage.side) && is_positive(stage.side * stage.side), "an area of the box");
   require(stage.cells >= 2 && is_positive(stage.cell_size()), "cells");
   for (const auto& filler : stage.fillers) require_sound(filler);
+  if (const auto* image = stage.image()) require_sound(*image, stage);
   if (stage.fillers.empty()) return;
   if (const auto* listed = stage.listed()) require_sound(*listed, stage.side);
   if (const auto* grains = stage.grains()) require_sound(*grains);

@@ -19,22 +19,22 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const Material binder = {"binder", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.01, 0.5e6}})};
-const Material glass = {"glass", 2000.0, PronySeries(10e9), PronySeries(5e9)};
-const Material steel = {"steel", 7800.0, PronySeries(160e9), PronySeries(80e9)};
+const Material rubber = {"rubber", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.01, 0.5e6}})};
+const Material flint = {"flint", 2000.0, PronySeries(10e9), PronySeries(5e9)};
+const Material iron = {"iron", 7800.0, PronySeries(160e9), PronySeries(80e9)};
 
-/// A box of 4 mm with a layer of glass above one of steel, each a quarter of it.
-Stage layers(Walls walls) {
+/// A box of 4 mm with a layer of flint above one of iron, each a quarter of it.
+Stage layered_image(Walls walls) {
   const LabelImage<2> image = {{4, 4}, 1e-3, walls, {0, 0, 0, 0, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0}};
   return {.name = "A",
-          .matrix = binder,
+          .matrix = rubber,
           .side = 4e-3,
           .cells = 4,
-          .fillers = {{.material = glass}, {.material = steel}},
+          .fillers = {{.material = flint}, {.material = iron}},
           .packing = ImagePacking{.file = "layers.png", .image = std::make_shared<const LabelImage<2>>(image)}};
 }
 
-Study study_of(const Stage& stage, Mixing mixing) {
+Study image_study(const Stage& stage, Mixing mixing) {
   Study study;
   study.stages = {stage};
   study.tests.first_time = 1e-3;
@@ -44,7 +44,7 @@ Study study_of(const Stage& stage, Mixing mixing) {
 }
 
 TEST(ImageStage, HasFractionsAndAnInterfaceButNoGap) {
-  const auto packed = make_microstructure(layers(Walls::hard));
+  const auto packed = make_microstructure(layered_image(Walls::hard));
   EXPECT_DOUBLE_EQ(packed.fraction, 0.5);
   ASSERT_EQ(packed.fillers.size(), 2U);
   EXPECT_DOUBLE_EQ(packed.fillers[1].fraction, 0.25);
@@ -54,19 +54,19 @@ TEST(ImageStage, HasFractionsAndAnInterfaceButNoGap) {
 }
 
 TEST(ImageStage, HasThePhasesOfItsFillers) {
-  const auto stage = layers(Walls::hard);
+  const auto stage = layered_image(Walls::hard);
   const auto packed = make_microstructure(stage);
-  EXPECT_THAT(phases_of(stage).names(), ElementsAre("matrix", "glass", "steel"));
+  EXPECT_THAT(phases_of(stage).names(), ElementsAre("matrix", "flint", "iron"));
   EXPECT_THAT(discretise(stage, packed, 4, Mixing::points).fractions(3), ElementsAre(0.5, 0.25, 0.25));
   const auto mixed = discretise(stage, packed, 2, Mixing::series);
   EXPECT_THAT(mixed.fractions(3), ElementsAre(0.5, 0.25, 0.25));
-  EXPECT_EQ(mixed.mixtures().size(), 2U) << "matrix and steel, glass and matrix";
+  EXPECT_EQ(mixed.mixtures().size(), 2U) << "matrix and iron, flint and matrix";
 }
 
 TEST(ImageStage, WarnsOfABoundaryThatCutsAPeriodicImageAlone) {
   for (const auto walls : {Walls::hard, Walls::periodic}) {
-    const auto stage = layers(walls);
-    auto study = study_of(stage, Mixing::series);
+    const auto stage = layered_image(walls);
+    auto study = image_study(stage, Mixing::series);
     const auto packed = make_microstructure(stage);
     study.tests.boundaries = {Boundary::periodic};
     EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());
@@ -77,8 +77,8 @@ TEST(ImageStage, WarnsOfABoundaryThatCutsAPeriodicImageAlone) {
 }
 
 TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {
-  const auto stage = layers(Walls::hard);
-  const auto points = study_of(stage, Mixing::points), series = study_of(stage, Mixing::series);
+  const auto stage = layered_image(Walls::hard);
+  const auto points = image_study(stage, Mixing::points), series = image_study(stage, Mixing::series);
   // Three interfaces cross at most 3 of 300 rows of cells.
   const double share = quasistatic_memory(series, stage, 300) / quasistatic_memory(points, stage, 300);
   EXPECT_GT(share, 1.0);
@@ -87,8 +87,8 @@ TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {
 
 TEST(PointLabels, TellTheParticleOfEveryPointWithItsCoating) {
   // A disc in the corner of a periodic box, and one in the middle.
-  Stage stage = {.name = "A", .matrix = binder, .side = 1.0, .cells = 20};
-  stage.fillers = {{.material = glass, .coating = Coating{steel, 0.1}}};
+  Stage stage = {.name = "A", .matrix = rubber, .side = 1.0, .cells = 20};
+  stage.fillers = {{.material = flint, .coating = Coating{iron, 0.1}}};
   stage.packing = ExplicitPacking{"discs.csv", {{{0.0, 0.0}, 0.4}, {{0.5, 0.5}, 0.4}}, Walls::periodic};
   const auto labels = point_labels(stage, make_microstructure(stage), stage.cells);
   ASSERT_EQ(labels.phases.size(), 1600U);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
+
 #include "expect_error.hpp"
 
 namespace breccia {
@@ -18,8 +20,8 @@ LabelImage<2> square(Walls walls) {
 
 TEST(ImageStatistics, CountPixels) {
   EXPECT_THAT(label_fractions(square(Walls::hard), 3), ElementsAre(0.75, 0.25, 0.0));
-  expect_error([] { static_cast<void>(label_fractions(square(Walls::hard), 1)); },
-               "image: a pixel has the label 1, counted from 0, but there are only 1");
+  expect_error<InputError>([] { static_cast<void>(label_fractions(square(Walls::hard), 1)); },
+                           "image: a pixel has the label 1, counted from 0, but there are only 1");
 }
 
 TEST(ImageStatistics, HaveTheLengthOfTheInterface) {
