@@ -68,7 +68,7 @@ std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Ma
 bool take_page(const Section& packing, Raster& raster) {
   const auto page = packing.optional_integer("page", Range::positive());
   const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
-  if (packing.has("page") && !page) return false;
+  if (packing.has("page") && page.value_or(0) < 1) return false;  // which has been reported
   if (page && static_cast<std::size_t>(*page) > pages) {
     packing.report("page", fmt::format("expected a page from 1 to {}, got {}", pages, *page));
     return false;
@@ -151,9 +151,10 @@ bool has_image(const Section& stage) {
 
 void read_image(const Section& section, const std::vector<Material>& materials, Stage& stage) {
   const auto packing = section.section("packing");
-  section.refuse({"filler"},
-                 "the fillers of an image are the materials of its labels: packing.labels = [{ value = 0, "
-                 "material = \"...\" }, ...]");
+  constexpr auto filler_elsewhere =
+      "the fillers of an image are the materials of its labels: packing.labels = [{ value = 0, material = \"...\" }, "
+      "...]";
+  section.refuse({"filler"}, filler_elsewhere);
   packing.refuse({"walls"}, "an image has periodic = true or false");
   packing.refuse({"seed"}, "nothing in an image is at random");
   const auto table = read_labels(packing, materials, stage);

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const Material rubber = {"rubber", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.01, 0.5e6}})};
+const Material bitumen = {"bitumen", 1000.0, PronySeries(1e9), PronySeries(1e4, {{0.01, 0.5e6}})};
 const Material flint = {"flint", 2000.0, PronySeries(10e9), PronySeries(5e9)};
 const Material iron = {"iron", 7800.0, PronySeries(160e9), PronySeries(80e9)};
 
@@ -27,7 +27,7 @@ const Material iron = {"iron", 7800.0, PronySeries(160e9), PronySeries(80e9)};
 Stage layered_image(Walls walls) {
   const LabelImage<2> image = {{4, 4}, 1e-3, walls, {0, 0, 0, 0, 2, 2, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0}};
   return {.name = "A",
-          .matrix = rubber,
+          .matrix = bitumen,
           .side = 4e-3,
           .cells = 4,
           .fillers = {{.material = flint}, {.material = iron}},
@@ -87,7 +87,7 @@ TEST(ImageStage, TakesTheMemoryOfItsMixedCells) {
 
 TEST(PointLabels, TellTheParticleOfEveryPointWithItsCoating) {
   // A disc in the corner of a periodic box, and one in the middle.
-  Stage stage = {.name = "A", .matrix = rubber, .side = 1.0, .cells = 20};
+  Stage stage = {.name = "A", .matrix = bitumen, .side = 1.0, .cells = 20};
   stage.fillers = {{.material = flint, .coating = Coating{iron, 0.1}}};
   stage.packing = ExplicitPacking{"discs.csv", {{{0.0, 0.0}, 0.4}, {{0.5, 0.5}, 0.4}}, Walls::periodic};
   const auto labels = point_labels(stage, make_microstructure(stage), stage.cells);
