@@ -1,10 +1,14 @@
 #include "narration.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/display.hpp"
@@ -41,15 +45,23 @@ std::string describe(const Stage& stage, const StageResult& result) {
   return text;
 }
 
-/// The error of the method in time, in words, and the range of moduli to which it applies.
+/// The shear moduli of a phase in the snapshots: "matrix from 1 MPa to 300 MPa".
+std::string describe_snapshots(const ReducedResponse& response, std::size_t phase) {
+  const auto shear_of = [phase](const Snapshot& one) { return one.moduli[phase].shear; };
+  const auto [softest, stiffest] = std::ranges::minmax(response.snapshots, {}, shear_of);
+  return fmt::format("{} from {} to {}", response.phases()[phase], display(shear_of(softest), "Pa"),
+                     display(shear_of(stiffest), "Pa"));
+}
+
+/// The error of the method in time, in words, and the moduli to which it applies.
 std::string describe_error(const QuasistaticResponse& response) {
   const double per_cent = 100.0 * response.error_estimate;
   if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
-  const auto [softest, stiffest] = std::ranges::minmax(response.reduced->snapshots, {},
-                                                       [](const Snapshot& one) { return one.moduli.front().shear; });
-  return fmt::format("error of the basis (at Laplace variables, matrix from {} to {}) about {:.1g} %",
-                     display(softest.moduli.front().shear, "Pa"), display(stiffest.moduli.front().shear, "Pa"),
-                     per_cent);
+  std::vector<std::string> phases;
+  for (std::size_t phase = 0; phase < response.reduced->phases().size(); ++phase) {
+    phases.push_back(describe_snapshots(*response.reduced, phase));
+  }
+  return fmt::format("error of the basis (at Laplace variables, {}) about {:.1g} %", fmt::join(phases, ", "), per_cent);
 }
 
 /// A line about a quasi-static test; for dynamic tests there is a line for each time domain instead.

@@ -15,14 +15,14 @@
 
 #include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/nearest_name.hpp"
+#include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/results/response_curves.hpp"
-#include "breccia/results/response_file.hpp"
 #include "breccia/results/stored_materials.hpp"
 
 #include "advice.hpp"
 #include "command.hpp"
+#include "stored_stages.hpp"
 #include "tables.hpp"
 
 namespace breccia::cli {
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 struct RespondArguments {
   fs::path results;
-  fs::path material;                      ///< file of the new matrix; empty: temperatures are given
+  std::vector<std::string> materials;     ///< new materials, FILE (of the matrix) or NAME=FILE
   std::vector<std::string> temperatures;  ///< new temperatures of the matrix of the study
   std::string stage;                      ///< empty: all stages with responses
   std::vector<std::string> times;
@@ -41,37 +41,15 @@ struct RespondArguments {
   bool quiet = false;
 };
 
-/// The results of the stages with one new matrix.
+/// The results of the stages with other materials.
 struct Answer {
-  std::string matrix;  ///< description of the matrix
+  std::string name;       ///< of the materials in the results: "aged", "binder at 40 degC"
+  std::string materials;  ///< in words: "aged as matrix, soft as interphase"
   fs::path out;
   std::string study;  ///< hash of the study with the reduced responses
   std::vector<StageResult> stages = {};
-  std::vector<std::string> warnings = {};  ///< on the matrix
+  std::vector<std::string> warnings = {};  ///< on the materials
 };
-
-/// The names of the stages that have reduced responses, in alphabetical order.
-std::vector<std::string> stages_with_response(const fs::path& results) {
-  if (!fs::is_directory(results)) throw InputError(fmt::format("{}: no such directory", results.string()));
-  std::vector<std::string> stages;
-  for (const auto& entry : fs::directory_iterator(results)) {
-    if (fs::exists(entry.path() / "response.h5")) stages.push_back(entry.path().filename().string());
-  }
-  std::ranges::sort(stages);
-  if (!stages.empty()) return stages;
-  throw InputError(fmt::format(
-      "{}: no stage with a response.h5, which `breccia run` leaves for tests by the quasi-static method with "
-      "the reduced solver",
-      results.string()));
-}
-
-std::vector<std::string> chosen_stages(const RespondArguments& arguments) {
-  auto stages = stages_with_response(arguments.results);
-  if (arguments.stage.empty()) return stages;
-  if (std::ranges::find(stages, arguments.stage) != stages.end()) return {arguments.stage};
-  throw InputError(fmt::format("{}: no response of a stage \"{}\"{}", arguments.results.string(), arguments.stage,
-                               suggestion(arguments.stage, stages)));
-}
 
 std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   if (times.empty()) return {};
@@ -81,30 +59,6 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   const TimeWindow window = {time(times[0]), time(times[1])};
   if (window.begin < window.end) return window;
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
-}
-
-std::vector<StoredResponses> responses_of(const RespondArguments& arguments) {
-  std::vector<StoredResponses> stored;
-  for (const auto& stage : chosen_stages(arguments)) {
-    const auto file = arguments.results / stage / "response.h5";
-    stored.push_back(read_responses(file));
-    if (stored.back().stage == stage) continue;
-    throw InputError(
-        fmt::format("{}: the responses are of stage {}, not of one with the name of the directory, {}; move the copy "
-                    "out of {}",
-                    file.string(), stored.back().stage, stage, arguments.results.string()));
-  }
-  return stored;
-}
-
-Answer answer_for_material(const RespondArguments& arguments, const std::optional<TimeWindow>& window) {
-  const auto material = read_material_file(arguments.material);
-  const auto stored = responses_of(arguments);
-  const auto own = arguments.results / ("respond-" + material.name);
-  // A single stage gets the material as its matrix, even if its matrix was an earlier stage in the study.
-  return {material.name, arguments.out.empty() ? own : arguments.out, stored.front().deck_hash,
-          arguments.stage.empty() ? respond(stored, material, window)
-                                  : std::vector{respond(stored.front(), material, window)}};
 }
 
 /// A requested temperature.
@@ -154,16 +108,6 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
   return temperatures;
 }
 
-/// Names of the materials that the stages have as matrix, and of those of their other phases whose moduli vary.
-std::vector<std::string> varying_materials(const std::vector<StoredResponses>& stored) {
-  std::vector<std::string> names;
-  for (const auto& one : stored) {
-    if (std::holds_alternative<Material>(one.matrix)) names.push_back(name_of(one.matrix));
-    for (const auto& [phase, material] : one.other_phases) names.push_back(material.name);
-  }
-  return names;
-}
-
 /// The varying materials of the stages at one temperature, by their names.
 std::map<std::string, Material> materials_at(const std::vector<StoredMaterial>& materials,
                                              const std::vector<StoredResponses>& stored,
@@ -180,65 +124,118 @@ std::map<std::string, Material> materials_at(const std::vector<StoredMaterial>& 
 }
 
 /// A warning on each matrix that is the same at all temperatures.
-std::vector<std::string> warnings_on_matrices(const std::map<std::string, Material>& matrices) {
+std::vector<std::string> warnings_on_matrices(const std::map<std::string, Material>& materials,
+                                              const std::vector<StoredResponses>& stored) {
   std::vector<std::string> warnings;
-  for (const auto& [original, material] : matrices) {
-    if (!material.bulk.is_elastic() || !material.shear.is_elastic()) continue;
+  for (const auto& [original, material] : materials) {
+    const auto is_its_matrix = [&name = original](const auto& one) { return name_of(one.matrix) == name; };
+    if (!material.bulk.is_elastic() || !material.shear.is_elastic() || std::ranges::none_of(stored, is_its_matrix)) {
+      continue;
+    }
     warnings.push_back(fmt::format(
         "{} is elastic: its moduli do not depend on the temperature here, so they are those of the run", original));
   }
   return warnings;
 }
 
-/// The new matrix in words: "binder at 40 degC", or several if stages have different matrices.
-std::string names_of(const std::map<std::string, Material>& matrices) {
+/// The new materials in words: "binder at 40 degC", or several.
+std::string names_of(const std::map<std::string, Material>& materials) {
   std::vector<std::string> names;
-  names.reserve(matrices.size());
-  for (const auto& [original, material] : matrices) names.push_back(material.name);
+  names.reserve(materials.size());
+  for (const auto& [original, material] : materials) names.push_back(material.name);
   return fmt::format("{}", fmt::join(names, ", "));
-}
-
-/// The responses of the requested stage and of the stages that it builds on.
-std::vector<StoredResponses> with_earlier_stages(std::vector<StoredResponses> stored, const std::string& stage) {
-  std::vector<StoredResponses> chain;
-  for (auto wanted = stage; chain.size() < stored.size();) {
-    const auto found = std::ranges::find(stored, wanted, &StoredResponses::stage);
-    if (found == stored.end()) break;
-    chain.push_back(*found);
-    if (std::holds_alternative<Material>(found->matrix)) break;
-    wanted = name_of(found->matrix);
-  }
-  return chain;
 }
 
 std::vector<Answer> answers_at_temperatures(const RespondArguments& arguments, const std::optional<TimeWindow>& window,
                                             const CLI::App& command) {
   const auto temperatures = read_temperatures(arguments.temperatures, command);
-  auto of_all_stages = arguments;
-  of_all_stages.stage.clear();
-  static_cast<void>(chosen_stages(arguments));
-  auto stored = responses_of(of_all_stages);
-  if (!arguments.stage.empty()) stored = with_earlier_stages(std::move(stored), arguments.stage);
-  const auto study = read_stored_materials(arguments.results);
-  for (const auto& one : stored) {
-    if (one.deck_hash == study.deck_hash) continue;
-    throw InputError(
-        fmt::format("{}: the responses of stage {} are of another study (deck hash {}) than study.json ({})",
-                    arguments.results.string(), one.stage, one.deck_hash, study.deck_hash));
-  }
+  const auto stored = responses_of_chain(arguments.results, arguments.stage);
+  const auto of_study = materials_of_study(arguments.results, stored);
   const auto parent = arguments.out.empty() ? arguments.results : arguments.out;
   const bool is_out_for_one = temperatures.size() == 1 && !arguments.out.empty();
   std::vector<Answer> answers;
   std::vector<std::string> mistakes;
   for (const auto& temperature : temperatures) {
     collect(mistakes, fmt::format("at {}: ", temperature.name), command, [&] {
-      const auto matrices = materials_at(study.materials, stored, temperature);
-      answers.push_back({names_of(matrices), is_out_for_one ? arguments.out : parent / temperature.directory,
-                         study.deck_hash, respond(stored, matrices, window), warnings_on_matrices(matrices)});
+      const auto materials = materials_at(of_study, stored, temperature);
+      const auto names = names_of(materials);
+      answers.push_back({names, materials.size() == 1 ? names + " as matrix" : names,
+                         is_out_for_one ? arguments.out : parent / temperature.directory, stored.front().deck_hash,
+                         respond(stored, materials, window), warnings_on_matrices(materials, stored)});
     });
   }
   refuse(mistakes);
   return answers;
+}
+
+/// A new material from the command line: FILE, which is the matrix, or NAME=FILE.
+struct AskedMaterial {
+  std::string name;  ///< of the material or the phase that it replaces
+  fs::path file;
+};
+
+AskedMaterial read_asked_material(const std::string& text) {
+  const auto sign = text.find('=');
+  const bool is_file = sign == std::string::npos || fs::exists(text);
+  if (is_file) return {std::string(name_of_matrix_phase), text};
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+/// The files of the new materials. Files that cannot be read leave a material without moduli, and a mistake.
+std::vector<NewMaterial> read_materials(const std::vector<AskedMaterial>& asked, const CLI::App& command,
+                                        std::vector<std::string>& mistakes) {
+  std::vector<NewMaterial> materials;
+  for (const auto& [name, file] : asked) {
+    auto& material = materials.emplace_back(NewMaterial{name, {}}).material;
+    collect(mistakes, "", command, [&, &path = file] { material = read_material_file(path); });
+  }
+  return materials;
+}
+
+/// The responses in which the materials are replaced. A stage that gets a matrix of its own takes none of the stages
+/// that it builds on.
+std::vector<StoredResponses> responses_for(const RespondArguments& arguments, bool is_matrix_given) {
+  if (arguments.stage.empty() || !is_matrix_given) return responses_of_chain(arguments.results, arguments.stage);
+  auto stored = responses_of_stage(arguments.results, arguments.stage);
+  const auto name = name_of(stored.front().matrix);
+  stored.front().matrix.emplace<Material>().name = name;
+  return stored;
+}
+
+/// The materials of the study that are not replaced but that respond() needs: matrices.
+void add_matrices_of_study(const std::vector<StoredResponses>& stored, const std::vector<Material>& of_study,
+                           std::map<std::string, Material>& materials) {
+  for (const auto& one : stored) {
+    if (!std::holds_alternative<Material>(one.matrix)) continue;
+    const auto found = std::ranges::find(of_study, name_of(one.matrix), &Material::name);
+    if (found != of_study.end()) materials.emplace(found->name, *found);
+  }
+}
+
+Answer answer_for_materials(const RespondArguments& arguments, const std::optional<TimeWindow>& window,
+                            const std::vector<AskedMaterial>& asked, const CLI::App& command) {
+  std::vector<std::string> mistakes;
+  const auto is_matrix = [](const AskedMaterial& one) { return one.name == name_of_matrix_phase; };
+  const auto given = read_materials(asked, command, mistakes);
+  const auto stored = responses_for(arguments, std::ranges::any_of(asked, is_matrix));
+  std::vector<Material> of_study;
+  if (!std::ranges::all_of(asked, is_matrix)) {
+    for (const auto& [material, shift] : materials_of_study(arguments.results, stored)) of_study.push_back(material);
+  }
+  std::map<std::string, Material> materials;
+  collect(mistakes, "", command, [&] { materials = by_replaced_material(given, stored, of_study); });
+  refuse(mistakes);
+  add_matrices_of_study(stored, of_study, materials);
+  std::vector<std::string> names, described;
+  for (const auto& [name, material] : given) {
+    names.push_back(material.name);
+    described.push_back(fmt::format("{} as {}", material.name, name));
+  }
+  const auto words = fmt::format("{}", fmt::join(described, ", "));
+  const bool is_matrix_alone = asked.size() == 1 && is_matrix(asked.front());
+  const auto own = arguments.results / fmt::format("respond-{}", fmt::join(names, "-"));
+  return {is_matrix_alone ? names.front() : words, words, arguments.out.empty() ? own : arguments.out,
+          stored.front().deck_hash, respond(stored, materials, window)};
 }
 
 void print(const Answer& answer, const TimeWindow& times) {
@@ -255,9 +252,9 @@ void print(const Answer& answer, const TimeWindow& times) {
     }
   }
   fmt::print(
-      "{}\nwith {} as matrix; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
+      "{}\nwith {}; error of the reduced responses (at the Laplace variables of these times) about {:.1g} %\n"
       "Curves are in {}\n",
-      tables_of(answer.stages, times), answer.matrix, 100.0 * error, answer.out.string());
+      tables_of(answer.stages, times), answer.materials, 100.0 * error, answer.out.string());
 }
 
 /// First and last time of the curves of several stages.
@@ -267,19 +264,21 @@ TimeWindow times_of(const std::vector<StageResult>& stages) {
 }
 
 void run_respond(const RespondArguments& arguments, const CLI::App& command) {
-  const bool has_material = !arguments.material.empty();
+  const bool has_material = !arguments.materials.empty();
   if (has_material == !arguments.temperatures.empty()) {
     throw InputError(
-        "respond: expected a new matrix, either --material FILE.toml or --temperature \"40 degC\" (several times for "
-        "several temperatures)");
+        "respond: expected other materials, either --material FILE.toml or --temperature \"40 degC\" (each may be "
+        "repeated; --material NAME=FILE.toml replaces another material than the matrix)");
   }
   const auto window = window_of(arguments.times);
-  const auto answers = has_material ? std::vector{answer_for_material(arguments, window)}
+  std::vector<AskedMaterial> asked;
+  for (const auto& text : arguments.materials) asked.push_back(read_asked_material(text));
+  const auto answers = has_material ? std::vector{answer_for_materials(arguments, window, asked, command)}
                                     : answers_at_temperatures(arguments, window, command);
   std::vector<fs::path> inputs;
-  if (has_material) inputs.push_back(arguments.material);
-  for (const auto& [matrix, out, study, stages, warnings] : answers) {
-    write_response_curves({out, matrix, study, inputs, arguments.overwrite}, stages);
+  for (const auto& [name, file] : asked) inputs.push_back(file);
+  for (const auto& [name, materials, out, study, stages, warnings] : answers) {
+    write_response_curves({out, name, study, inputs, arguments.overwrite}, stages);
   }
   if (arguments.quiet) return;
   for (const auto& answer : answers) print(answer, times_of(answer.stages));
@@ -289,11 +288,16 @@ void run_respond(const RespondArguments& arguments, const CLI::App& command) {
 
 void add_respond(CLI::App& application) {
   auto* command = application.add_subcommand(
-      "respond", "compute the curves of a run with another matrix or at another temperature, from its results");
+      "respond", "compute the curves of a run with other materials or at another temperature, from its results");
   auto arguments = std::make_shared<RespondArguments>();
   command->add_option("DIR", arguments->results, "the results of `breccia run`")->required()->type_name("");
-  command->add_option("--material", arguments->material, "the new matrix: a TOML file with the keys of a material")
-      ->type_name("FILE.toml");
+  command
+      ->add_option("--material", arguments->materials,
+                   "a new material: a TOML file with the keys of a material, which becomes the matrix, or takes the "
+                   "place of the material or phase NAME; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->type_name("[NAME=]FILE.toml");
   command
       ->add_option("--temperature", arguments->temperatures,
                    R"(another temperature of the matrix, such as "40 degC"; may be repeated)")
@@ -302,8 +306,8 @@ void add_respond(CLI::App& application) {
       ->type_name("TEMPERATURE");
   command
       ->add_option("--stage", arguments->stage,
-                   "compute this stage alone, with the material as its matrix; with --temperature also the stages "
-                   "that it builds on (default: all stages)")
+                   "compute this stage alone, if its matrix is given by --material; otherwise also the stages that it "
+                   "builds on (default: all stages)")
       ->type_name("NAME");
   command
       ->add_option("--times", arguments->times,
@@ -314,7 +318,7 @@ void add_respond(CLI::App& application) {
       ->add_option("--out", arguments->out, "directory for the curves (default: DIR/respond-<material or temperature>)")
       ->type_name("DIR");
   command->add_flag("--overwrite", arguments->overwrite,
-                    "replace the curves of another matrix or of other times in that directory");
+                    "replace the curves of other materials or of other times in that directory");
   command->add_flag("--quiet", arguments->quiet, "print nothing but errors");
   command->callback([arguments, command] { run_respond(*arguments, *command); });
 }

@@ -146,11 +146,23 @@ std::string describe(const DynamicOptions& options) {
                                       : fmt::format("{}", fmt::join(options.density_factors, ", ")));
 }
 
-std::string describe(const QuasistaticOptions& options) {
+/// The moduli over which elastic materials vary: ", and over interphase with shear 10 MPa .. 1 GPa".
+std::string describe(const std::vector<VariedMaterial>& varied) {
+  std::string text;
+  for (const auto& [name, shear, bulk] : varied) {
+    text += fmt::format(", and over {} with", name);
+    if (shear) text += fmt::format(" shear {} .. {}", pressure(shear->least), pressure(shear->most));
+    if (bulk) text += fmt::format("{} bulk {} .. {}", shear ? "," : "", pressure(bulk->least), pressure(bulk->most));
+  }
+  return text;
+}
+
+std::string describe(const QuasistaticOptions& options, const std::vector<VariedMaterial>& varied) {
   const auto how = options.solver == Solver::reduced
-                       ? fmt::format("reduced basis to within {:.1g} over {}", options.sampling.tolerance,
+                       ? fmt::format("reduced basis to within {:.1g} over {}{}", options.sampling.tolerance,
                                      options.range == SampledRange::matrix ? "the whole relaxation of the matrix"
-                                                                           : "the times of the tests")
+                                                                           : "the times of the tests",
+                                     describe(varied))
                        : fmt::format("log-time stepping, {} steps a decade", options.steps_per_decade);
   return fmt::format("    method   quasi-static, {}, {} strain\n", how,
                      options.volumetric == Volumetric::averaged ? "averaged volumetric" : "standard volumetric");
@@ -175,7 +187,7 @@ std::string describe(const Tests& tests) {
   }
   text += describe(tests.mixing);
   for (const auto method : tests.methods) {
-    text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic);
+    text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic, tests.varied);
   }
   return text;
 }

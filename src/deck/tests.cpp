@@ -8,6 +8,7 @@
 #include "breccia/study/test_rules.hpp"
 
 #include "time_window.hpp"
+#include "varied_materials.hpp"
 
 namespace breccia {
 
@@ -56,7 +57,10 @@ std::vector<Method> read_methods(const Section& section) {
 }
 
 QuasistaticOptions read_quasistatic(const Section& section) {
+  // Two parameters and more take many times the snapshots of one, and serve for moduli that are not known well.
+  constexpr double tolerance_with_varied_materials = 1e-4;
   QuasistaticOptions options;
+  if (section.has("vary")) options.sampling.tolerance = tolerance_with_varied_materials;
   options.sampling.tolerance =
       section.optional_number("tolerance", allowed::accuracy).value_or(options.sampling.tolerance);
   if (section.has("range")) {
@@ -144,6 +148,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
   tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
     tests.quasistatic = read_quasistatic(*quasistatic);
+    tests.varied = read_varied_materials(*quasistatic, stages);
   }
   if (const auto dynamic = section.optional_section("dynamic")) tests.dynamic = read_dynamic(*dynamic);
   if (section.has("solver")) {

@@ -41,7 +41,15 @@ std::optional<TimeWindow> common(const std::optional<TimeWindow>& one, const std
 
 /// Advice on how to cover more times.
 std::string remedy_for(const StoredResponses& stored) {
-  if (!stored.other_phases.empty()) return "a new study with these materials covers all of them";
+  if (!stored.other_phases.empty()) {
+    const auto is_elastic = [](const auto& phase) {
+      return phase.second.bulk.is_elastic() && phase.second.shear.is_elastic();
+    };
+    return fmt::format("a new study with these materials covers all of them{}",
+                       std::ranges::any_of(stored.other_phases, is_elastic)
+                           ? "; moduli of elastic materials between two ends are sampled with tests.quasistatic.vary"
+                           : "");
+  }
   if (stored.range == SampledRange::times) {
     return "the study was run with tests.quasistatic.range = \"times\"; with \"matrix\", the default, it covers its "
            "own matrix at every temperature";

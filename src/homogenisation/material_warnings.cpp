@@ -34,22 +34,8 @@ std::optional<std::string> warning_of_poisson_ratio(const Material& material, co
   return std::nullopt;
 }
 
-/// The materials that a stage names.
-std::vector<Material> materials_of(const Stage& stage) {
-  std::vector<Material> materials;
-  if (const auto* matrix = std::get_if<Material>(&stage.matrix)) materials.push_back(*matrix);
-  const auto add = [&materials](const Material& material) {
-    if (std::ranges::find(materials, material.name, &Material::name) == materials.end()) materials.push_back(material);
-  };
-  for (const auto& filler : stage.fillers) {
-    add(filler.material);
-    if (filler.coating) add(filler.coating->material);
-  }
-  return materials;
-}
-
 bool has_material(const Stage& stage, const std::string& name) {
-  const auto materials = materials_of(stage);
+  const auto materials = named_materials(stage);
   return std::ranges::find(materials, name, &Material::name) != materials.end();
 }
 
@@ -58,7 +44,7 @@ bool has_material(const Stage& stage, const std::string& name) {
 std::vector<std::string> warnings_on_materials(const Study& study, const Stage& stage) {
   const auto end = std::ranges::find(study.stages, stage.name, &Stage::name);
   std::vector<std::string> warnings;
-  for (const auto& material : materials_of(stage)) {
+  for (const auto& material : named_materials(stage)) {
     const bool is_known = end != study.stages.end() && std::any_of(study.stages.begin(), end, [&](const Stage& one) {
                             return has_material(one, material.name);
                           });

@@ -12,6 +12,7 @@
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/expected_snapshots.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
@@ -76,7 +77,11 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   constexpr double dozen = 12.0 * sizeof(double);
   constexpr double vector = sizeof(double);
   // The residual of a reduced basis takes a nodal vector for each modulus that varies, among the dozen for the matrix.
-  double further = 2.0 * vector * vectors * static_cast<double>(other_varying_phases(stage).size());
+  double further = 2.0 * vector * vectors * static_cast<double>(other_varying_phases(study.tests, stage).size());
+  // So does each snapshot under each load; those that the matrix alone takes are among the dozen as well.
+  constexpr double few_snapshots = 11.0;
+  further += vector * vectors * static_cast<double>(loads_of(study, stage).size()) *
+             std::max(0.0, expected_snapshots(study.tests, stage) - few_snapshots);
   if (study.tests.quasistatic.solver == Solver::stepping) {
     // A nodal vector for each term, in the run with fine and in that with coarse time steps.
     std::size_t terms = 0;

@@ -201,7 +201,7 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
   const auto inclusions = inclusions_of(stage, result.microstructure.fillers);
   StoredResponses responses = {.stage = stage.name,
                                .matrix = stage.matrix,
-                               .other_phases = other_varying_phases(stage),
+                               .other_phases = other_varying_phases(tests, stage),
                                .filler_density = mean_density(inclusions),
                                .filler_fraction = fraction_of(inclusions),
                                .side = stage.side,

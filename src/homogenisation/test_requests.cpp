@@ -40,6 +40,20 @@ ExpectedFiller expected_filler(const Stage& stage) {
   return expected;
 }
 
+/// Other materials of the phases that vary: every choice for those over whose moduli the tests sample.
+std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::vector<VaryingPhase>& varying,
+                                               const std::vector<Material>& materials) {
+  std::vector<Material> of_phases;
+  for (const auto& [index, name] : varying) of_phases.push_back(materials[index]);
+  std::vector<std::vector<Material>> variants;
+  for (const auto& choice : choices_of_varied(tests.varied, of_phases)) {
+    if (choice.empty()) continue;
+    auto& variant = variants.emplace_back(of_phases);
+    for (const auto& material : choice) *std::ranges::find(variant, material.name, &Material::name) = material;
+  }
+  return variants;
+}
+
 }  // namespace
 
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
@@ -59,9 +73,14 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
                                       const Discretisation<2>& discretisation, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
+  // Over every further modulus the basis takes up to three times as many snapshots.
+  options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
+  const auto materials = materials_of(stage, matrix);
+  const auto varying = varying_phases(study.tests, stage);
   return {.discretisation = discretisation,
-          .materials = materials_of(stage, matrix),
-          .varying = varying_phases(stage),
+          .materials = materials,
+          .varying = varying,
+          .variants = variants_of(study.tests, varying, materials),
           .boundary = boundary,
           .loads = loads_of(study, stage),
           .times = {study.tests.first_time, study.tests.last_time},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
@@ -74,7 +75,7 @@ class ChainOfStages {
     } else if (const auto* made_by = stage_below(stage)) {
       materials = this->materials(*made_by);
     }
-    for (const auto& [phase, material] : other_varying_phases(stage)) materials.push_back(material);
+    for (const auto& [phase, material] : other_varying_phases(study_.tests, stage)) materials.push_back(material);
     return materials;
   }
 
@@ -82,7 +83,7 @@ class ChainOfStages {
   [[nodiscard]] std::vector<std::vector<Moduli>> moduli(const Stage& stage,
                                                         const std::vector<double>& laplace_variables) const {
     const auto of_matrix = matrix_moduli(stage, laplace_variables);
-    const auto others = other_varying_phases(stage);
+    const auto others = other_varying_phases(study_.tests, stage);
     std::vector<std::vector<Moduli>> moduli;
     for (std::size_t i = 0; i < of_matrix.size(); ++i) {
       auto& point = moduli.emplace_back(std::vector{of_matrix[i]});
@@ -126,12 +127,20 @@ class ChainOfStages {
 
 std::vector<std::vector<Moduli>> varying_moduli(const Study& study, const Stage& stage,
                                                 const std::vector<StageResult>& earlier, Boundary boundary) {
-  const ChainOfStages chain(study, earlier, boundary);
+  const auto materials = ChainOfStages(study, earlier, boundary).materials(stage);
   std::vector<double> laplace_variables;
-  for (const auto& point : relaxation_path(chain.materials(stage), {study.tests.first_time, study.tests.last_time})) {
+  for (const auto& point : relaxation_path(materials, {study.tests.first_time, study.tests.last_time})) {
     laplace_variables.push_back(point.laplace_variable);
   }
-  return chain.moduli(stage, laplace_variables);
+  std::vector<std::vector<Moduli>> moduli;
+  for (const auto& choice : choices_of_varied(study.tests.varied, materials)) {
+    auto variant = study;
+    for (auto& one : variant.stages) one = with_materials(std::move(one), choice);
+    const auto path =
+        ChainOfStages(variant, earlier, boundary).moduli(with_materials(stage, choice), laplace_variables);
+    moduli.insert(moduli.end(), path.begin(), path.end());
+  }
+  return moduli;
 }
 
 }  // namespace breccia

@@ -182,10 +182,20 @@ class Content {
 
   void add(const Tests& tests) {
     const auto& [loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times,
-                 lists_field_times, fit_tolerance, quasistatic, dynamic] = tests;
+                 lists_field_times, fit_tolerance, quasistatic, varied, dynamic] = tests;
     add_all(loads, boundaries, methods, mixing, first_time, last_time, points_per_decade, field_times, fit_tolerance,
             quasistatic, dynamic);
     static_cast<void>(lists_field_times);
+    // Nothing without such materials: a study from before there were any keeps its hash.
+    if (!varied.empty()) add_all(std::string("varied materials"), varied);
+  }
+  void add(const VariedMaterial& material) {
+    const auto& [name, shear, bulk] = material;
+    add_all(name, shear, bulk);
+  }
+  void add(const ModulusInterval& interval) {
+    const auto& [least, most] = interval;
+    add_all(least, most);
   }
   void add(const QuasistaticOptions& options) {
     const auto& [solver, range, volumetric, sampling, steps_per_decade, linear] = options;

@@ -60,6 +60,7 @@ void require_sound(const Study& study) {
   if (study.stages.empty()) mistakes.add("study", "expected at least one stage");
   for (std::size_t number = 0; number < study.stages.size(); ++number) check_stage(study, number, mistakes);
   check_tests(study.tests, mistakes);
+  check_varied_materials(study, mistakes);
   mistakes.add_all("tests", contradictions(study));
   check_measurements(study, mistakes);
   mistakes.refuse();

@@ -84,6 +84,17 @@ void check_measurement(const Measurement& measurement, const Study& study, Study
 
 }  // namespace
 
+void check_varied_materials(const Study& study, StudyMistakes& mistakes) {
+  const auto& varied = study.tests.varied;
+  for (auto one = varied.begin(); one != varied.end(); ++one) {
+    const auto part = "tests, varied material " + one->name;
+    mistakes.add_all(part, mistakes_of_varied(*one, study.stages));
+    if (std::ranges::find(varied.begin(), one, one->name, &VariedMaterial::name) != one) {
+      mistakes.add(part, "it is given twice");
+    }
+  }
+}
+
 void check_tests(const Tests& tests, StudyMistakes& mistakes) {
   const TimeWindow times{tests.first_time, tests.last_time};
   if (!is_rising_window(times)) {

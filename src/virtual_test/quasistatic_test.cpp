@@ -36,10 +36,16 @@ std::vector<Material> varying_materials(const QuasistaticTest& test) {
   return materials;
 }
 
-/// Moduli of all points of a path.
-std::vector<std::vector<Moduli>> moduli_of(const std::vector<CarsonPoint>& path) {
+/// Moduli of all points of the paths of these materials and of their variants.
+template <class PathOf>
+std::vector<std::vector<Moduli>> moduli_on_paths(const QuasistaticTest& test, const std::vector<Material>& materials,
+                                                 const PathOf& path_of) {
   std::vector<std::vector<Moduli>> moduli;
-  for (const auto& point : path) moduli.push_back(point.moduli);
+  const auto append = [&](const std::vector<Material>& of_phases) {
+    for (const auto& point : path_of(of_phases)) moduli.push_back(point.moduli);
+  };
+  append(materials);
+  std::ranges::for_each(test.variants, append);
   return moduli;
 }
 
@@ -57,10 +63,15 @@ bool is_stiffer(const std::vector<Moduli>& one, const std::vector<Moduli>& other
 TrainingPath training_set(const QuasistaticTest& test, const std::vector<Material>& materials) {
   // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
   // training set has both.
-  TrainingPath path = {.phases = test.varying, .points = moduli_of(carson_path(materials, test.times))};
-  if (test.options.range == SampledRange::times) return path;
-  const auto whole = test.relaxation.empty() ? moduli_of(relaxation_path(materials, test.times)) : test.relaxation;
-  std::ranges::copy_if(whole, std::back_inserter(path.points), std::not_fn(is_beyond_the_path));
+  const auto near_times = [&test](const auto& of_phases) { return carson_path(of_phases, test.times); };
+  TrainingPath path = {.phases = test.varying, .points = moduli_on_paths(test, materials, near_times)};
+  if (test.options.range == SampledRange::matrix) {
+    const auto everywhere = [&test](const auto& of_phases) { return relaxation_path(of_phases, test.times); };
+    const auto whole = test.relaxation.empty() ? moduli_on_paths(test, materials, everywhere) : test.relaxation;
+    std::ranges::copy_if(whole, std::back_inserter(path.points), std::not_fn(is_beyond_the_path));
+  } else if (test.variants.empty()) {
+    return path;
+  }
   std::ranges::stable_sort(path.points, is_stiffer);
   return path;
 }

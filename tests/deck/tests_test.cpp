@@ -155,6 +155,38 @@ TEST_F(DeckTests, Mistakes) {
               HasSubstr("tests.points_per_decade: expected an integer from 1 to 1000, got 0"));
 }
 
+TEST_F(DeckTests, ElasticMaterialsMayVary) {
+  const auto varied = [&](std::string_view keys) { return tests(test::join(times, "[tests.quasistatic]\n", keys)); };
+  const auto given = varied("vary = { hmx = { shear = [\"1 GPa\", \"10 GPa\"], bulk = [\"10 GPa\", \"20 GPa\"] } }");
+  ASSERT_EQ(given.varied.size(), 1U);
+  EXPECT_EQ(given.varied[0].name, "hmx");
+  EXPECT_EQ(given.varied[0].shear.value().least, 1e9);
+  EXPECT_EQ(given.varied[0].shear.value().most, 10e9);
+  EXPECT_EQ(given.varied[0].bulk.value().most, 20e9);
+  EXPECT_EQ(given.quasistatic.sampling.tolerance, 1e-4) << "many parameters take many snapshots";
+  EXPECT_EQ(
+      varied("vary = { hmx = { shear = [\"1 GPa\", \"10 GPa\"] } }\ntolerance = 1e-6").quasistatic.sampling.tolerance,
+      1e-6);
+  EXPECT_THAT(tests(times).varied, IsEmpty());
+}
+
+TEST_F(DeckTests, MistakesInMaterialsThatVary) {
+  const auto with = [&](std::string_view keys) {
+    return mistakes(test::join(times, "[tests.quasistatic]\nvary = { ", keys, " }\n"));
+  };
+  EXPECT_THAT(with("hmxx = { shear = [\"1 GPa\", \"10 GPa\"] }"),
+              HasSubstr("quasistatic.vary.hmxx: no stage has a material \"hmxx\", did you mean \"hmx\"?"));
+  EXPECT_THAT(with("hmx = { shear = [\"10 GPa\", \"1 GPa\"] }"),
+              HasSubstr("vary.hmx.shear: expected two rising moduli, such as [\"10 MPa\", \"1 GPa\"]"));
+  EXPECT_THAT(with("hmx = { shear = [\"1 GPa\"] }"), HasSubstr("vary.hmx.shear: expected two rising moduli"));
+  EXPECT_THAT(with("hmx = { shear = [\"1 GPa\", \"10 m\"] }"), HasSubstr("vary.hmx.shear: expected a pressure"));
+  EXPECT_THAT(with("hmx = { shear = \"1 GPa\" }"), HasSubstr("vary.hmx.shear: expected an array"));
+  EXPECT_THAT(with("hmx = [\"1 GPa\", \"10 GPa\"]"), HasSubstr("vary.hmx: expected a table"));
+  EXPECT_THAT(with("hmx = { young = [\"1 GPa\", \"10 GPa\"] }"), HasSubstr("unknown key \"young\""));
+  EXPECT_THAT(with("hmx = { shear = [\"1 GPa\", \"2 GPa\"] }"),
+              HasSubstr("vary.hmx: the shear modulus of the material, 5.84 GPa, is not among 1 GPa to 2 GPa"));
+}
+
 TEST_F(DeckTests, MistakesInTheDynamicMethod) {
   const auto with = [&](std::string_view keys) { return mistakes(test::join(times, "dynamic = { ", keys, " }")); };
   EXPECT_THAT(with("courant = 1.5"),

@@ -136,7 +136,8 @@ TEST(RespondWithSeveralPhases, RefusesACoatingBeyondWhatWasSampled) {
               static_cast<void>(respond(std::vector{coated_stage()}, {{"binder", test::binder}, {"interphase", hard}}));
             }),
             "stage fine: from 1 ms to 50 ms hard shows a shear modulus from 1 MPa to 1 MPa; the study has sampled 9.5 "
-            "kPa to 105 kPa\na new study with these materials covers all of them");
+            "kPa to 105 kPa\na new study with these materials covers all of them; moduli of elastic materials between "
+            "two ends are sampled with tests.quasistatic.vary");
   auto incomplete = coated_stage();
   incomplete.other_phases.clear();
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(respond(incomplete, test::binder)); }),

@@ -50,4 +50,8 @@ struct Stage {
   [[nodiscard]] std::vector<int> grids() const;
 };
 
+/// The materials that a stage names, each once: its matrix, unless that is an earlier stage, then its fillers and their
+/// coatings.
+std::vector<Material> named_materials(const Stage& stage);
+
 }  // namespace breccia

@@ -6,6 +6,7 @@
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/mixture.hpp"
+#include "breccia/study/varied_material.hpp"
 #include "breccia/virtual_test/quasistatic_test.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
 #include "breccia/words.hpp"
@@ -36,6 +37,7 @@ struct Tests {
   /// Largest relative deviation that the fit of a stage's result may have if a later stage builds on it [-].
   double fit_tolerance = 0.03;
   QuasistaticOptions quasistatic = {};
+  std::vector<VariedMaterial> varied = {};  ///< elastic materials over whose moduli the reduced solver samples, too
   DynamicOptions dynamic = {};
 };
 

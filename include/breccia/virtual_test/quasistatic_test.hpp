@@ -53,9 +53,11 @@ struct QuasistaticTest {
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
   /// solver does not use them.
   std::vector<VaryingPhase> varying = {};
-  /// Carson moduli [Pa] of these phases, in their order, over their whole relaxation, from stiff to soft. They are
-  /// given when the matrix is itself a composite, whose series is a fit to some times alone; empty, they follow from
-  /// the series. Used with SampledRange::matrix alone.
+  /// Other materials of these phases, each time in their order, for which the reduced response is to hold as well.
+  std::vector<std::vector<Material>> variants = {};
+  /// Carson moduli [Pa] of these phases and of their variants, in their order, over their whole relaxation, from stiff
+  /// to soft. They are given when the matrix is itself a composite, whose series is a fit to some times alone; empty,
+  /// they follow from the series. Used with SampledRange::matrix alone.
   std::vector<std::vector<Moduli>> relaxation = {};
   Boundary boundary = Boundary::displacement;
   std::vector<Load> loads;

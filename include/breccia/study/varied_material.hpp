@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "breccia/study/stage.hpp"
+#include "breccia/viscoelasticity/material.hpp"
+
+namespace breccia {
+
+/// Smallest and largest value of a modulus [Pa].
+struct ModulusInterval {
+  double least = 0.0;
+  double most = 0.0;
+};
+
+/// An elastic material of which the moduli are not known: the reduced responses of a study hold for every modulus in
+/// these intervals, in any combination with the moduli of the phases that relax. A modulus without an interval is that
+/// of the material.
+struct VariedMaterial {
+  std::string name;
+  std::optional<ModulusInterval> shear = {};
+  std::optional<ModulusInterval> bulk = {};
+};
+
+/// The number of moduli that have an interval.
+int varied_moduli(const std::vector<VariedMaterial>& varied);
+
+/// What is wrong with a varied material of a study with these stages: no stage has it, it relaxes, an interval does not
+/// rise or lacks the modulus of the material. One line for each mistake.
+std::vector<std::string> mistakes_of_varied(const VariedMaterial& varied, const std::vector<Stage>& stages);
+
+/// The materials among these that vary, with moduli on a coarse grid over their intervals: each element has one choice
+/// for all of them. The first choice is the stiffest, the last one the softest. Without a material that varies there is
+/// one choice, which is empty.
+std::vector<std::vector<Material>> choices_of_varied(const std::vector<VariedMaterial>& varied,
+                                                     const std::vector<Material>& materials);
+
+/// The stage with each material that has the name of one of these replaced by it.
+Stage with_materials(Stage stage, const std::vector<Material>& replacements);
+
+}  // namespace breccia
