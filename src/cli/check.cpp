@@ -11,6 +11,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/available_memory.hpp"
+#include "breccia/homogenisation/expected_snapshots.hpp"
 #include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
@@ -74,7 +75,7 @@ bool is_direct(const Study& study, double unknowns) {
 double quasistatic_time(const Study& study, const Stage& stage, double unknowns) {
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   constexpr double warm_up_decades = 3.0;
-  const double snapshots = study.tests.quasistatic.range == SampledRange::matrix ? 11.0 : 9.0;
+  const double snapshots = expected_snapshots(study.tests, stage);
   const bool direct = is_direct(study, unknowns);
   const double factorisation = direct ? 2.2e-6 : 1.2e-6, solve = direct ? 0.8e-6 : 1.5e-6;
   if (study.tests.quasistatic.solver == Solver::reduced) return snapshots * unknowns * (factorisation + solve * loads);
@@ -129,18 +130,20 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
                         const std::vector<double>& errors) {
   const double gap = std::min(packed.gap, packed.wall_gap);
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
-  // The rule is known for discs; grains with films take more cells.
-  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || packed.grains) return {};
+  // Between grains no rule is known for points, which take far more cells.
+  const bool has_no_rule = packed.grains && mixing == Mixing::points;
+  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
   std::vector<std::string> advice;
   for (const double error : errors) {
-    const double cells = std::ceil(cells_per_gap_for(mixing, error) * stage.side / gap);
+    const double per_gap = packed.grains ? cells_per_film_for(error) : cells_per_gap_for(mixing, error);
+    const double cells = std::ceil(per_gap * stage.side / gap);
     advice.push_back(fmt::format("{:.0f} for {:.2g} %", cells, 100.0 * error));
   }
   const double cells_per_gap = gap / stage.cell_size();
-  const auto expected = expected_grid_error(mixing, cells_per_gap);
+  const auto expected = packed.grains ? expected_film_error(cells_per_gap) : expected_grid_error(mixing, cells_per_gap);
   const auto shown = fmt::format("{:.2g}", cells_per_gap);
-  return fmt::format("  {}: {} {} in the narrowest gap, error of the grid {}; cells = {}\n", stage.name, shown,
-                     shown == "1" ? "cell" : "cells",
+  return fmt::format("  {}: {} {} {}, error of the grid {}; cells = {}\n", stage.name, shown,
+                     shown == "1" ? "cell" : "cells", packed.grains ? "across a film" : "in the narrowest gap",
                      expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
                      fmt::join(advice, ", "));
 }

@@ -6,29 +6,46 @@
 namespace breccia {
 namespace {
 
-/// Theory, Eq. 43a: the error with c cells in the narrowest gap is at most about error_of_one c^-order.
+/// The error with c cells in the narrowest gap is at most about error_of_one c^-order.
 struct ErrorRule {
   double error_of_one;  ///< [-]
   double order;         ///< [-]
   double least_cells;   ///< below them the rule does not hold
+
+  [[nodiscard]] std::optional<double> error_with(double cells) const {
+    constexpr double rounding = 1e-9;
+    if (cells < least_cells * (1.0 - rounding)) return std::nullopt;
+    return error_of_one * std::pow(cells, -order);
+  }
+  [[nodiscard]] double cells_for(double error) const {
+    return std::max(least_cells, std::pow(error_of_one / error, 1.0 / order));
+  }
 };
 
+/// Theory, Eq. 43a.
 constexpr ErrorRule rule_of(Mixing mixing) {
   return mixing == Mixing::series ? ErrorRule{0.10, 1.8, 1.0} : ErrorRule{3.0, 1.35, 3.0};
 }
 
+/// Theory, Eq. 43b.
+constexpr ErrorRule rule_of_films = {0.15, 1.25, 2.4};
+
 }  // namespace
 
 std::optional<double> expected_grid_error(Mixing mixing, double cells_per_gap) {
-  constexpr double rounding = 1e-9;
-  const auto rule = rule_of(mixing);
-  if (cells_per_gap < rule.least_cells * (1.0 - rounding)) return std::nullopt;
-  return rule.error_of_one * std::pow(cells_per_gap, -rule.order);
+  return rule_of(mixing).error_with(cells_per_gap);
 }
 
 double cells_per_gap_for(Mixing mixing, double error) {
-  const auto rule = rule_of(mixing);
-  return std::max(rule.least_cells, std::pow(rule.error_of_one / error, 1.0 / rule.order));
+  return rule_of(mixing).cells_for(error);
+}
+
+std::optional<double> expected_film_error(double cells_per_film) {
+  return rule_of_films.error_with(cells_per_film);
+}
+
+double cells_per_film_for(double error) {
+  return rule_of_films.cells_for(error);
 }
 
 }  // namespace breccia

@@ -1,9 +1,13 @@
 #include "microstructure_measures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -16,12 +20,30 @@ namespace breccia {
 
 namespace {
 
+/// The diameter [m] of a disc with the area below which a share of the whole of these areas [m^2] is.
+double diameter_below(std::span<const double> rising_areas, double share) {
+  const double whole = std::accumulate(rising_areas.begin(), rising_areas.end(), 0.0);
+  double below = 0.0;
+  const auto found = std::ranges::find_if(rising_areas, [&](double area) { return (below += area) >= share * whole; });
+  return 2.0 * std::sqrt(*found / std::numbers::pi);
+}
+
+SizesByArea sizes_by_area(const std::vector<GrainGeometry<2>>& grains, double GrainGeometry<2>::*area) {
+  if (grains.empty()) return {};
+  std::vector<double> areas;
+  for (const auto& grain : grains) areas.push_back(grain.*area);
+  std::ranges::sort(areas);
+  return {diameter_below(areas, 0.1), diameter_below(areas, 0.5)};
+}
+
 void measure_grains(StageMicrostructure& result) {
-  auto& [sites, film, count] = *result.grains;
+  auto& [sites, film, count, cell_sizes, grain_sizes] = *result.grains;
   const Tessellation<2> tessellation(sites);
   auto grains = grain_geometries(tessellation, film);
+  cell_sizes = sizes_by_area(grains, &GrainGeometry<2>::cell_volume);
   std::erase_if(grains, [](const GrainGeometry<2>& grain) { return !(grain.grain_volume > 0.0); });
   count = grains.size();
+  grain_sizes = sizes_by_area(grains, &GrainGeometry<2>::grain_volume);
   double outlines = 0.0;
   for (const auto& grain : grains) outlines += grain.grain_surface;
   result.fraction = grain_fraction(tessellation, film);

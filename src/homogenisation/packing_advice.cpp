@@ -35,10 +35,14 @@ double safe_fraction(const PackingRequest& request, const PackingError& error) {
   return std::max(0.0, 0.82 - 0.4 * relative_size(request));
 }
 
+bool has_coatings(const Stage& stage) {
+  return std::ranges::any_of(stage.fillers, [](const Filler& filler) { return filler.coating.has_value(); });
+}
+
 /// The widest gap with which the particles fill at most a fraction of the box and the largest particle fits into it.
 std::optional<double> widest_gap(const Stage& stage, const PackingRequest& request, double fraction) {
   constexpr double roundoff = 1e-6;
-  const double largest = std::ranges::max(request.diameters);
+  const double largest = std::ranges::max(request.diameters) + 2.0 * stage.fillers.front().coating_thickness();
   const auto fits = [&](double gap) {
     const auto other = with_gap(stage, request, gap);
     return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction<2>(other) <= fraction;
@@ -90,6 +94,21 @@ std::string in_words(const PackingAdvice& advice) {
   return "expected fewer or smaller particles";
 }
 
+/// What takes room around each particle: "with coatings and half of the gap around each ".
+std::string shells_in_words(const Stage& stage, bool has_gap) {
+  if (!has_coatings(stage)) return has_gap ? "with half of the gap around each " : "";
+  return has_gap ? "with coatings and half of the gap around each " : "with their coatings ";
+}
+
+/// The filler whose particles are the widest with their coatings.
+const Filler& widest_filler(const Stage& stage) {
+  const auto width = [](const Filler& filler) {
+    const auto diameters = diameters_of(filler);
+    return (diameters ? diameters->largest : 0.0) + 2.0 * filler.coating_thickness();
+  };
+  return *std::ranges::max_element(stage.fillers, {}, width);
+}
+
 }  // namespace
 
 PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, const PackingError& error) {
@@ -108,13 +127,17 @@ PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, 
 std::string message_on(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   const auto advice = in_words(packing_advice(stage, request, error));
   if (error.obstacle() == PackingObstacle::size) {
-    return fmt::format("a particle of {} that keeps a gap of {} does not fit into a box of {}; {}",
-                       display(std::ranges::max(request.diameters), "m"), gaps_in_words(stage),
-                       display(stage.side, "m"), advice);
+    const auto& widest = widest_filler(stage);
+    const auto coating =
+        widest.coating ? fmt::format(" with a coating of {}", display(widest.coating->thickness, "m")) : "";
+    const auto diameters = diameters_of(widest);
+    return fmt::format("a particle of {}{} that keeps a gap of {} does not fit into a box of {}; {}",
+                       display(diameters ? diameters->largest : std::ranges::max(request.diameters), "m"), coating,
+                       gaps_in_words(stage), display(stage.side, "m"), advice);
   }
   const bool has_gap = request.minimum_gap > 0.0;
   const auto gap = has_gap ? fmt::format("a gap of {}", gaps_in_words(stage)) : "no gap between them";
-  const auto how = fmt::format("{}they would fill {:.1f} % of {}", has_gap ? "with half of the gap around each " : "",
+  const auto how = fmt::format("{}they would fill {:.1f} % of {}", shells_in_words(stage, has_gap),
                                100.0 * inflated_fraction<2>(request),
                                request.walls == Walls::hard ? "the room between the walls" : "the box");
   const double attainable = 100.0 * error.attainable_fraction();

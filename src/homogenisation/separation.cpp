@@ -1,10 +1,13 @@
 #include "separation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "breccia/io/display.hpp"
+#include "breccia/microstructure/tessellation.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/filler_sizes.hpp"
 
@@ -21,13 +24,23 @@ const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   return below;
 }
 
+/// The diameters of the particles of a stage; those of the cells around listed sites are those of discs of their areas.
+std::optional<DiameterRange> particle_sizes(const Stage& stage) {
+  const auto* grains = stage.grains();
+  if (grains == nullptr || grains->is_random()) return diameters_of(stage);
+  const auto areas = cell_volumes(Tessellation<2>({stage.side, grains->walls, grains->sites}));
+  const auto [smallest, largest] = std::ranges::minmax(areas);
+  const auto diameter = [](double area) { return 2.0 * std::sqrt(area / std::numbers::pi); };
+  return DiameterRange{diameter(smallest), diameter(largest)};
+}
+
 }  // namespace
 
 std::optional<std::string> warning_of_separation(const Study& study, const Stage& stage,
                                                  const StageMicrostructure& packed) {
   const auto* const matrix = filled_matrix_of(study, stage);
   if (matrix == nullptr || stage.fillers.empty()) return std::nullopt;
-  const auto own = diameters_of(stage), below = diameters_of(*matrix);
+  const auto own = particle_sizes(stage), below = particle_sizes(*matrix);
   if (!own || !below) return std::nullopt;
   constexpr auto where = "(docs/limitations.md, Separation of sizes)";
   if (own->largest < below->largest) {

@@ -101,6 +101,34 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
       words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));
 }
 
+/// Grains that are far from the sizes asked for, which are those of the cells: the films take most of the small ones.
+std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
+  if (!packed.grains) return std::nullopt;
+  const auto& [sites, film, count, cells, grains] = *packed.grains;
+  constexpr double few_per_cent = 0.08;
+  const auto all = sites.sites.size();
+  const auto is_off = [few_per_cent](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
+  const bool has_sizes = stage.fillers.front().sizes.has_value();
+  const bool are_off =
+      has_sizes && (is_off(grains.of_a_tenth, cells.of_a_tenth) || is_off(grains.of_half, cells.of_half));
+  if (count == all && !are_off) return std::nullopt;
+  std::vector<std::string> losses;
+  if (count < all) {
+    losses.push_back(fmt::format("films of {} leave nothing of {} of {} grains", display(film, "m"), all - count, all));
+  }
+  if (are_off) {
+    losses.push_back(
+        fmt::format("the grains between films of {} are smaller than the sizes asked for: a tenth of "
+                    "their area is below {} where {} was asked for, half of it below {} where {} was",
+                    display(film, "m"), display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
+                    display(grains.of_half, "m"), display(cells.of_half, "m")));
+  }
+  return fmt::format(
+      "{}; a thinner film or a larger fraction leaves more, and the smallest grains may be in the matrix, "
+      "as the particles of an earlier stage",
+      fmt::join(losses, ", and "));
+}
+
 bool has_particles_across_sides(const Microstructure<2>& microstructure) {
   if (microstructure.walls != Walls::periodic) return false;
   return std::ranges::any_of(microstructure.particles, [side = microstructure.side](const Disc& disc) {
@@ -171,6 +199,7 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
         warning_of_narrow_gaps(stage, microstructure, study.tests.mixing),
+        warning_of_lost_grains(stage, microstructure),
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
     if (warning) of_stage.push_back(*warning);

@@ -1,6 +1,9 @@
 #include "breccia/results/study_report.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -33,21 +36,53 @@ Json json_of(const Eigen::MatrixXd& matrix) {
   return rows;
 }
 
-Json json_of(const StoredResponses::Entry& entry) {
-  const auto& response = entry.response;
+/// Moduli of a phase in the snapshots.
+Json json_of_snapshots(const ReducedResponse& response, std::size_t phase) {
   Json snapshots = Json::array();
   for (const auto& snapshot : response.snapshots) {
-    const auto& matrix = snapshot.moduli.front();
-    snapshots.push_back({{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}});
+    const auto& [bulk, shear] = snapshot.moduli[phase];
+    snapshots.push_back({{"shear_Pa", shear}, {"bulk_Pa", bulk}});
   }
-  return {{"load", name_of(response.load)},
-          {"boundary", name_of(response.boundary)},
-          {"cells", entry.cells},
-          {"filler_Pa", json_of(response.constant)},
-          {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
-          {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
-          {"load_forces", std::vector<double>(response.load_forces.begin(), response.load_forces.end())},
-          {"snapshots", std::move(snapshots)}};
+  return snapshots;
+}
+
+/// The rows of a symmetric matrix from the diagonal on.
+Json upper_triangle_of(const Eigen::MatrixXd& matrix) {
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    Json& row = rows.emplace_back(Json::array());
+    for (Eigen::Index j = i; j < matrix.cols(); ++j) row.push_back(matrix(i, j));
+  }
+  return rows;
+}
+
+/// Adds the parts of the phases other than the matrix, and what the error estimate takes: with several phases moduli
+/// that are covered one by one may not be covered together.
+void add_phases(const ReducedResponse& response, const std::map<std::string, Material>& other_phases, Json& json) {
+  const auto names = response.phases();
+  json["phases"] = Json::array();
+  for (std::size_t phase = 1; phase < names.size(); ++phase) {
+    json["phases"].push_back({{"material", other_phases.at(names[phase]).name},
+                              {"shear", json_of(response.part({names[phase], ElasticModulus::shear}))},
+                              {"bulk", json_of(response.part({names[phase], ElasticModulus::bulk}))},
+                              {"snapshots", json_of_snapshots(response, phase)}});
+  }
+  json["residual_products"] = upper_triangle_of(response.residual_products);
+  json["residual_scale"] = response.residual_scale;
+}
+
+Json json_of(const StoredResponses::Entry& entry, const std::map<std::string, Material>& other_phases) {
+  const auto& response = entry.response;
+  Json json = {{"load", name_of(response.load)},
+               {"boundary", name_of(response.boundary)},
+               {"cells", entry.cells},
+               {"filler_Pa", json_of(response.constant)},
+               {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
+               {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
+               {"load_forces", std::vector<double>(response.load_forces.begin(), response.load_forces.end())},
+               {"snapshots", json_of_snapshots(response, 0)}};
+  if (!other_phases.empty()) add_phases(response, other_phases, json);
+  return json;
 }
 
 void refuse_foreign(const fs::path& file, const std::string& its_hash, const std::string& hash) {
@@ -63,10 +98,10 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   const int finest =
       stored.entries.empty() ? 0 : std::ranges::max(stored.entries, {}, &StoredResponses::Entry::cells).cells;
   Json responses = Json::array();
-  // The page computes with new materials of the matrix alone.
-  if (!stored.other_phases.empty()) return responses;
   for (const auto& entry : stored.entries) {
-    if (stored.mixing == Mixing::points || entry.cells == finest) responses.push_back(json_of(entry));
+    if (stored.mixing == Mixing::points || entry.cells == finest) {
+      responses.push_back(json_of(entry, stored.other_phases));
+    }
   }
   return responses;
 }

@@ -99,5 +99,18 @@ TEST(Grains, AlongWallsHaveFilmsAlone) {
                                         "\"displacement\" alone, or packing.walls = false"));
 }
 
+TEST(Grains, TheirFilmsTellTheCellsForAnError) {
+  const StudyDirectory study(voronoi_deck);
+  study.write("sites.csv", sites_in_millimetres());
+  study.write("binder.csv", read_text(BRECCIA_SOURCE_DIRECTORY "/data/pbx9501_binder_prony.csv"));
+  const auto check = test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.mixing=series"});
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  // 9.375 um are 2.4 cells of 256 a side; 0.15 c^-1.25 is 5 % with 2.41 cells and 2 % with 5.01.
+  EXPECT_THAT(check.output, HasSubstr("grains: 2.4 cells across a film, error of the grid up to about 5 %; cells = 257 "
+                                      "for 5 %, 535 for 2 %"));
+  const auto points = test::run_breccia(study.path(), {"check", "deck.toml"});
+  EXPECT_THAT(points.output, testing::Not(HasSubstr("across a film, error of the grid")));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -41,5 +41,15 @@ TEST(GridEstimate, TellsTheCellsForAnError) {
   EXPECT_EQ(cells_per_gap_for(Mixing::series, 0.5), 1.0) << "below that the error may be of any size";
 }
 
+// docs/verification.md, "Thin films": the largest errors at any stiffness of the binder.
+TEST(GridEstimate, OfFilmsIsOfTheSizeOfMeasuredErrors) {
+  EXPECT_NEAR(expected_film_error(2.4).value(), 0.051, 0.005);
+  EXPECT_NEAR(expected_film_error(4.8).value(), 0.022, 0.002);
+  EXPECT_FALSE(expected_film_error(2.3)) << "a soft binder cannot be squeezed out";
+  for (const double error : {0.05, 0.01})
+    EXPECT_NEAR(expected_film_error(cells_per_film_for(error)).value(), error, 1e-12);
+  EXPECT_EQ(cells_per_film_for(0.5), 2.4);
+}
+
 }  // namespace
 }  // namespace breccia

@@ -174,5 +174,36 @@ TEST(PackingAdvice, IsNoneWhereNoGapWouldDo) {
               HasSubstr("; expected fewer or smaller particles"));
 }
 
+/// A box of 1 mm with discs of 120 um whose coatings are 20 um wide.
+Stage coated_box(double fraction, double gap) {
+  auto stage = box(120e-6, fraction, gap);
+  stage.fillers[0].coating = Coating{{"interphase", 1e3, PronySeries(1e9), PronySeries(1e8)}, 20e-6};
+  return stage;
+}
+
+// 160 um and the gap in place of 120 um: 44 % become 44 (200/120)^2 = 122 % of the box, and of its room of 960 um 132
+// %.
+TEST(PackingAdvice, TellsWhatCoatingsFill) {
+  auto stage = coated_box(0.44, 40e-6);
+  const auto message = message_on(stage);
+  EXPECT_THAT(message, HasSubstr("with coatings and half of the gap around each they would fill 13"));
+  stage.fillers[0].fraction = number_after(message, "fraction of ");
+  EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
+  EXPECT_THAT(message_on(coated_box(0.6, 0.0)), HasSubstr("with their coatings they would fill 10"));
+}
+
+TEST(PackingAdvice, ACoatedParticleThatDoesNotFit) {
+  auto stage = coated_box(0.35, 0.1e-3);
+  stage.fillers[0].sizes = ListedSizes{{0.88e-3}};
+  stage.fillers[0].fraction.reset();
+  const auto message = message_on(stage);
+  EXPECT_THAT(message, HasSubstr("a particle of 880 um with a coating of 20 um that keeps a gap of 100 um"));
+  const double gap = number_after(message, "; a gap of ");
+  EXPECT_GE(gap, 39.0);
+  EXPECT_LE(gap, 40.0);
+  stage.fillers[0].gap = 1e-6 * gap;
+  EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage)));
+}
+
 }  // namespace
 }  // namespace breccia

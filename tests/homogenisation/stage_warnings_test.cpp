@@ -7,6 +7,7 @@ namespace breccia {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -199,6 +200,46 @@ TEST(StageWarnings, OfTheDeckComeWithTheOthers) {
   auto stage = two_discs(0.15e-3);
   stage.warnings = {"the gap follows the grid"};
   EXPECT_THAT(warnings(stage), ElementsAre("A: the gap follows the grid"));
+}
+
+/// A box of 10 mm that grains fill, of these sizes and with films of one thickness [m].
+Stage grains_of(std::optional<Sizes> sizes, double film) {
+  Filler filler;
+  filler.material = glass;
+  filler.sizes = std::move(sizes);
+  auto stage = two_discs(0.0);
+  stage.fillers = {filler};
+  stage.cells = 2000;
+  stage.packing = LaguerrePacking{.film = film};
+  return stage;
+}
+
+Study periodic_study() {
+  auto study = within(1.0, 2.0, Mixing::series);
+  study.tests.boundaries = {Boundary::periodic};
+  return study;
+}
+
+// Two sizes, 2 and 0.2 mm, the small ones with a hundredth of the area: films of 0.15 mm leave little of them.
+TEST(StageWarnings, OfGrainsThatTheFilmsTake) {
+  std::vector<double> diameters(30, 2e-3);
+  diameters.insert(diameters.end(), 30, 0.2e-3);
+  auto stage = grains_of(ListedSizes{diameters}, 0.02e-3);
+  EXPECT_THAT(warnings(stage, periodic_study()), Not(Contains(HasSubstr("leave nothing")))) << "thin films";
+  std::get<LaguerrePacking>(stage.packing).film = 0.3e-3;
+  EXPECT_THAT(
+      warnings(stage, periodic_study()),
+      Contains(AllOf(HasSubstr("films of 300 um leave nothing of 30 of 60 grains"),
+                     HasSubstr("a tenth of their area is below"), HasSubstr("as the particles of an earlier stage"))));
+}
+
+// Two listed cells of 10 x 7.5 and 10 x 2.5 mm: films of 3 mm leave only the wider one, and nobody asked for sizes.
+TEST(StageWarnings, OfListedGrainsThatVanish) {
+  auto stage = grains_of({}, 3e-3);
+  const LaguerreSites<2> bands = {10e-3, Walls::periodic, {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};
+  std::get<LaguerrePacking>(stage.packing).sites = bands.sites;
+  EXPECT_THAT(warnings(stage, periodic_study()),
+              Contains(AllOf(HasSubstr("films of 3 mm leave nothing of 1 of 2 grains"), Not(HasSubstr("asked for")))));
 }
 
 }  // namespace

@@ -158,5 +158,19 @@ TEST(WarningThresholds, OfSizesThatAreNotKnown) {
   EXPECT_FALSE(warning_of_separation(study, study.stages[1], packed_with(1.0)));
 }
 
+// Two listed sites divide the box of 10 mm into cells of 7.5 and 2.5 mm, which have the areas of discs of 9.8 and 5.6
+// mm.
+TEST(WarningThresholds, OfListedSitesOfGrains) {
+  auto study = within(1.0, 2.0);
+  study.stages = {stage_with({2e-3}, resin, "small"), stage_with({}, EarlierStage{"small"})};
+  auto& grains = study.stages[1];
+  grains.side = 10e-3;
+  grains.fillers[0].sizes.reset();
+  grains.packing = LaguerrePacking{.film = 1e-3, .sites = {{{3.75e-3, 5e-3}, 0.0}, {{8.75e-3, 5e-3}, -12.5e-6}}};
+  EXPECT_THAT(warning_of_separation(study, grains, packed_with(1.0)),
+              Optional(HasSubstr("its smallest particles, 5.64 mm, are only 2.8 times as wide as the largest of its "
+                                 "matrix small, 2 mm")));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -38,7 +38,7 @@ TEST(RandomSites, CellsHaveTheSizesOfHmx) {
     EXPECT_LE(largest_volume_error<2>(tessellation, volumes_of<2>(diameters)), 2e-9) << seed;
     const auto found = statistics(tessellation, film_thickness(tessellation, 0.937));
     EXPECT_NEAR(found.fraction, 0.937, 1e-12);
-    EXPECT_NEAR(found.mean_neighbours, 6.0, 1e-12);  // Euler: three films meet in a point
+    EXPECT_NEAR(found.mean_faces, 6.0, 1e-12);  // Euler: three films meet in a point
     EXPECT_LT(found.aspect_ratio.mean, 1.8);
   }
 }

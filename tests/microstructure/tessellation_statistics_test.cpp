@@ -30,7 +30,8 @@ TEST(TessellationStatistics, OfBands) {
   EXPECT_NEAR(grains[0].diameter, 2.0 * std::sqrt(2.5 * 3.5 / std::numbers::pi), 1e-13);
   EXPECT_NEAR(grains[0].aspect_ratio, 4.0 / 3.0, 1e-13);
   EXPECT_NEAR(grains[1].aspect_ratio, 4.0, 1e-12);
-  EXPECT_EQ(grains[0].neighbours, 4);
+  EXPECT_EQ(grains[0].faces, 4);
+  EXPECT_EQ(grains[0].neighbours, 1) << "the other band, twice, and itself";
 
   const auto all = statistics(tessellation, 0.5);
   EXPECT_EQ(all.grains, 2);
@@ -41,7 +42,7 @@ TEST(TessellationStatistics, OfBands) {
   EXPECT_NEAR(all.cell_volume.deviation, 4.0, 1e-13);
   EXPECT_NEAR(all.cell_volume.smallest, 4.0, 1e-13);
   EXPECT_NEAR(all.cell_volume.largest, 12.0, 1e-13);
-  EXPECT_EQ(all.mean_neighbours, 4.0);
+  EXPECT_EQ(all.mean_faces, 4.0);
 }
 
 TEST(TessellationStatistics, CountsGrainsThatVanish) {
@@ -51,9 +52,9 @@ TEST(TessellationStatistics, CountsGrainsThatVanish) {
   EXPECT_NEAR(all.fraction, 1.9 * 2.9 / 16.0, 1e-14);
 }
 
-TEST(TessellationStatistics, WallsAreNoNeighbours) {
+TEST(TessellationStatistics, WallsAreNoFaces) {
   const auto all = statistics(bands(Walls::hard), 0.0);
-  EXPECT_EQ(all.mean_neighbours, 1.0);
+  EXPECT_EQ(all.mean_faces, 1.0);
   EXPECT_NEAR(all.film_surface, (4.0 + 0.5 * 16.0) / 16.0, 1e-14);  // half a film along the walls
 }
 
@@ -62,7 +63,8 @@ TEST(TessellationStatistics, OfACube) {
   const auto [grain] = std::array{grain_geometries(cube, 0.2)[0]};
   EXPECT_NEAR(grain.grain_volume, 1.8 * 1.8 * 1.8, 1e-14);
   EXPECT_NEAR(grain.diameter, 1.8 * std::cbrt(6.0 / std::numbers::pi), 1e-14);
-  EXPECT_EQ(grain.neighbours, 6);
+  EXPECT_EQ(grain.faces, 6);
+  EXPECT_EQ(grain.neighbours, 0) << "images of itself";
   EXPECT_NEAR(statistics(cube, 0.2).film_surface, 3.0 * 4.0 / 8.0, 1e-14);
 }
 

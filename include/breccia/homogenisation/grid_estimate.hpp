@@ -14,4 +14,8 @@ std::optional<double> expected_grid_error(Mixing mixing, double cells_per_gap);
 /// Cells in the narrowest gap [-] on a grid from which no more than this relative error [-] is to be expected.
 double cells_per_gap_for(Mixing mixing, double error);
 
+/// The same for mixed cells and the films between grains, which carry the load of the whole stage (theory, Eq. 43b).
+std::optional<double> expected_film_error(double cells_per_film);
+double cells_per_film_for(double error);
+
 }  // namespace breccia

@@ -15,11 +15,19 @@ namespace breccia {
 
 class Checkpoint;
 
+/// Diameters [m] of discs of the areas of grains, or of cells, below which a share of their whole area is.
+struct SizesByArea {
+  double of_a_tenth = 0.0;
+  double of_half = 0.0;
+};
+
 /// Grains that fill the box of a stage, parted by films of the matrix.
 struct StageGrains {
   LaguerreSites<2> sites;
-  double film = 0.0;      ///< thickness [m]
-  std::size_t count = 0;  ///< grains that the films leave
+  double film = 0.0;       ///< thickness [m]
+  std::size_t count = 0;   ///< grains that the films leave
+  SizesByArea cells = {};  ///< grains with half of the films around them
+  SizesByArea sizes = {};  ///< of the grains that the films leave
 };
 
 /// The particles or grains of a stage with their statistics. Pixels are those of its image (Stage::image).

@@ -19,7 +19,8 @@ struct GrainGeometry {
   double grain_surface;    ///< [m^(dim - 1)]
   double diameter;         ///< of the ball with the grain's volume [m]
   double aspect_ratio;     ///< of the cell, from its second moments [-]
-  std::size_t neighbours;  ///< faces of the cell that are not on a wall
+  std::size_t faces;       ///< of the cell, without those on a wall
+  std::size_t neighbours;  ///< other sites behind these faces; in a small periodic box two faces may have the same one
 };
 
 /// All grains, by site. `film` is the thickness of the film [m].
@@ -41,7 +42,7 @@ struct TessellationStatistics {
   Spread cell_volume;         ///< [m^dim]
   Spread diameter;            ///< of the balls with the grains' volumes [m]
   Spread aspect_ratio;        ///< [-]
-  double mean_neighbours = 0.0;
+  double mean_faces = 0.0;    ///< of a cell: 6 in a periodic box where three films meet in each point (Euler)
 };
 
 template <int dim>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -22,9 +23,10 @@ GrainGeometry<dim> grain_geometry(const Tessellation<dim>& tessellation, std::si
   const auto grain = tessellation.grain(site, film);
   const auto of_cell = moments(cell);
   const auto faces = face_measures(grain);
-  const auto has_site_behind = [](const HalfSpace<dim>& face) {
-    return Tessellation<dim>::neighbour(face).has_value();
-  };
+  std::vector<std::size_t> behind;
+  for (const auto& face : cell.half_spaces()) {
+    if (const auto neighbour = Tessellation<dim>::neighbour(face)) behind.push_back(*neighbour);
+  }
   GrainGeometry<dim> result{};
   result.centroid = displaced(tessellation.sites().sites[site].position, 1.0, of_cell.centroid);
   result.cell_volume = of_cell.volume;
@@ -32,7 +34,10 @@ GrainGeometry<dim> grain_geometry(const Tessellation<dim>& tessellation, std::si
   result.grain_surface = std::accumulate(faces.begin(), faces.end(), 0.0);
   result.diameter = std::pow(result.grain_volume / ball_volume<dim>(1.0), 1.0 / dim);
   result.aspect_ratio = aspect_ratio(of_cell);
-  result.neighbours = static_cast<std::size_t>(std::ranges::count_if(cell.half_spaces(), has_site_behind));
+  result.faces = behind.size();
+  std::set<std::size_t> others(behind.begin(), behind.end());
+  others.erase(site);
+  result.neighbours = others.size();
   return result;
 }
 
@@ -77,7 +82,7 @@ TessellationStatistics statistics(const Tessellation<dim>& tessellation, double 
     if (grains[site].grain_volume == 0.0) ++result.vanished;
     result.fraction += grains[site].grain_volume / box;
     result.film_surface += 0.5 * std::accumulate(faces.begin(), faces.end(), 0.0) / box;
-    result.mean_neighbours += static_cast<double>(grains[site].neighbours) / static_cast<double>(grains.size());
+    result.mean_faces += static_cast<double>(grains[site].faces) / static_cast<double>(grains.size());
   }
   return result;
 }

@@ -1,4 +1,4 @@
-/// The section that predicts G(t) with another temperature or another spectrum of a matrix.
+/// The section that predicts G(t) with another temperature, another spectrum or other moduli of one material.
 
 import {bestGrid, materialsInUse} from "./curves.js";
 import {colourOf} from "./curves_figure.js";
@@ -6,22 +6,23 @@ import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";
 import {csvOf, fileName, save} from "./files.js";
-import {liveChoices, spectrumButtons} from "./matrix_choice.js";
+import {liveChoices, spectrumButtons} from "./material_choice.js";
 import {boundNames, quantities} from "./names.js";
 import {display, percent} from "./numbers.js";
-import {respond} from "./response.js";
+import {own} from "./records.js";
+import {respond, sampledRange} from "./response.js";
 import {logarithmic} from "./sampling.js";
 import {shiftedSeries} from "./viscoelasticity.js";
 
 /// Fills the section and returns the function that draws the figure.
 export function liveFigure(curves) {
   const stages = Object.keys(data.responses);
-  const candidates = materialsInUse();
+  const candidates = varyingMaterials();
   if (stages.length === 0 || candidates.length === 0) return () => {};
   document.getElementById("live").hidden = false;
   const plot = document.getElementById("live-plot");
   const quantity = quantities[0];
-  const state = {material: candidates[0], spectrum: undefined, decades: 0};
+  const state = {material: candidates[0], spectrum: undefined, bulk: undefined, decades: 0};
   let results = [];
 
   const curveOfRun = (result) => curves.find((curve) => curve.quantity === "shear" && curve.load === "shear" &&
@@ -40,7 +41,7 @@ export function liveFigure(curves) {
 
   const compute = () => {
     results = respond(study, data.responses, Object.fromEntries(study.materials.map((material) =>
-      [material.name, material === state.material ? changedMaterial(state) : material])));
+      [material.name, material.name === state.material.name ? changedMaterial(state) : material])));
     showRefusals(results);
     return draw();
   };
@@ -57,10 +58,34 @@ export function liveFigure(curves) {
   return draw;
 }
 
-/// The chosen material with its new spectrum, all relaxation times multiplied by 10^decades.
-function changedMaterial({material, spectrum, decades}) {
+/// The materials that the reader can change, those of the phases that vary: [{name, ..., ranges}]. `ranges` are the
+/// moduli for which all boxes with a phase of the material can be used, as sampledRange() gives them.
+function varyingMaterials() {
+  const rangesOf = new Map();
+  for (const stage of study.stages) {
+    for (const response of own(data.responses, stage.name) ?? []) {
+      const names = [stage.matrix, ...(response.phases ?? []).map(({material}) => material)];
+      names.forEach((name, place) => {
+        rangesOf.set(name, common(rangesOf.get(name), sampledRange(response, place)));
+      });
+    }
+  }
+  const ofMatrices = materialsInUse();
+  const others = study.materials.filter((material) => rangesOf.has(material.name) && !ofMatrices.includes(material));
+  return [...ofMatrices, ...others].map((material) => ({...material, ranges: rangesOf.get(material.name)}));
+}
+
+/// The moduli within two ranges {shear, bulk}; the first may be undefined.
+function common(one, other) {
+  if (one === undefined) return other;
+  const both = (name) => [Math.max(one[name][0], other[name][0]), Math.min(one[name][1], other[name][1])];
+  return {shear: both("shear"), bulk: both("bulk")};
+}
+
+/// The chosen material with its new spectrum and bulk modulus, all relaxation times multiplied by 10^decades.
+function changedMaterial({material, spectrum, bulk, decades}) {
   const factor = Math.pow(10, decades);
-  return {shear: shiftedSeries(spectrum ?? material.shear, factor), bulk: shiftedSeries(material.bulk, factor)};
+  return {shear: shiftedSeries(spectrum ?? material.shear, factor), bulk: shiftedSeries(bulk ?? material.bulk, factor)};
 }
 
 function curvesOfResults(results) {
@@ -89,8 +114,12 @@ function showRefusals(results) {
     if (result.refusal === undefined) {
       return `${result.stage}, ${boundNames[result.boundary]}: ${left}, as far as ${result.matrix} is known.`;
     }
-    const {name, value, range} = result.refusal;
-    return `${result.stage}, ${boundNames[result.boundary]}: ${left}. There ${result.matrix} would have a ${name} ` +
+    const {material, name, value, range, error} = result.refusal;
+    if (error !== undefined) {
+      return `${result.stage}, ${boundNames[result.boundary]}: ${left}. With these materials together the error of the ` +
+        `reduced basis is about ${percent(error)}; ${remedyForRefusals()}.`;
+    }
+    return `${result.stage}, ${boundNames[result.boundary]}: ${left}. There ${material} would have a ${name} ` +
       `modulus of ${display(value, "Pa", 3)}, outside the range from ${display(range[0], "Pa", 3)} to ` +
       `${display(range[1], "Pa", 3)} in which the run has sampled the boxes; ${remedyForRefusals()}.`;
   });

@@ -1,8 +1,9 @@
-/// Predicts the composites of a run with other matrices, from the stored reduced responses: the same prediction as that
-/// of `breccia respond`. At a real Laplace variable s the composite is elastic and its matrix has the Carson moduli s
-/// G~(s) and s K~(s) (correspondence principle); its compliance is e' (A + G B + K C)^-1 e (docs/theory.md, Eq. 18).
-/// The command goes back to time by the exact poles of this function of G, the page by a fit of the Carson moduli of
-/// the composite.
+/// Predicts the composites of a run with other materials, from the stored reduced responses: the same prediction as
+/// that of `breccia respond`. At a real Laplace variable s the composite is elastic and its phases have the Carson
+/// moduli s G~(s) and s K~(s) (correspondence principle); its compliance is e' K^-1 e with the stiffness K = K_0 + sum
+/// of p_i K_i (docs/theory.md, Eq. 18a), where the p_i are the shear and bulk moduli of the phases that vary: the
+/// matrix, then those in `phases`. The command goes back to time by the exact poles of this function, the page by a fit
+/// of the Carson moduli of the composite.
 
 import {limitOfCells} from "./extrapolation.js";
 import {dot, solveSymmetric} from "./linear_algebra.js";
@@ -11,22 +12,50 @@ import {logarithmic} from "./sampling.js";
 import {bulkModulus, carsonModulus, relaxationModulus, seriesOfCarsonModuli, seriesOfRelaxationModuli} from
   "./viscoelasticity.js";
 
-/// The modulus of the composite [Pa] with an elastic matrix of the shear modulus G and the bulk modulus K [Pa].
-export function compositeModulus(response, shear, bulk) {
-  const stiffness = response.filler_Pa.map((row, i) =>
-    row.map((a, j) => a + shear * response.matrix_shear[i][j] + bulk * response.matrix_bulk[i][j]));
-  return 1 / dot(response.load_forces, solveSymmetric(stiffness, response.load_forces));
+/// The stiffness parts and the snapshots of each phase that varies, the matrix first: [{shear, bulk, snapshots}].
+function phasesOf(response) {
+  const {matrix_shear: shear, matrix_bulk: bulk, snapshots, phases = []} = response;
+  return [{shear, bulk, snapshots}, ...phases];
 }
 
-/// The moduli of the matrix [Pa] for which a response can be used, {shear: [least, most], bulk: [least, most]}: those
-/// of its snapshots and a little beyond. The same limits as in src/quasistatic/sampled_moduli.cpp.
-export function sampledRange(response) {
-  const shear = response.snapshots.map((snapshot) => snapshot.shear_Pa);
-  const bulk = response.snapshots.map((snapshot) => snapshot.bulk_Pa);
+/// The solution K^-1 e of the reduced problem with elastic phases of these moduli [Pa], [{shear, bulk}] by phase.
+function reducedSolution(response, moduli) {
+  const phases = phasesOf(response);
+  const stiffness = response.filler_Pa.map((row, i) => row.map((constant, j) => phases.reduce(
+    (sum, phase, k) => sum + moduli[k].shear * phase.shear[i][j] + moduli[k].bulk * phase.bulk[i][j], constant)));
+  return solveSymmetric(stiffness, response.load_forces);
+}
+
+/// The modulus of the composite [Pa] with elastic phases of these moduli [Pa], [{shear, bulk}] by phase.
+export function compositeModulus(response, moduli) {
+  return 1 / dot(response.load_forces, reducedSolution(response, moduli));
+}
+
+/// The estimate of the relative error of that modulus, from the residual of the reduced solution: the same as
+/// ReducedResponse::error_estimate. Known where several phases vary.
+export function errorEstimate(response, moduli) {
+  const solution = reducedSolution(response, moduli);
+  const parameters = moduli.flatMap(({shear, bulk}) => [shear, bulk]);
+  const weights = [1, ...parameters].flatMap((p) => solution.map((x) => p * x));
+  weights.push(-1);
+  let squared = 0;
+  response.residual_products.forEach((row, i) => row.forEach((product, j) => {
+    squared += (j === 0 ? 1 : 2) * weights[i] * weights[i + j] * product;
+  }));
+  const softest = Math.min(...moduli.map(({shear}) => shear));
+  return response.residual_scale * Math.max(0, squared) / (softest * dot(response.load_forces, solution));
+}
+
+/// The moduli of a phase [Pa] for which a response can be used, {shear: [least, most], bulk: [least, most]}: those of
+/// its snapshots and a little beyond. The same limits as in src/quasistatic/reduced/sampled_moduli.cpp.
+export function sampledRange(response, phase = 0) {
+  const {snapshots} = phasesOf(response)[phase];
+  const shear = snapshots.map((snapshot) => snapshot.shear_Pa);
+  const bulk = snapshots.map((snapshot) => snapshot.bulk_Pa);
   const offShear = 0.05, offBulk = 0.1;
-  // With a matrix that is so soft in shear, the composite answers as with any softer one but for a factor.
+  // With a phase that is so soft in shear, the composite answers as with any softer one but for a factor.
   const incompressible = 1e-7, spacing = 1.4;
-  const softest = response.snapshots.reduce((least, one) => (one.shear_Pa < least.shear_Pa ? one : least));
+  const softest = snapshots.reduce((least, one) => (one.shear_Pa < least.shear_Pa ? one : least));
   const holdsForSofter = softest.shear_Pa / spacing < incompressible * softest.bulk_Pa;
   return {
     shear: [holdsForSofter ? 0 : Math.min(...shear) * (1 - offShear), Math.max(...shear) * (1 + offShear)],
@@ -34,36 +63,57 @@ export function sampledRange(response) {
   };
 }
 
-/// The Carson moduli of a stage under one load at Laplace variables, on each of its grids: [{cells, moduli}].
-function moduliOnGrids(responses, load, variables, matrix) {
-  return responses.filter((response) => response.load === load).map((response) => ({
-    cells: response.cells,
-    moduli: variables.map((_, j) => compositeModulus(response, matrix.shear[j], matrix.bulk[j]))}));
+/// The moduli of the phases at the place of a Laplace variable, [{shear, bulk}].
+function moduliAt(phases, j) {
+  return phases.map(({moduli}) => ({shear: moduli.shear[j], bulk: moduli.bulk[j]}));
 }
 
-/// The part of a time window in which a matrix stays within the sampled moduli of all responses, and the first modulus
-/// outside of them: {window, refusal: {name, value, range}}; `refusal` is undefined if there is none. The moduli at the
-/// Laplace variable s count at the time 1/s.
-function timesInRange(responses, variables, matrix, window) {
+/// The Carson moduli of a stage under one load at Laplace variables, on each of its grids: [{cells, moduli}].
+function moduliOnGrids(responses, load, variables, phases) {
+  return responses.filter((response) => response.load === load).map((response) => ({
+    cells: response.cells,
+    moduli: variables.map((_, j) => compositeModulus(response, moduliAt(phases, j)))}));
+}
+
+/// The part of a time window in which the phases stay within the sampled moduli of all responses, and the first modulus
+/// outside of them: {window, refusal: {material, name, value, range}}; `refusal` is undefined if there is none. The
+/// moduli at the Laplace variables s count at the time 1/s.
+function timesInRange(responses, variables, phases, window) {
   const refusals = [];
   let [begin, end] = window;
-  const rounding = 1e-9;
+  const check = (material, name, value, range, time) => {
+    if (value >= range[0] && value <= range[1]) return;
+    refusals.push({material, name, value, range});
+    // The moduli fall with time: those above the range are at its beginning, those below it at its end.
+    if (value > range[1]) begin = Math.max(begin, time * 1.0001);
+    else end = Math.min(end, time / 1.0001);
+  };
   for (const response of responses) {
-    const range = sampledRange(response);
-    variables.forEach((s, j) => {
-      const time = 1 / s;
-      if (time < window[0] * (1 - rounding) || time > window[1] * (1 + rounding)) return;
-      for (const name of ["shear", "bulk"]) {
-        const value = matrix[name][j];
-        if (value >= range[name][0] && value <= range[name][1]) continue;
-        refusals.push({name, value, range: range[name]});
-        // The moduli fall with time: those above the range are at its beginning, those below it at its end.
-        if (value > range[name][1]) begin = Math.max(begin, time * 1.0001);
-        else end = Math.min(end, time / 1.0001);
-      }
+    phases.forEach(({material, moduli}, place) => {
+      const range = sampledRange(response, place);
+      variables.forEach((s, j) => {
+        if (!isWithin(1 / s, window)) return;
+        for (const name of ["shear", "bulk"]) check(material, name, moduli[name][j], range[name], 1 / s);
+      });
     });
   }
   return {window: [begin, end], refusal: refusals[0]};
+}
+
+function isWithin(time, [begin, end]) {
+  const rounding = 1e-9;
+  return time >= begin * (1 - rounding) && time <= end * (1 + rounding);
+}
+
+/// Materials that are covered one by one may not be covered together: the refusal {error} where the estimate of the
+/// error is above 1 % at a time of the window, as `breccia respond` refuses them; otherwise undefined.
+function jointRefusal(responses, variables, phases, window) {
+  const most = 0.01;
+  if (phases.length < 2) return undefined;
+  const errors = responses.flatMap((response) => variables.flatMap((s, j) =>
+    isWithin(1 / s, window) ? [errorEstimate(response, moduliAt(phases, j))] : []));
+  const error = Math.max(...errors);
+  return error > most ? {error} : undefined;
 }
 
 /// Predicts G(t) of every stage under every boundary.
@@ -73,7 +123,8 @@ function timesInRange(responses, variables, matrix, window) {
 /// materials: {shear, bulk} of each material by its name, both Prony series
 ///
 /// Returns [{stage, boundary, matrix, window, refusal, modulus}]: `modulus` is G as a function of time, `window` the
-/// times at which it can be used, and `refusal`, as in timesInRange(), why these are not all times of the study.
+/// times at which it can be used, and `refusal`, as in timesInRange() or jointRefusal(), why these are not all times of
+/// the study.
 export function respond(study, responses, materials) {
   const margin = 30;
   const variables = logarithmic(1 / (margin * study.times_s[1]), margin / study.times_s[0], 10);
@@ -86,7 +137,10 @@ export function respond(study, responses, materials) {
       const matrix = material === undefined ? composites.get(`${stage.matrix}|${boundary}`)
         : materialAsMatrix(material, variables, study.times_s);
       if (matrix === undefined) continue;
-      const {composite, result} = respondOfStage(ofStage.filter((one) => one.boundary === boundary), matrix);
+      const {phases: others = []} = ofStage[0];
+      const phases = [{material: stage.matrix, moduli: matrix.moduli}, ...others.map((phase) => ({
+        material: phase.material, moduli: materialAsMatrix(own(materials, phase.material), variables).moduli}))];
+      const {composite, result} = respondOfStage(ofStage.filter((one) => one.boundary === boundary), matrix, phases);
       if (composite !== undefined) composites.set(`${stage.name}|${boundary}`, composite);
       if (result !== undefined) results.push({stage: stage.name, boundary, matrix: stage.matrix, ...result});
     }
@@ -96,17 +150,18 @@ export function respond(study, responses, materials) {
 
 /// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
 /// one, which takes both loads; `result` has G(t).
-function respondOfStage(responses, matrix) {
-  const {variables} = matrix;
-  const {window, refusal} = timesInRange(responses, variables, matrix.moduli, matrix.window);
-  const shear = moduliOnGrids(responses, "shear", variables, matrix.moduli);
-  const planeStrainBulk = moduliOnGrids(responses, "bulk", variables, matrix.moduli);
+function respondOfStage(responses, {variables, window: known}, phases) {
+  const {window: covered, refusal: ofOne} = timesInRange(responses, variables, phases, known);
+  const ofAll = jointRefusal(responses, variables, phases, covered);
+  const window = ofAll === undefined ? covered : [covered[0], covered[0]];
+  const shear = moduliOnGrids(responses, "shear", variables, phases);
+  const planeStrainBulk = moduliOnGrids(responses, "bulk", variables, phases);
   if (shear.length === 0) return {};
   const modulus = modulusInTime(variables, shear);
   const composite = planeStrainBulk.length === 0 ? undefined : stageAsMatrix(variables, window,
     matrixModulus(variables, shear, modulus, window),
     matrixModulus(variables, planeStrainBulk, modulusInTime(variables, planeStrainBulk), window));
-  return {composite, result: {window, refusal, modulus}};
+  return {composite, result: {window, refusal: ofOne ?? ofAll, modulus}};
 }
 
 /// The modulus as a function of time, in the limit of vanishing cells. Each grid is taken back to time by itself,

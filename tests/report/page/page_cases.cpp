@@ -167,12 +167,16 @@ ReducedResponse response_down_to(double softest) {
   return response;
 }
 
-Json json_of(const ReducedResponse& response) {
+Json snapshots_of(const ReducedResponse& response, std::size_t phase) {
   Json snapshots = Json::array();
   for (const auto& snapshot : response.snapshots) {
-    const auto& matrix = snapshot.moduli.front();
-    snapshots.push_back({{"shear_Pa", matrix.shear}, {"bulk_Pa", matrix.bulk}});
+    const auto& [bulk, shear] = snapshot.moduli[phase];
+    snapshots.push_back({{"shear_Pa", shear}, {"bulk_Pa", bulk}});
   }
+  return snapshots;
+}
+
+Json json_of(const ReducedResponse& response) {
   return {{"load", "shear"},
           {"boundary", "displacement"},
           {"cells", 12},
@@ -180,7 +184,7 @@ Json json_of(const ReducedResponse& response) {
           {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
           {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
           {"load_forces", std::vector<double>(response.load_forces.begin(), response.load_forces.end())},
-          {"snapshots", std::move(snapshots)}};
+          {"snapshots", snapshots_of(response, 0)}};
 }
 
 /// The composite with elastic matrices, the sampled moduli, and G(t) with viscoelastic matrices. Softer matrices are
@@ -213,6 +217,64 @@ Json responses() {
   return cases;
 }
 
+/// The same composite with an interphase whose moduli vary too.
+ReducedResponse coated_response() {
+  auto response = response_down_to(1e5);
+  const auto size = response.constant.rows();
+  response.parts.push_back({{"interphase", ElasticModulus::shear}, stiffness_part(size, 4.0)});
+  response.parts.push_back({{"interphase", ElasticModulus::bulk}, stiffness_part(size, 5.0)});
+  response.residual_products = 1e-4 * stiffness_part(5 * size + 1, 6.0);
+  response.residual_scale = 0.3;
+  double shear = 1e7;
+  for (auto& snapshot : response.snapshots) snapshot.moduli.push_back({.bulk = 2e9, .shear = shear *= 10.0});
+  return response;
+}
+
+/// The composite with an interphase: moduli, error estimates, the sampled moduli of the interphase, and G(t).
+Json coated_responses() {
+  const auto response = coated_response();
+  auto json = json_of(response);
+  json["phases"] = Json::array({{{"material", "interphase"},
+                                 {"shear", json_of(response.part({"interphase", ElasticModulus::shear}))},
+                                 {"bulk", json_of(response.part({"interphase", ElasticModulus::bulk}))},
+                                 {"snapshots", snapshots_of(response, 1)}}});
+  Json upper = Json::array();
+  for (Eigen::Index i = 0; i < response.residual_products.rows(); ++i) {
+    const auto row = response.residual_products.row(i).tail(response.residual_products.cols() - i);
+    upper.push_back(std::vector<double>(row.begin(), row.end()));
+  }
+  json["residual_products"] = std::move(upper);
+  json["residual_scale"] = response.residual_scale;
+  Json at_moduli = Json::array();
+  for (const auto& [matrix, interphase] :
+       {std::pair{Moduli{3.6e9, 2e9}, Moduli{2e9, 1e8}}, std::pair{Moduli{3.6e9, 1e5}, Moduli{1e9, 3e9}},
+        std::pair{Moduli{3.0e9, 1e7}, Moduli{2e9, 1e6}}}) {
+    const std::vector both = {matrix, interphase};
+    at_moduli.push_back(
+        {{"moduli",
+          {{{"shear", matrix.shear}, {"bulk", matrix.bulk}}, {{"shear", interphase.shear}, {"bulk", interphase.bulk}}}},
+         {"modulus", response.modulus(both)},
+         {"error", response.error_estimate(both)}});
+  }
+  const TimeWindow window = {1e-6, 1e-1};
+  const std::vector<Material> materials = {{"binder", 1000.0, elastic, binder},
+                                           {"interphase", 1000.0, PronySeries(2e9), PronySeries(2e8, {{1e-3, 5e9}})}};
+  const auto modulus = relaxation_modulus(creep_compliance(response, materials));
+  Json relaxation = Json::array();
+  for (const double time : logarithmic_times(window, 7)) relaxation.push_back({time, modulus.at(time)});
+  Json series = Json::object();
+  for (const auto& material : materials) {
+    series[material.name] = {{"shear", json_of(material.shear)}, {"bulk", json_of(material.bulk)}};
+  }
+  const auto [least, most] = coverage(response, materials, window).phases.back().sampled;
+  return {{"response", std::move(json)},
+          {"at", std::move(at_moduli)},
+          {"sampled", {{"shear", {least.shear, most.shear}}, {"bulk", {least.bulk, most.bulk}}}},
+          {"times_s", {window.begin, window.end}},
+          {"materials", std::move(series)},
+          {"relaxation", std::move(relaxation)}};
+}
+
 /// Quantities as the command line shows them. None lies in the middle of two rounded numbers, where C++ takes the even
 /// one and JavaScript the larger.
 Json quantities_for_display() {
@@ -238,10 +300,11 @@ Json quantities_for_display() {
 int main() {
   using namespace breccia;
   try {
-    const Json cases = {{"series", moduli_of_series()},   {"interconversions", interconversions()},
-                        {"shifts", temperature_shifts()}, {"ramps", ramps()},
-                        {"limits", limits_of_grids()},    {"bulk_moduli", bulk_moduli()},
-                        {"responses", responses()},       {"display", quantities_for_display()}};
+    const Json cases = {{"series", moduli_of_series()},       {"interconversions", interconversions()},
+                        {"shifts", temperature_shifts()},     {"ramps", ramps()},
+                        {"limits", limits_of_grids()},        {"bulk_moduli", bulk_moduli()},
+                        {"responses", responses()},           {"coated", coated_responses()},
+                        {"display", quantities_for_display()}};
     std::cout << cases.dump(1) << '\n';
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 
-import {compositeModulus, respond, sampledRange} from "../../../src/report/page/response.js";
+import {compositeModulus, errorEstimate, respond, sampledRange} from "../../../src/report/page/response.js";
 import {cases} from "./cases.mjs";
 import {assertClose} from "./close.mjs";
 
@@ -12,7 +12,7 @@ test("modulus with an elastic matrix", () => {
   // times the condition number, some 1e7 here.
   for (const {response, elastic} of cases.responses) {
     for (const {shear, bulk, modulus} of elastic) {
-      assertClose(compositeModulus(response, shear, bulk), modulus, 1e-9, `G = ${shear} Pa, K = ${bulk} Pa`);
+      assertClose(compositeModulus(response, [{shear, bulk}]), modulus, 1e-9, `G = ${shear} Pa, K = ${bulk} Pa`);
     }
   }
 });
@@ -41,6 +41,37 @@ test("G(t) with viscoelastic matrices", () => {
       for (const [time, expected] of relaxation) assertClose(modulus(time), expected, tolerance, `G(${time} s)`);
     }
   }
+});
+
+test("a composite in which the moduli of an interphase vary too", () => {
+  const {response, at, sampled, times_s, materials, relaxation} = cases.coated;
+  for (const {moduli, modulus, error} of at) {
+    assertClose(compositeModulus(response, moduli), modulus, 1e-9, JSON.stringify(moduli));
+    assertClose(errorEstimate(response, moduli), error, 1e-6, JSON.stringify(moduli));
+  }
+  for (const name of ["shear", "bulk"]) {
+    sampledRange(response, 1)[name].forEach((value, i) => assertClose(value, sampled[name][i], 1e-15, `${name} ${i}`));
+  }
+  // Whatever its error estimate says, which is made up here.
+  const exact = {...response, residual_scale: 0};
+  const study = {times_s, stages: [{name: "A", matrix: "binder"}]};
+  const [{modulus, refusal}] = respond(study, {A: [exact]}, materials);
+  assert.equal(refusal, undefined);
+  for (const [time, expected] of relaxation) assertClose(modulus(time), expected, 5e-4, `G(${time} s)`);
+});
+
+test("refusals of an interphase", () => {
+  const {response, times_s, materials} = cases.coated;
+  const study = {times_s, stages: [{name: "A", matrix: "binder"}]};
+  const elastic = (value) => ({equilibrium_Pa: value, terms: []});
+  const respondWith = (changed, interphase) =>
+    respond(study, {A: [changed]}, {...materials, interphase})[0];
+  const rigid = respondWith({...response, residual_scale: 0}, {shear: elastic(1e12), bulk: elastic(2e9)});
+  assert.deepEqual([rigid.refusal.material, rigid.refusal.name, rigid.refusal.value], ["interphase", "shear", 1e12]);
+  assert.ok(!(rigid.window[0] < rigid.window[1]), "at no time");
+  const beside = respondWith({...response, residual_scale: 1e30}, materials.interphase);
+  assert.ok(beside.refusal.error > 0.01);
+  assert.ok(!(beside.window[0] < beside.window[1]), "at no time");
 });
 
 test("a limit of grids that is no solid at long times", () => {

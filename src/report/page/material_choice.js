@@ -1,8 +1,8 @@
-/// The controls of the live figure: which material the reader changes, its temperature and its spectrum. They change
-/// `state`, {material, spectrum, decades}, and then call `compute`.
+/// The controls of the live figure: which material the reader changes, its temperature and its spectrum, or the moduli
+/// of an elastic one. They change `state`, {material, spectrum, bulk, decades}, and then call `compute`.
 
 import {element} from "./elements.js";
-import {minus, shortNumber} from "./numbers.js";
+import {display, minus, shortNumber} from "./numbers.js";
 import {readSpectrum} from "./spectrum_text.js";
 import {decadesOfShift} from "./viscoelasticity.js";
 
@@ -10,15 +10,49 @@ const zeroCelsius = 273.15;
 
 export function liveChoices(candidates, state, compute) {
   const temperature = element("div", {className: "temperature"});
-  const offer = () => temperature.replaceChildren(...temperatureChoice(state, compute));
+  const offer = () => temperature.replaceChildren(...(hasModuliToMove(state.material) ? moduliChoice(state, compute)
+    : temperatureChoice(state, compute)));
   offer();
   if (candidates.length === 1) return [temperature];
-  const select = element("select", {ariaLabel: "material", onchange: () => {
-    Object.assign(state, {material: candidates[select.selectedIndex], spectrum: undefined, decades: 0});
+  const select = element("select", {id: "material", ariaLabel: "material", onchange: () => {
+    Object.assign(state, {material: candidates[select.selectedIndex], spectrum: undefined, bulk: undefined,
+      decades: 0});
     offer();
     compute();
   }}, ...candidates.map((material) => element("option", {}, material.name)));
   return [select, temperature];
+}
+
+/// Whether a range of moduli [Pa] is wider than what a single sampled modulus covers (sampledRange in response.js).
+function isWide([least, most]) {
+  return most > 1.3 * least;
+}
+
+/// Whether the material is elastic, and its boxes are known for other moduli of it.
+function hasModuliToMove({ranges, shear, bulk}) {
+  return ranges !== undefined && shear.terms.length === 0 && bulk.terms.length === 0 &&
+    (isWide(ranges.shear) || isWide(ranges.bulk));
+}
+
+/// Sliders of those moduli of an elastic material that the run has sampled over a range.
+function moduliChoice(state, compute) {
+  const {name, ranges, shear, bulk} = state.material;
+  const take = {shear: (series) => { state.spectrum = series; }, bulk: (series) => { state.bulk = series; }};
+  const own = {shear: shear.equilibrium_Pa, bulk: bulk.equilibrium_Pa};
+  return ["shear", "bulk"].filter((modulus) => isWide(ranges[modulus])).flatMap((modulus) => {
+    const [least, most] = ranges[modulus];
+    const slider = element("input", {type: "range", id: `${modulus}-modulus`, ariaLabel: `${modulus} modulus`,
+      min: Math.log10(Math.max(least, 1e-9 * most)), max: Math.log10(most), step: "any"});
+    slider.value = Math.log10(own[modulus]);
+    const reading = element("output", {}, display(own[modulus], "Pa"));
+    slider.addEventListener("input", () => {
+      const equilibrium_Pa = 10 ** Number(slider.value);
+      reading.textContent = display(equilibrium_Pa, "Pa");
+      take[modulus]({equilibrium_Pa, terms: []});
+      compute();
+    });
+    return [`${modulus === "shear" ? "Shear" : "Bulk"} modulus of ${name}`, slider, reading];
+  });
 }
 
 /// The slider of the temperature, and fields for the constants of the WLF law if the deck has none.
