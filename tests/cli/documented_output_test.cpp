@@ -82,6 +82,10 @@ TEST(Documentation, TheTutorialOfImagesQuotesWhatIsPrinted) {
   follow(root / "docs" / "tutorial-image.md");
 }
 
+TEST(Documentation, TheTutorialOnCoatingsQuotesWhatIsPrinted) {
+  follow(root / "docs" / "tutorial-coatings.md");
+}
+
 TEST(Documentation, TheReadmeQuotesWhatIsPrinted) {
   follow(root / "README.md");
 }
