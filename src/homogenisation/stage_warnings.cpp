@@ -107,7 +107,7 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
   const auto& [sites, film, count, cells, grains] = *packed.grains;
   constexpr double few_per_cent = 0.08;
   const auto all = sites.sites.size();
-  const auto is_off = [few_per_cent](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
+  const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
   const bool has_sizes = stage.fillers.front().sizes.has_value();
   const bool are_off =
       has_sizes && (is_off(grains.of_a_tenth, cells.of_a_tenth) || is_off(grains.of_half, cells.of_half));

@@ -187,7 +187,7 @@ TEST(PackingAdvice, TellsWhatCoatingsFill) {
   auto stage = coated_box(0.44, 40e-6);
   const auto message = message_on(stage);
   EXPECT_THAT(message, HasSubstr("with coatings and half of the gap around each they would fill 13"));
-  stage.fillers[0].fraction = number_after(message, "fraction of ");
+  stage.fillers[0].fraction = number_after(message, "; a fraction of ");
   EXPECT_NO_THROW(static_cast<void>(make_microstructure(stage))) << message;
   EXPECT_THAT(message_on(coated_box(0.6, 0.0)), HasSubstr("with their coatings they would fill 10"));
 }

@@ -81,12 +81,14 @@ function moduliOnGrids(responses, load, variables, phases) {
 function timesInRange(responses, variables, phases, window) {
   const refusals = [];
   let [begin, end] = window;
+  const times = variables.map((s) => 1 / s).filter((time) => isWithin(time, window));
+  const first = Math.min(...times), last = Math.max(...times);
   const check = (material, name, value, range, time) => {
     if (value >= range[0] && value <= range[1]) return;
     refusals.push({material, name, value, range});
     // The moduli fall with time: those above the range are at its beginning, those below it at its end.
-    if (value > range[1]) begin = Math.max(begin, time * 1.0001);
-    else end = Math.min(end, time / 1.0001);
+    if (value > range[1]) begin = Math.max(begin, time === last ? window[1] : time * 1.0001);
+    else end = Math.min(end, time === first ? window[0] : time / 1.0001);
   };
   for (const response of responses) {
     phases.forEach(({material, moduli}, place) => {

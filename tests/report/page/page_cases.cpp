@@ -217,12 +217,18 @@ Json responses() {
   return cases;
 }
 
+void add_part(ReducedResponse& response, PhaseModulus parameter, Eigen::MatrixXd stiffness) {
+  auto& part = response.parts.emplace_back();
+  part.parameter = std::move(parameter);
+  part.stiffness = std::move(stiffness);
+}
+
 /// The same composite with an interphase whose moduli vary too.
 ReducedResponse coated_response() {
   auto response = response_down_to(1e5);
   const auto size = response.constant.rows();
-  response.parts.push_back({{"interphase", ElasticModulus::shear}, stiffness_part(size, 4.0)});
-  response.parts.push_back({{"interphase", ElasticModulus::bulk}, stiffness_part(size, 5.0)});
+  add_part(response, {"interphase", ElasticModulus::shear}, stiffness_part(size, 4.0));
+  add_part(response, {"interphase", ElasticModulus::bulk}, stiffness_part(size, 5.0));
   response.residual_products = 1e-4 * stiffness_part(5 * size + 1, 6.0);
   response.residual_scale = 0.3;
   double shear = 1e7;
