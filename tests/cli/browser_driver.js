@@ -219,9 +219,36 @@ async function look() {
   enlargePicture();
 }
 
+/// The page of a study with an interphase whose modulus varies: its slider in place of that of the temperature.
+async function lookAtInterphase() {
+  see("title", document.querySelector("h1").textContent);
+  see("materials", [...at("material").options].map((option) => option.textContent).join(", "));
+  see("agreement", at("live-note").dataset.agreement);
+  choose("material", "interphase");
+  await wait(100);
+  see("temperature of the interphase", at("temperature") !== null);
+  const slider = at("shear-modulus");
+  see("range of the slider", `${(10 ** slider.min).toPrecision(3)} to ${(10 ** slider.max).toPrecision(3)}`);
+  see("modulus of the run", liveModulus("C"));
+  move(slider, Math.log10(20e6));
+  await wait(100);
+  see("modulus with a soft interphase", liveModulus("C"));
+  see("refusals of a soft interphase", at("live-refusals").childElementCount);
+  await paste("relaxation_time_s,modulus_Pa\ninf,9e9\n");
+  see("refusal of a rigid interphase", at("live-refusals").textContent.includes("not shown. There interphase would"));
+  choose("material", "binder");
+  await wait(100);
+  see("temperature of the binder", at("temperature") !== null);
+}
+
+function lookAtPage() {
+  if (at("task-table") !== null) return lookAtSweep();
+  return at("material") === null ? look() : lookAtInterphase();
+}
+
 addEventListener("load", async () => {
   try {
-    await (at("task-table") === null ? look() : lookAtSweep());
+    await lookAtPage();
     const fetched = performance.getEntriesByType("resource").filter((entry) => !/^(data|blob):/.test(entry.name));
     see("fetched", fetched.length);
     see("complaints", complaints.length === 0 ? 0 : complaints.join("; "));
