@@ -105,7 +105,7 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
 std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
   if (!packed.grains) return std::nullopt;
   const auto& [sites, film, count, cells, grains] = *packed.grains;
-  constexpr double few_per_cent = 0.08;
+  constexpr double few_per_cent = 0.05;
   const auto all = sites.sites.size();
   const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
   const bool has_sizes = stage.fillers.front().sizes.has_value();
@@ -113,20 +113,18 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
       has_sizes && (is_off(grains.of_a_tenth, cells.of_a_tenth) || is_off(grains.of_half, cells.of_half));
   if (count == all && !are_off) return std::nullopt;
   std::vector<std::string> losses;
-  if (count < all) {
-    losses.push_back(fmt::format("films of {} leave nothing of {} of {} grains", display(film, "m"), all - count, all));
-  }
+  if (count < all) losses.push_back(fmt::format("nothing of {} of {} grains", all - count, all));
   if (are_off) {
-    losses.push_back(
-        fmt::format("the grains between films of {} are smaller than the sizes asked for: a tenth of "
-                    "their area is below {} where {} was asked for, half of it below {} where {} was",
-                    display(film, "m"), display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
-                    display(grains.of_half, "m"), display(cells.of_half, "m")));
+    losses.push_back(fmt::format(
+        "little of small ones: a tenth of the area of the grains is below {} where {} was asked for, half of it below "
+        "{} where {} was",
+        display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"), display(grains.of_half, "m"),
+        display(cells.of_half, "m")));
   }
   return fmt::format(
-      "{}; a thinner film or a larger fraction leaves more, and the smallest grains may be in the matrix, "
-      "as the particles of an earlier stage",
-      fmt::join(losses, ", and "));
+      "films of {} leave {}; thinner films leave more, and the smallest grains may be in the matrix, as the particles "
+      "of an earlier stage",
+      display(film, "m"), fmt::join(losses, ", and "));
 }
 
 bool has_particles_across_sides(const Microstructure<2>& microstructure) {

@@ -139,6 +139,6 @@ function showAgreement(results, curveOfRun) {
   }
   const note = document.getElementById("live-note");
   note.dataset.agreement = worst;
-  note.textContent = `Dotted: the run itself. For its own matrix the page gives the curves of the run within ` +
+  note.textContent = `Dotted: the run itself. With its own materials the page gives the curves of the run within ` +
     `${percent(worst)}.`;
 }
