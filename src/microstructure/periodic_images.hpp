@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "breccia/microstructure/index.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 
 namespace breccia {
@@ -25,12 +26,19 @@ class PeriodicImages {
 
   explicit PeriodicImages(double side) {
     for (Image image = 0; image < count; ++image) {
-      Image digits = image;
-      for (double& shift : shifts_[image]) {
-        shift = (static_cast<double>(digits % 3) - 1.0) * side;
-        digits /= 3;
-      }
+      const auto displaced_by = sides(image);
+      for (std::size_t axis = 0; axis < dim; ++axis) shifts_[image][axis] = displaced_by[axis] * side;
     }
+  }
+
+  /// By how many sides of the box an image is displaced along each axis: -1, 0 or 1.
+  [[nodiscard]] static constexpr Index<dim> sides(Image image) noexcept {
+    Index<dim> displaced_by{};
+    for (int& along_axis : displaced_by) {
+      along_axis = static_cast<int>(image % 3) - 1;
+      image /= 3;
+    }
+    return displaced_by;
   }
 
   /// From a point to its image [m].

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/microstructure/convex_cell.hpp"
+#include "breccia/microstructure/index.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 
 namespace breccia {
@@ -30,6 +31,9 @@ class Tessellation {
   [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const { return cells_[site].eroded(0.5 * film); }
   /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
   [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
+  /// By how many sides of the box the image of that site beyond the face is displaced along each axis: -1, 0 or 1. Zero
+  /// beyond a wall.
+  [[nodiscard]] static Index<dim> image(const HalfSpace<dim>& face) noexcept;
 
  private:
   LaguerreSites<dim> sites_;

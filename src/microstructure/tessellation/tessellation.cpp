@@ -52,6 +52,11 @@ std::optional<std::size_t> Tessellation<dim>::neighbour(const HalfSpace<dim>& fa
 }
 
 template <int dim>
+Index<dim> Tessellation<dim>::image(const HalfSpace<dim>& face) noexcept {
+  return face.behind == Behind<dim>::wall ? Index<dim>{} : PeriodicImages<dim>::sides(Behind<dim>::image(face.behind));
+}
+
+template <int dim>
 std::vector<double> cell_volumes(const Tessellation<dim>& tessellation) {
   std::vector<double> volumes;
   volumes.reserve(tessellation.size());

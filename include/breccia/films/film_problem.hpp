@@ -1,0 +1,26 @@
+#pragma once
+
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/moduli.hpp"
+#include "breccia/microstructure/tessellation.hpp"
+
+namespace breccia {
+
+/// Elastic grains, the cells of a tessellation of a plane, parted by films of binder of one thickness: the model of
+/// grains and films (theory, section 11), in plane strain. A periodic boundary goes with a periodic tessellation, the
+/// others with hard walls. Walls cut grains and films like a window in a larger body; no film runs along them.
+struct FilmProblem {
+  Tessellation<2> tessellation;
+  double thickness;  ///< of the films [m]
+  Moduli grain;      ///< [Pa]
+  Boundary boundary = Boundary::periodic;
+  /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
+  /// beside it [-]. With 0.3 most faces have two elements.
+  double face_share = 0.3;
+};
+
+/// Throws InputError, with every mistake: a thickness, a share or a modulus that is not positive, a boundary that does
+/// not go with the walls of the tessellation.
+void require_sound(const FilmProblem& problem);
+
+}  // namespace breccia

@@ -1,0 +1,70 @@
+#include "assembly/film_element.hpp"
+
+#include <cmath>
+
+#include "assembly/plane_strain.hpp"
+
+namespace breccia::films {
+namespace {
+
+/// Points and weights of Gauss' rule on [-1, 1], exact to the fifth order.
+const std::array<double, 3> gauss_places = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
+constexpr std::array<double, 3> gauss_weights = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
+
+/// Quadratic functions of begin, middle and end of a stretch, at a place x from -1 to 1.
+Eigen::Vector3d quadratic(double x) {
+  return {0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)};
+}
+Eigen::Vector3d quadratic_slope(double x) {
+  return {x - 0.5, -2.0 * x, x + 0.5};
+}
+Eigen::Vector2d linear(double x) {
+  return {0.5 * (1.0 - x), 0.5 * (1.0 + x)};
+}
+
+}  // namespace
+
+FilmElement film_element(const FilmStretch& stretch) {
+  FilmElement element;
+  element.shear.setZero();
+  element.dilatation.setZero();
+  element.volume.setZero();
+  const auto& [first, second] = stretch.ends;
+  const double t = stretch.thickness;
+  const Eigen::Vector2d lengths{(first[1] - first[0]).dot(stretch.direction),
+                                (second[1] - second[0]).dot(stretch.direction)};
+  const double mean_length = lengths.mean();
+  const auto deviatoric = plane_strain_stiffness({.bulk = 0.0, .shear = 1.0});
+
+  for (std::size_t i = 0; i < gauss_places.size(); ++i) {
+    const double x = gauss_places[i];
+    const auto along = quadratic(x), slope = quadratic_slope(x);
+    // How far the place on the second side is ahead of that on the first one.
+    const double ahead =
+        linear(x).dot(Eigen::Vector2d((second[0] - first[0]).dot(stretch.direction), (second[1] - first[1]).dot(stretch.direction)));
+    for (std::size_t j = 0; j < gauss_places.size(); ++j) {
+      const auto across = linear(gauss_places[j]);
+      const double half_length = 0.5 * across.dot(lengths);
+      Gradients gradients(2, 6);
+      for (int side = 0; side < 2; ++side) {
+        const double sign = side == 0 ? -0.5 : 0.5;
+        for (int node = 0; node < 3; ++node) {
+          const double ds = across[side] * slope[node] / half_length;
+          const double dn = (2.0 / t) * (sign * along[node] - 0.5 * ahead * ds);
+          gradients.col(3 * side + node) = ds * stretch.direction + dn * stretch.normal;
+        }
+      }
+      const double area = gauss_weights[i] * gauss_weights[j] * half_length * 0.5 * t;
+      const auto strain = strain_rows(gradients);
+      element.shear.topLeftCorner<12, 12>() += area * strain.transpose() * deviatoric * strain;
+      element.dilatation.leftCols<12>() += area * along * (strain.row(0) + strain.row(1));
+    }
+    const double length = gauss_weights[i] * 0.5 * mean_length;
+    element.shear.bottomRightCorner<2, 2>() += 12.0 / t * length * linear(x) * linear(x).transpose();
+    element.dilatation.rightCols<2>() -= gauss_weights[i] * t * slope * linear(x).transpose();
+    element.volume += t * length * along * along.transpose();
+  }
+  return element;
+}
+
+}  // namespace breccia::films

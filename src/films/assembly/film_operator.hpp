@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "breccia/discretisation/load.hpp"
+#include "breccia/films/film_problem.hpp"
+
+#include "assembly/unknowns.hpp"
+#include "mesh/film_network.hpp"
+
+namespace breccia::films {
+
+/// A displacement of grains and films: the amplitude of the macroscopic part, the unit strain of a load, and the
+/// fluctuations of the grains' boundaries with the flows in the films, in the order of Unknowns. Lengths are in sides of
+/// the box. Forces are stored like the displacements on which they do work.
+struct FilmVector {
+  double macroscopic = 0.0;
+  Eigen::VectorXd unknowns;
+
+  void add(double factor, const FilmVector& other) {
+    macroscopic += factor * other.macroscopic;
+    unknowns += factor * other.unknowns;
+  }
+  void scale(double factor) {
+    macroscopic *= factor;
+    unknowns *= factor;
+  }
+};
+
+/// Scalar product of forces on the unknowns.
+[[nodiscard]] inline double product(const FilmVector& a, const FilmVector& b) {
+  return a.unknowns.dot(b.unknowns);
+}
+/// Work of forces on a displacement.
+[[nodiscard]] inline double work(const FilmVector& forces, const FilmVector& displacement) {
+  return product(forces, displacement) + forces.macroscopic * displacement.macroscopic;
+}
+
+/// The stiffness of grains and films in its parts, K = K_0 + G K_G + K K_K (theory, Eq. 56): the grains, and the films
+/// for a unit shear and a unit bulk modulus of the binder.
+class FilmOperator {
+ public:
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  explicit FilmOperator(const FilmProblem& problem);
+
+  [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
+  [[nodiscard]] int unknowns() const noexcept { return static_cast<int>(grains_.rows()) - macroscopic; }
+  [[nodiscard]] int pressures() const noexcept { return static_cast<int>(volume_.rows()); }
+  /// Area of grains, films and junctions, of a box of area 1.
+  [[nodiscard]] double area() const noexcept { return area_; }
+
+  [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }
+  [[nodiscard]] FilmVector load_forces(Load load) const;
+
+  /// K_0 u, of the grains at their moduli.
+  [[nodiscard]] FilmVector grain_forces(Load load, const FilmVector& displacement) const;
+  /// K_G u
+  [[nodiscard]] FilmVector shear_forces(Load load, const FilmVector& displacement) const;
+  /// K_K u
+  [[nodiscard]] FilmVector bulk_forces(Load load, const FilmVector& displacement) const;
+
+  /// Lower triangle of the symmetric matrix of unknowns and pressures -K tr, in units of K, at these moduli of the
+  /// binder (theory, Eq. 57).
+  [[nodiscard]] Sparse matrix(const Moduli& binder) const;
+
+ private:
+  static constexpr int macroscopic = 3;  ///< strains xx, yy and the engineering shear follow the unknowns
+
+  class Assembly;
+
+  [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
+  [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
+
+  Boundary boundary_;
+  double area_ = 0.0;
+  Sparse grains_, shear_;  ///< lower triangles of K_0 and K_G, with the macroscopic strains
+  Sparse dilatation_;      ///< volume change by pressure and unknown
+  Sparse volume_;          ///< lower triangle of the products of the pressures' functions
+  Eigen::SimplicialLLT<Sparse> volume_factors_;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> tractions_;  ///< forces of the stresses xx, yy and xy on the boundary
+};
+
+}  // namespace breccia::films

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+namespace breccia::films {
+
+/// What the binder between the corners of grains adds to the matrices (theory, Eq. 55): triangles from the first corner,
+/// with linear displacements. The unknowns are the displacements of the corners, two components each.
+struct JunctionElement {
+  Eigen::MatrixXd shear;          ///< stiffness of a unit shear modulus
+  Eigen::RowVectorXd dilatation;  ///< change of area
+  double area;
+};
+
+/// `corners` are those of a polygon, counter-clockwise. Two corners have no area between them.
+[[nodiscard]] JunctionElement junction_element(std::span<const Eigen::Vector2d> corners);
+
+}  // namespace breccia::films

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/discretisation/boundary.hpp"
+
+#include "mesh/film_network.hpp"
+#include "mesh/grain_mesh.hpp"
+
+namespace breccia::films {
+
+/// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes on the boundaries of
+/// the grains, then the flows at both ends of each element of each film; the pressures are numbered by themselves, those
+/// of the junctions first.
+///
+/// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
+/// are held at zero under the other boundaries.
+class Unknowns {
+ public:
+  static constexpr int held = -1;
+
+  Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary);
+
+  [[nodiscard]] int count() const noexcept { return count_; }
+  [[nodiscard]] int pressures() const noexcept { return pressures_; }
+
+  /// Of a component of a node on the boundary of a grain, or `held`.
+  [[nodiscard]] int displacement(std::size_t grain, std::size_t node, int component) const noexcept {
+    return displacements_[grain][2 * node + static_cast<std::size_t>(component)];
+  }
+  /// The node of the boundary of a grain at the beginning of an element of a face, or `past` it.
+  [[nodiscard]] std::size_t node(std::size_t grain, std::size_t face, int past) const noexcept {
+    return (first_nodes_[grain][face] + static_cast<std::size_t>(past)) % (displacements_[grain].size() / 2);
+  }
+  /// Of the flow at the begin (0) or the end (1) of an element of a film.
+  [[nodiscard]] int flow(std::size_t film, int element, int end) const noexcept {
+    return first_flows_[film] + 2 * element + end;
+  }
+  /// Of the pressures at begin, middle and end of an element of a film.
+  [[nodiscard]] std::array<int, 3> pressures(const FilmNetwork& network, std::size_t film, int element) const noexcept;
+
+ private:
+  void hold_walls(const FilmNetwork& network);
+  void hold_translations();
+  void hold_rotation(const std::vector<GrainMesh>& meshes);
+
+  std::vector<std::vector<int>> displacements_;  ///< by grain and component
+  std::vector<std::vector<std::size_t>> first_nodes_;  ///< by grain and face
+  std::vector<int> first_flows_, first_pressures_;  ///< by film
+  int count_ = 0, pressures_ = 0;
+};
+
+}  // namespace breccia::films

@@ -1,0 +1,29 @@
+#include "breccia/films/film_moduli.hpp"
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+#include "film_solver.hpp"
+
+namespace breccia {
+
+std::vector<std::vector<double>> film_moduli(const FilmProblem& problem, std::span<const Moduli> binders,
+                                             std::span<const Load> loads) {
+  for (const auto& [bulk, shear] : binders) {
+    if (bulk > 0.0 && shear > 0.0) continue;
+    throw InputError(
+        fmt::format("films: the moduli of the binder must be positive, got K = {} Pa and G = {} Pa", bulk, shear));
+  }
+  const films::FilmOperator film_operator(problem);
+  films::FilmSolver solver(film_operator);
+  std::vector<std::vector<double>> moduli;
+  for (const auto& binder : binders) {
+    solver.set_binder(binder);
+    auto& of_binder = moduli.emplace_back();
+    for (const auto load : loads) of_binder.push_back(solver.modulus(load, solver.solve(load)));
+  }
+  return moduli;
+}
+
+}  // namespace breccia

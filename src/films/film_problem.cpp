@@ -1,0 +1,32 @@
+#include "breccia/films/film_problem.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+void require_sound(const FilmProblem& problem) {
+  std::vector<std::string> mistakes;
+  const auto require_positive = [&](double value, const char* name, const char* unit) {
+    if (value > 0.0 && std::isfinite(value)) return;
+    mistakes.push_back(fmt::format("{} must be positive and finite, got {}{}", name, value, unit));
+  };
+  require_positive(problem.thickness, "the thickness of the films", " m");
+  require_positive(problem.grain.bulk, "the bulk modulus of the grains", " Pa");
+  require_positive(problem.grain.shear, "the shear modulus of the grains", " Pa");
+  require_positive(problem.face_share, "the length of the elements", "");
+  const bool is_periodic = problem.tessellation.walls() == Walls::periodic;
+  if (is_periodic != (problem.boundary == Boundary::periodic)) {
+    mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary", is_periodic ? "periodic" : "walled",
+                                   name_of(problem.boundary)));
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("films: {}", fmt::join(mistakes, "; ")));
+}
+
+}  // namespace breccia

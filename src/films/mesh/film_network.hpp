@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/microstructure/tessellation.hpp"
+
+#include "mesh/grain_polygon.hpp"
+
+namespace breccia::films {
+
+/// A corner of a grain, in an image of the box.
+struct CornerImage {
+  std::size_t grain;
+  std::size_t corner;
+  Eigen::Vector2i image;  ///< sides of the box by which the grain is displaced
+};
+
+/// Where binder of several films meets: the polygon between the corners of the grains around it. Between three grains
+/// it is a triangle. Where a film ends at a wall between two grains it is a line, the end of the film.
+struct Junction {
+  std::vector<CornerImage> corners;  ///< counter-clockwise; at a wall, the last and the first are those next to it
+  bool is_at_wall = false;
+};
+
+/// One of the two sides of a film.
+struct FilmSide {
+  CornerImage begin, end;           ///< the same corner where the face of this grain has vanished
+  std::optional<std::size_t> face;  ///< the face of the grain along the film, unless it has vanished
+};
+
+/// The film between two grains, from one junction to another. Along the first side the grain's face runs from begin to
+/// end; the second side is beyond it.
+struct Film {
+  std::array<FilmSide, 2> sides;
+  Eigen::Vector2d direction;            ///< from begin to end, of length 1
+  Eigen::Vector2d normal;               ///< from the first side to the second, of length 1
+  double thickness;                     ///< [sides of the box]; of a film of one face the distance of the other grain
+  std::array<std::size_t, 2> junctions; ///< at its begin and at its end
+  int segments;                         ///< number of equal elements along it
+};
+
+/// Grains, films and junctions: they tile the box.
+struct FilmNetwork {
+  std::vector<GrainPolygon> grains;  ///< by site
+  std::vector<Film> films;
+  std::vector<Junction> junctions;
+  std::vector<std::vector<int>> segments;  ///< of each face of each grain
+
+  [[nodiscard]] Eigen::Vector2d place(const CornerImage& corner) const {
+    return grains[corner.grain].corners[corner.corner] + corner.image.cast<double>();
+  }
+};
+
+/// The network of films of one thickness [sides] in a tessellation (theory, section 11). Elements along a face are not
+/// longer than `face_share` times the square root of the area of the smaller one of the grains beside it. Where a face
+/// has vanished on one side, the film is a triangle; where on both, its junctions are one. Throws InputError, with all
+/// the sites, when a film leaves nothing of a grain.
+[[nodiscard]] FilmNetwork film_network(const Tessellation<2>& tessellation, double thickness, double face_share);
+
+}  // namespace breccia::films

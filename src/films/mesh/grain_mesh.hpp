@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "mesh/grain_polygon.hpp"
+
+namespace breccia::films {
+
+/// A grain as triangles with straight edges and six nodes each. The nodes of the boundary come first, counter-clockwise
+/// from the first corner: each element of a face has its beginning and its middle.
+struct GrainMesh {
+  std::vector<Eigen::Vector2d> nodes;
+  std::size_t boundary_nodes;
+  /// Three corners counter-clockwise, then the middles of the edges from the first, the second and the third corner.
+  std::vector<std::array<std::size_t, 6>> triangles;
+};
+
+/// Rings of triangles around the centroid, each with half as many elements around it as the one outside, as long as the
+/// elements are smaller than the distance from the centroid; then a fan. `segments` are the elements of each face.
+[[nodiscard]] GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const int> segments);
+
+}  // namespace breccia::films
