@@ -100,6 +100,29 @@ TEST(Tessellation, BandsOfWeightedSites) {
   EXPECT_NEAR(volume(walls.grain(0, 0.5)), 1.7 * 3.5, 1e-14);
 }
 
+// The neighbour beyond a face lies along its normal, displaced by whole sides.
+TEST(Tessellation, KnowsWhichImageIsBeyondAFace) {
+  auto sites = test::voronoi_sites_25();
+  for (const auto walls : {Walls::periodic, Walls::hard}) {
+    sites.walls = walls;
+    const Tessellation<2> tessellation(sites);
+    for (std::size_t site = 0; site < tessellation.size(); ++site) {
+      for (const auto& face : tessellation.cell(site).half_spaces()) {
+        const auto image = Tessellation<2>::image(face);
+        if (walls == Walls::hard) EXPECT_EQ(image, (Index<2>{}));
+        const auto neighbour = Tessellation<2>::neighbour(face);
+        if (!neighbour) continue;
+        Vector<2> apart{};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          apart[axis] = sites.sites[*neighbour].position[axis] + image[axis] - sites.sites[site].position[axis];
+        }
+        EXPECT_NEAR(apart[0] * face.normal[0] + apart[1] * face.normal[1], 2.0 * face.offset, 1e-12);
+        EXPECT_NEAR(apart[0] * face.normal[1] - apart[1] * face.normal[0], 0.0, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Tessellation, KnowsWhatLiesBehindAFace) {
   const auto neighbours = [](const Tessellation<2>& tessellation) {
     std::vector<std::optional<std::size_t>> found;
