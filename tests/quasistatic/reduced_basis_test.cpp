@@ -1,4 +1,4 @@
-#include "reduced/reduced_basis.hpp"
+#include "breccia/quasistatic/reduced_basis.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/quasistatic/residual_rounding.hpp"
 
 #include "quasistatic/composites.hpp"
-#include "reduced/residual_rounding.hpp"
-#include "solvers/elastic_solver.hpp"
+#include "reduced/cell_composite.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -28,46 +28,31 @@ const std::vector<VaryingPhase> matrix_alone = {{0, "matrix"}};
 class Basis {
  public:
   Basis(const Discretisation<2>& discretisation, Boundary boundary, Load load)
-      : elastic_operator_(discretisation, Volumetric::averaged, boundary),
-        solver_(make_elastic_solver(elastic_operator_, {.method = LinearMethod::direct})),
-        basis_(elastic_operator_, stiffness_, load, {reference}) {}
+      : composite_({.discretisation = discretisation, .materials = materials, .boundary = boundary}, matrix_alone),
+        solver_(composite_, {.method = LinearMethod::direct}),
+        basis_(composite_, load, {reference}) {}
 
   void add(const Moduli& matrix) { basis_.add(solution(matrix), {matrix}); }
 
   /// The solution for a matrix, under the prescribed strain or the unit traction.
   [[nodiscard]] Displacement solution(const Moduli& matrix) {
-    const auto moduli = stiffness_.moduli_at(basis_.response().parameters(matrix));
-    solver_->set_moduli(moduli);
-    auto solution = elastic_operator_.zero();
-    if (elastic_operator_.boundary() == Boundary::traction) {
-      solver_->solve(elastic_operator_.load_forces(basis_.load()), solution);
-      solution.set_macroscopic(0.0);
-      return solution;
-    }
-    auto prescribed = elastic_operator_.zero();
-    prescribed.set_macroscopic(1.0);
-    auto forces = elastic_operator_.forces(moduli, basis_.load(), prescribed);
-    forces.scale(-1.0);
-    solver_->solve(forces, solution);
-    solution.set_macroscopic(1.0);
-    return solution;
+    solver_.prepare(basis_.response().parameters(matrix));
+    return solver_.solve(basis_.load(), composite_.zero());
   }
 
   /// Energy of a displacement with a matrix of these moduli.
   [[nodiscard]] double energy(const Displacement& displacement, const Moduli& matrix) const {
-    const auto moduli = stiffness_.moduli_at(basis_.response().parameters(matrix));
-    return work(elastic_operator_.forces(moduli, basis_.load(), displacement), displacement);
+    return work(composite_.forces(basis_.response().parameters(matrix), basis_.load(), displacement), displacement);
   }
 
-  [[nodiscard]] const ReducedBasis& get() const { return basis_; }
+  [[nodiscard]] const ReducedBasis<CellComposite>& get() const { return basis_; }
   [[nodiscard]] const ReducedResponse& response() const { return basis_.response(); }
-  [[nodiscard]] double area() const { return elastic_operator_.volume(); }
+  [[nodiscard]] double area() const { return composite_.volume(); }
 
  private:
-  AffineStiffness stiffness_ = affine_stiffness(materials, matrix_alone);
-  ElasticOperator<2> elastic_operator_;
-  std::unique_ptr<ElasticSolver> solver_;
-  ReducedBasis basis_;
+  CellComposite composite_;
+  CellSolver solver_;
+  ReducedBasis<CellComposite> basis_;
 };
 
 /// The left half is hard.

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "breccia/quasistatic/affine_composite.hpp"
+#include "breccia/quasistatic/quasistatic_problem.hpp"
+
+#include "operator/displacement_state.hpp"
+#include "operator/elastic_operator.hpp"
+#include "reduced/affine_stiffness.hpp"
+#include "solvers/elastic_solver.hpp"
+
+namespace breccia::quasistatic {
+
+/// A composite of cells, as a reduced basis sees it: the elastic operator of a discretisation, with a part for each
+/// modulus of the phases that vary.
+class CellComposite {
+ public:
+  using Vector = Displacement;
+
+  CellComposite(const QuasistaticProblem& problem, std::span<const VaryingPhase> varying);
+
+  [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return elastic_operator_; }
+  [[nodiscard]] const AffineStiffness& stiffness() const noexcept { return stiffness_; }
+
+  [[nodiscard]] Boundary boundary() const noexcept { return elastic_operator_.boundary(); }
+  [[nodiscard]] double volume() const noexcept { return elastic_operator_.volume(); }
+  [[nodiscard]] std::vector<PhaseModulus> parameters() const;
+  [[nodiscard]] Displacement zero() const { return elastic_operator_.zero(); }
+  [[nodiscard]] Displacement uniform_strain(Load load) const { return elastic_operator_.uniform_strain(load); }
+  [[nodiscard]] Forces load_forces(Load load) const { return elastic_operator_.load_forces(load); }
+  [[nodiscard]] Forces constant_forces(Load load, const Displacement& displacement) const;
+  [[nodiscard]] Forces part_forces(std::size_t part, Load load, const Displacement& displacement) const;
+  [[nodiscard]] Forces forces(std::span<const double> parameters, Load load, const Displacement& displacement) const;
+
+ private:
+  AffineStiffness stiffness_;
+  ElasticOperator<2> elastic_operator_;
+};
+
+/// Solves for the displacements of a composite of cells, which must outlive it.
+class CellSolver {
+ public:
+  CellSolver(const CellComposite& composite, const LinearOptions& options);
+
+  void prepare(std::span<const double> parameters);
+  [[nodiscard]] Displacement solve(Load load, Displacement guess);
+
+  [[nodiscard]] const LinearEffort& effort() const noexcept { return solver_->effort(); }
+  void count_from(const LinearEffort& earlier) { solver_->count_from(earlier); }
+
+ private:
+  const CellComposite* composite_;
+  std::unique_ptr<ElasticSolver> solver_;
+  std::vector<Moduli> moduli_;  ///< by material
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,45 @@
+#include "breccia/quasistatic/greedy_sampling.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others) {
+  return std::ranges::equal(some, others, [](const Moduli& one, const Moduli& other) {
+    return one.bulk == other.bulk && one.shear == other.shear;
+  });
+}
+
+}  // namespace
+
+std::vector<std::vector<Moduli>> initial_snapshots(const TrainingPath& training_set) {
+  const auto& points = training_set.points;
+  std::vector<std::vector<Moduli>> initial = {points[points.size() / 2]};
+  for (const auto& end : {points.front(), points.back()}) {
+    if (!are_equal(end, initial.front())) initial.push_back(end);
+  }
+  return initial;
+}
+
+void require_complete(std::span<const Load> loads, const TrainingPath& training_set) {
+  if (training_set.points.empty()) throw InputError("reduced basis: no moduli to sample");
+  const auto phases = training_set.phases.size();
+  for (const auto& point : training_set.points) {
+    if (point.size() == phases) continue;
+    throw InputError(
+        fmt::format("reduced basis: expected the moduli of {} phases at each point of the training set, "
+                    "got those of {}",
+                    phases, point.size()));
+  }
+  if (loads.empty()) throw InputError("reduced basis: no loads");
+}
+
+void require_more_snapshots(int snapshots, double error, const SamplingOptions& options) {
+  if (snapshots < options.most_snapshots) return;
+  throw NumericalError(
+      fmt::format("reduced basis: the error is still {:.1e} after {} snapshots, wanted {:.1e}; a coarser "
+                  "tests.quasistatic.tolerance, tests.quasistatic.range = \"times\" or tests.solver = \"stepping\" "
+                  "may serve",
+                  error, options.most_snapshots, options.tolerance));
+}
+
+}  // namespace breccia::quasistatic
