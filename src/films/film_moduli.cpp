@@ -1,10 +1,12 @@
 #include "breccia/films/film_moduli.hpp"
 
+#include <array>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "film_solver.hpp"
+#include "film_composite.hpp"
 
 namespace breccia {
 
@@ -15,13 +17,13 @@ std::vector<std::vector<double>> film_moduli(const FilmProblem& problem, std::sp
     throw InputError(
         fmt::format("films: the moduli of the binder must be positive, got K = {} Pa and G = {} Pa", bulk, shear));
   }
-  const films::FilmOperator film_operator(problem);
-  films::FilmSolver solver(film_operator);
+  const films::FilmComposite composite(problem);
+  films::FilmSolver solver(composite);
   std::vector<std::vector<double>> moduli;
   for (const auto& binder : binders) {
-    solver.set_binder(binder);
+    solver.prepare(std::array{binder.shear, binder.bulk});
     auto& of_binder = moduli.emplace_back();
-    for (const auto load : loads) of_binder.push_back(solver.modulus(load, solver.solve(load)));
+    for (const auto load : loads) of_binder.push_back(solver.modulus(load, solver.solve(load, composite.zero())));
   }
   return moduli;
 }

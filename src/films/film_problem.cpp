@@ -23,8 +23,8 @@ void require_sound(const FilmProblem& problem) {
   require_positive(problem.face_share, "the length of the elements", "");
   const bool is_periodic = problem.tessellation.walls() == Walls::periodic;
   if (is_periodic != (problem.boundary == Boundary::periodic)) {
-    mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary", is_periodic ? "periodic" : "walled",
-                                   name_of(problem.boundary)));
+    mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary",
+                                   is_periodic ? "periodic" : "walled", name_of(problem.boundary)));
   }
   if (!mistakes.empty()) throw InputError(fmt::format("films: {}", fmt::join(mistakes, "; ")));
 }

@@ -7,7 +7,7 @@
 namespace breccia {
 
 /// Elastic grains, the cells of a tessellation of a plane, parted by films of binder of one thickness: the model of
-/// grains and films (theory, section 11), in plane strain. A periodic boundary goes with a periodic tessellation, the
+/// grains and films (theory, section 17), in plane strain. A periodic boundary goes with a periodic tessellation, the
 /// others with hard walls. Walls cut grains and films like a window in a larger body; no film runs along them.
 struct FilmProblem {
   Tessellation<2> tessellation;

@@ -40,8 +40,8 @@ FilmElement film_element(const FilmStretch& stretch) {
     const double x = gauss_places[i];
     const auto along = quadratic(x), slope = quadratic_slope(x);
     // How far the place on the second side is ahead of that on the first one.
-    const double ahead =
-        linear(x).dot(Eigen::Vector2d((second[0] - first[0]).dot(stretch.direction), (second[1] - first[1]).dot(stretch.direction)));
+    const double ahead = linear(x).dot(
+        Eigen::Vector2d((second[0] - first[0]).dot(stretch.direction), (second[1] - first[1]).dot(stretch.direction)));
     for (std::size_t j = 0; j < gauss_places.size(); ++j) {
       const auto across = linear(gauss_places[j]);
       const double half_length = 0.5 * across.dot(lengths);

@@ -14,18 +14,18 @@ struct FilmStretch {
   double thickness;
 };
 
-/// What a stretch of film adds to the matrices (theory, Eqs. 52 to 54). Its unknowns are the displacements of six
+/// What a stretch of film adds to the matrices (theory, Eqs. 60 and 61). Its unknowns are the displacements of six
 /// nodes, two components each: begin, middle and end of the first side, then of the second; then the flow at its begin
 /// and at its end. Its pressures are those at begin, middle and end.
-/// The resistance of the bend at an end of a film, as a length of film in units of the thickness (theory, Eq. 55a).
+/// The resistance of the bend at an end of a film, as a length of film in units of the thickness (theory, Eq. 63).
 inline constexpr double end_length = 0.23;
 
 struct FilmElement {
   static constexpr int displacements = 12, flows = 2, pressures = 3, unknowns = displacements + flows;
 
-  Eigen::Matrix<double, unknowns, unknowns> shear;          ///< stiffness of a unit shear modulus
-  Eigen::Matrix<double, pressures, unknowns> dilatation;    ///< volume change, weighted by the functions of the pressure
-  Eigen::Matrix<double, pressures, pressures> volume;       ///< products of these functions
+  Eigen::Matrix<double, unknowns, unknowns> shear;        ///< stiffness of a unit shear modulus
+  Eigen::Matrix<double, pressures, unknowns> dilatation;  ///< volume change, weighted by the functions of the pressure
+  Eigen::Matrix<double, pressures, pressures> volume;     ///< products of these functions
 };
 
 [[nodiscard]] FilmElement film_element(const FilmStretch& stretch);

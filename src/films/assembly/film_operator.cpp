@@ -97,11 +97,28 @@ class FilmOperator::Assembly {
     }
     for (const auto& junction : network_.junctions) {
       if (!junction.is_at_wall) continue;
-      const auto force = traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
+      const auto force =
+          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
       for (const auto& corner : {junction.corners.front(), junction.corners.back()}) {
         add_node_force(node_of(corner), 0.5 * force);
       }
     }
+  }
+
+  /// What the unknowns are in a uniform displacement gradient that leaves the first node where it is.
+  void add_uniform_gradients() {
+    result_.by_gradient_.setZero(unknowns_.count(), 4);
+    const auto& first = meshes_[0].nodes[0];
+    for (std::size_t g = 0; g < meshes_.size(); ++g) {
+      for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) {
+        const Eigen::Vector2d place = meshes_[g].nodes[n] - first;
+        for (int i = 0; i < 2; ++i) {
+          const int number = unknowns_.displacement(g, n, i);
+          if (number != Unknowns::held) result_.by_gradient_.row(number).segment<2>(2 * i) = place.transpose();
+        }
+      }
+    }
+    result_.held_ = unknowns_.farthest_held() - first;
   }
 
   void finish() {
@@ -165,10 +182,11 @@ class FilmOperator::Assembly {
     for (std::size_t side = 0; side < 2; ++side) {
       for (int k = 0; k < 3; ++k) nodes.push_back(node_of_side(film, side, 2 * element + k));
     }
-    const auto matrices = film_element({.ends = {{{place(nodes[0]), place(nodes[2])}, {place(nodes[3]), place(nodes[5])}}},
-                                        .direction = film.direction,
-                                        .normal = film.normal,
-                                        .thickness = film.thickness});
+    const auto matrices =
+        film_element({.ends = {{{place(nodes[0]), place(nodes[2])}, {place(nodes[3]), place(nodes[5])}}},
+                      .direction = film.direction,
+                      .normal = film.normal,
+                      .thickness = film.thickness});
     const std::array flows = {unknowns_.flow(f, element, 0), unknowns_.flow(f, element, 1)};
     const auto unknowns = unknowns_of(nodes, flows);
     const auto pressures = unknowns_.pressures(network_, f, element);
@@ -194,7 +212,8 @@ class FilmOperator::Assembly {
     } else if (result_.boundary_ == Boundary::traction) {
       const double outward = end == 0 ? -1.0 : 1.0;
       dilatation_.emplace_back(static_cast<int>(number), flow, outward * film.thickness);
-      const auto force = traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
+      const auto force =
+          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
       result_.tractions_.row(flow) += film.direction.transpose() * force;
     }
   }
@@ -204,7 +223,8 @@ class FilmOperator::Assembly {
     for (int element = 0; element < network_.segments[grain][face]; ++element) {
       std::array<Node, 3> nodes;
       for (int k = 0; k < 3; ++k) {
-        nodes[static_cast<std::size_t>(k)] = {grain, unknowns_.node(grain, face, 2 * element + k), Eigen::Vector2i::Zero()};
+        nodes[static_cast<std::size_t>(k)] = {grain, unknowns_.node(grain, face, 2 * element + k),
+                                              Eigen::Vector2i::Zero()};
       }
       const auto force = traction_on(place(nodes[2]) - place(nodes[0]));
       for (std::size_t k = 0; k < 3; ++k) add_node_force(nodes[k], shares[k] * force);
@@ -271,6 +291,7 @@ FilmOperator::FilmOperator(const FilmProblem& problem) : boundary_(problem.bound
   Assembly assembly(*this, network, meshes);
   assembly.add_grains(problem.grain);
   assembly.add_tractions();
+  if (boundary_ == Boundary::traction) assembly.add_uniform_gradients();
   assembly.add_films();
   assembly.add_junctions();
   assembly.finish();
@@ -281,9 +302,18 @@ FilmVector FilmOperator::load_forces(Load load) const {
   return {1.0, Eigen::VectorXd::Zero(unknowns())};
 }
 
+FilmVector FilmOperator::uniform_strain(Load load) const {
+  if (boundary_ != Boundary::traction) return {1.0, Eigen::VectorXd::Zero(unknowns())};
+  // Rotated so that the held components are zero: a displacement gradient H with this symmetric part.
+  const auto strain = unit_strain<2>(load);
+  const double h21 = -strain.yy * held_.y() / held_.x();
+  const Eigen::Vector4d gradient(strain.xx, 2.0 * strain.xy - h21, h21, strain.yy);
+  return {0.0, by_gradient_ * gradient};
+}
+
 Eigen::VectorXd FilmOperator::extended(Load load, const FilmVector& displacement) const {
   Eigen::VectorXd whole(unknowns() + macroscopic);
-  whole << displacement.unknowns, displacement.macroscopic * strain_of(load);
+  whole << displacement.unknowns(), displacement.macroscopic() * strain_of(load);
   return whole;
 }
 

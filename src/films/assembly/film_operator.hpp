@@ -10,38 +10,13 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_problem.hpp"
 
+#include "assembly/film_vector.hpp"
 #include "assembly/unknowns.hpp"
 #include "mesh/film_network.hpp"
 
 namespace breccia::films {
 
-/// A displacement of grains and films: the amplitude of the macroscopic part, the unit strain of a load, and the
-/// fluctuations of the grains' boundaries with the flows in the films, in the order of Unknowns. Lengths are in sides of
-/// the box. Forces are stored like the displacements on which they do work.
-struct FilmVector {
-  double macroscopic = 0.0;
-  Eigen::VectorXd unknowns;
-
-  void add(double factor, const FilmVector& other) {
-    macroscopic += factor * other.macroscopic;
-    unknowns += factor * other.unknowns;
-  }
-  void scale(double factor) {
-    macroscopic *= factor;
-    unknowns *= factor;
-  }
-};
-
-/// Scalar product of forces on the unknowns.
-[[nodiscard]] inline double product(const FilmVector& a, const FilmVector& b) {
-  return a.unknowns.dot(b.unknowns);
-}
-/// Work of forces on a displacement.
-[[nodiscard]] inline double work(const FilmVector& forces, const FilmVector& displacement) {
-  return product(forces, displacement) + forces.macroscopic * displacement.macroscopic;
-}
-
-/// The stiffness of grains and films in its parts, K = K_0 + G K_G + K K_K (theory, Eq. 56): the grains, and the films
+/// The stiffness of grains and films in its parts, K = K_0 + G K_G + K K_K (theory, Eq. 65): the grains, and the films
 /// for a unit shear and a unit bulk modulus of the binder.
 class FilmOperator {
  public:
@@ -56,6 +31,10 @@ class FilmOperator {
   [[nodiscard]] double area() const noexcept { return area_; }
 
   [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }
+  /// The uniform strain of a load, without flow in the films.
+  [[nodiscard]] FilmVector uniform_strain(Load load) const;
+  /// The force 1 on the macroscopic part or, under a traction boundary, the forces of the unit stress of a load on the
+  /// boundary.
   [[nodiscard]] FilmVector load_forces(Load load) const;
 
   /// K_0 u, of the grains at their moduli.
@@ -66,7 +45,7 @@ class FilmOperator {
   [[nodiscard]] FilmVector bulk_forces(Load load, const FilmVector& displacement) const;
 
   /// Lower triangle of the symmetric matrix of unknowns and pressures -K tr, in units of K, at these moduli of the
-  /// binder (theory, Eq. 57).
+  /// binder (theory, Eq. 66).
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
@@ -83,7 +62,9 @@ class FilmOperator {
   Sparse dilatation_;      ///< volume change by pressure and unknown
   Sparse volume_;          ///< lower triangle of the products of the pressures' functions
   Eigen::SimplicialLLT<Sparse> volume_factors_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> tractions_;  ///< forces of the stresses xx, yy and xy on the boundary
+  Eigen::Matrix<double, Eigen::Dynamic, 3> tractions_;    ///< forces of the stresses xx, yy and xy on the boundary
+  Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient_;  ///< displacements of the gradients 11, 12, 21 and 22
+  Eigen::Vector2d held_;  ///< of these, one does not move along the second axis where a traction boundary holds a node
 };
 
 }  // namespace breccia::films

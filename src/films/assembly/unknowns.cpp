@@ -60,6 +60,7 @@ void Unknowns::hold_rotation(const std::vector<GrainMesh>& meshes) {
       const double distance = std::abs(meshes[g].nodes[n].x() - meshes[0].nodes[0].x());
       if (distance <= farthest) continue;
       farthest = distance;
+      farthest_held_ = meshes[g].nodes[n];
       rotated = &displacements_[g][2 * n + 1];
     }
   }

@@ -13,9 +13,9 @@
 
 namespace breccia::films {
 
-/// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes on the boundaries of
-/// the grains, then the flows at both ends of each element of each film; the pressures are numbered by themselves, those
-/// of the junctions first.
+/// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes on the boundaries
+/// of the grains, then the flows at both ends of each element of each film; the pressures are numbered by themselves,
+/// those of the junctions first.
 ///
 /// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
 /// are held at zero under the other boundaries.
@@ -40,6 +40,8 @@ class Unknowns {
   [[nodiscard]] int flow(std::size_t film, int element, int end) const noexcept {
     return first_flows_[film] + 2 * element + end;
   }
+  /// The place of the node that a traction boundary holds against a rotation about the first node.
+  [[nodiscard]] const Eigen::Vector2d& farthest_held() const noexcept { return farthest_held_; }
   /// Of the pressures at begin, middle and end of an element of a film.
   [[nodiscard]] std::array<int, 3> pressures(const FilmNetwork& network, std::size_t film, int element) const noexcept;
 
@@ -48,9 +50,10 @@ class Unknowns {
   void hold_translations();
   void hold_rotation(const std::vector<GrainMesh>& meshes);
 
-  std::vector<std::vector<int>> displacements_;  ///< by grain and component
+  std::vector<std::vector<int>> displacements_;        ///< by grain and component
   std::vector<std::vector<std::size_t>> first_nodes_;  ///< by grain and face
-  std::vector<int> first_flows_, first_pressures_;  ///< by film
+  std::vector<int> first_flows_, first_pressures_;     ///< by film
+  Eigen::Vector2d farthest_held_ = Eigen::Vector2d::Zero();
   int count_ = 0, pressures_ = 0;
 };
 

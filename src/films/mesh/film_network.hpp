@@ -37,11 +37,11 @@ struct FilmSide {
 /// end; the second side is beyond it.
 struct Film {
   std::array<FilmSide, 2> sides;
-  Eigen::Vector2d direction;            ///< from begin to end, of length 1
-  Eigen::Vector2d normal;               ///< from the first side to the second, of length 1
-  double thickness;                     ///< [sides of the box]; of a film of one face the distance of the other grain
-  std::array<std::size_t, 2> junctions; ///< at its begin and at its end
-  int segments;                         ///< number of equal elements along it
+  Eigen::Vector2d direction;             ///< from begin to end, of length 1
+  Eigen::Vector2d normal;                ///< from the first side to the second, of length 1
+  double thickness;                      ///< [sides of the box]; of a film of one face the distance of the other grain
+  std::array<std::size_t, 2> junctions;  ///< at its begin and at its end
+  int segments;                          ///< number of equal elements along it
 };
 
 /// Grains, films and junctions: they tile the box.
@@ -56,7 +56,7 @@ struct FilmNetwork {
   }
 };
 
-/// The network of films of one thickness [sides] in a tessellation (theory, section 11). Elements along a face are not
+/// The network of films of one thickness [sides] in a tessellation (theory, section 17). Elements along a face are not
 /// longer than `face_share` times the square root of the area of the smaller one of the grains beside it. Where a face
 /// has vanished on one side, the film is a triangle; where on both, its junctions are one. Throws InputError, with all
 /// the sites, when a film leaves nothing of a grain.

@@ -6,7 +6,7 @@
 namespace breccia::films {
 namespace {
 
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
 Eigen::Vector2d to_eigen(const Vector<2>& vector) {
   return {vector[0], vector[1]};
@@ -56,7 +56,7 @@ std::size_t GrainPolygon::corner_before(std::size_t edge) const {
   for (std::size_t step = 0; step < edges.size(); ++step) {
     if (const auto& face = edges[(edge + step) % edges.size()].face) return *face;
   }
-  return none;
+  return nowhere;
 }
 
 std::size_t GrainPolygon::corner_after(std::size_t edge) const {
@@ -68,7 +68,7 @@ GrainPolygon grain_polygon(const Tessellation<2>& tessellation, std::size_t site
   const double side = tessellation.side();
   const auto& cell = tessellation.cell(site);
   GrainPolygon grain;
-  std::vector<std::size_t> edge_of(cell.half_spaces().size(), none);
+  std::vector<std::size_t> edge_of(cell.half_spaces().size(), nowhere);
   for (const auto half_space : outline(cell).half_spaces) {
     const auto& face = cell.half_spaces()[half_space];
     const auto image = Tessellation<2>::image(face);

@@ -1,0 +1,60 @@
+#include "film_composite.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace breccia::films {
+
+static_assert(quasistatic::AffineComposite<FilmComposite>);
+static_assert(quasistatic::CompositeSolver<FilmSolver, FilmVector>);
+
+std::array<PhaseModulus, 2> FilmComposite::parameters() {
+  const std::string phase(name_of_matrix_phase);
+  return {{{phase, ElasticModulus::shear}, {phase, ElasticModulus::bulk}}};
+}
+
+FilmVector FilmComposite::part_forces(std::size_t part, Load load, const FilmVector& displacement) const {
+  return part == 0 ? film_operator_.shear_forces(load, displacement) : film_operator_.bulk_forces(load, displacement);
+}
+
+FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, const FilmVector& displacement) const {
+  auto sum = constant_forces(load, displacement);
+  for (std::size_t part = 0; part < parameters.size(); ++part) {
+    sum.add(parameters[part], part_forces(part, load, displacement));
+  }
+  return sum;
+}
+
+FilmSolver::FilmSolver(const FilmComposite& composite) : composite_(&composite) {
+  effort_.unknowns = composite.film_operator().unknowns() + composite.film_operator().pressures();
+}
+
+void FilmSolver::prepare(std::span<const double> parameters) {
+  std::ranges::copy(parameters, parameters_.begin());
+  factors_.factorise(composite_->film_operator().matrix({.bulk = parameters_[1], .shear = parameters_[0]}));
+  ++effort_.factorisations;
+}
+
+FilmVector FilmSolver::solve(Load load, const FilmVector& /*guess*/) {
+  const auto& film_operator = composite_->film_operator();
+  auto solution = composite_->zero();
+  Eigen::VectorXd right_side = Eigen::VectorXd::Zero(film_operator.unknowns() + film_operator.pressures());
+  if (composite_->boundary() == Boundary::traction) {
+    right_side.head(film_operator.unknowns()) = composite_->load_forces(load).unknowns();
+  } else {
+    // The forces of the uniform strain include those of its pressures. The pressures that are found are the others.
+    solution.set_macroscopic(1.0);
+    right_side.head(film_operator.unknowns()) = -composite_->forces(parameters_, load, solution).unknowns();
+  }
+  solution.set_unknowns(factors_.solve(right_side).head(film_operator.unknowns()));
+  ++effort_.solves;
+  effort_.largest_residual = std::max(effort_.largest_residual, factors_.residual());
+  return solution;
+}
+
+double FilmSolver::modulus(Load load, const FilmVector& solution) const {
+  const double energy = work(composite_->forces(parameters_, load, solution), solution);
+  return composite_->boundary() == Boundary::traction ? 1.0 / energy : energy;
+}
+
+}  // namespace breccia::films

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "breccia/quasistatic/affine_composite.hpp"
+
+#include "assembly/film_operator.hpp"
+#include "solver/symmetric_factors.hpp"
+
+namespace breccia::films {
+
+/// Grains and films as a reduced basis sees them: the moduli that vary are the shear and the bulk modulus of the
+/// binder.
+class FilmComposite {
+ public:
+  using Vector = FilmVector;
+
+  explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}
+
+  [[nodiscard]] const FilmOperator& film_operator() const noexcept { return film_operator_; }
+
+  [[nodiscard]] Boundary boundary() const noexcept { return film_operator_.boundary(); }
+  /// Lengths are in sides of the box.
+  [[nodiscard]] static constexpr double volume() noexcept { return 1.0; }
+  [[nodiscard]] static std::array<PhaseModulus, 2> parameters();
+  [[nodiscard]] FilmVector zero() const { return film_operator_.zero(); }
+  [[nodiscard]] FilmVector uniform_strain(Load load) const { return film_operator_.uniform_strain(load); }
+  [[nodiscard]] FilmVector load_forces(Load load) const { return film_operator_.load_forces(load); }
+  [[nodiscard]] FilmVector constant_forces(Load load, const FilmVector& displacement) const {
+    return film_operator_.grain_forces(load, displacement);
+  }
+  [[nodiscard]] FilmVector part_forces(std::size_t part, Load load, const FilmVector& displacement) const;
+  [[nodiscard]] FilmVector forces(std::span<const double> parameters, Load load, const FilmVector& displacement) const;
+
+ private:
+  FilmOperator film_operator_;
+};
+
+/// Solves for the displacements of grains and films, which must outlive it, for one binder after the other.
+class FilmSolver {
+ public:
+  explicit FilmSolver(const FilmComposite& composite);
+
+  /// Takes a binder of these moduli [Pa], shear and bulk, which are positive.
+  void prepare(std::span<const double> parameters);
+  /// The displacement under the unit strain of a load or, under a traction boundary, its unit stress. The factors need
+  /// no guess.
+  [[nodiscard]] FilmVector solve(Load load, const FilmVector& guess);
+  /// Modulus [Pa] from the energy of a solution for the present binder.
+  [[nodiscard]] double modulus(Load load, const FilmVector& solution) const;
+
+  [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
+  void count_from(const LinearEffort& earlier) { effort_ = earlier; }
+  /// Entries of the factors for the present binder.
+  [[nodiscard]] double entries() const { return factors_.entries(); }
+
+ private:
+  const FilmComposite* composite_;
+  std::array<double, 2> parameters_{};
+  SymmetricFactors factors_;
+  LinearEffort effort_;
+};
+
+}  // namespace breccia::films
