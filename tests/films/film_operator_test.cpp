@@ -1,7 +1,6 @@
 #include "assembly/film_operator.hpp"
 
 #include <array>
-#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -56,7 +55,9 @@ TEST(FilmOperator, GivesTheVoigtModulusForTheUniformStrain) {
       EXPECT_NEAR(energy(film_operator.bulk_forces(load, uniform)), is_bulk ? film_share : 0.0, 1e-12);
       EXPECT_NEAR(energy(film_operator.grain_forces(load, uniform)) / modulus_of(test::hmx, load), 1.0 - film_share,
                   1e-12);
-      if (boundary == Boundary::periodic) EXPECT_NEAR(1.0 - film_share, fraction, 1e-12);
+      if (boundary == Boundary::periodic) {
+        EXPECT_NEAR(1.0 - film_share, fraction, 1e-12);
+      }
     }
   }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
+#include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_problem.hpp"
 
 #include "microstructure/voronoi_sites_25.hpp"

@@ -109,7 +109,9 @@ TEST(Tessellation, KnowsWhichImageIsBeyondAFace) {
     for (std::size_t site = 0; site < tessellation.size(); ++site) {
       for (const auto& face : tessellation.cell(site).half_spaces()) {
         const auto image = Tessellation<2>::image(face);
-        if (walls == Walls::hard) EXPECT_EQ(image, (Index<2>{}));
+        if (walls == Walls::hard) {
+          EXPECT_EQ(image, (Index<2>{}));
+        }
         const auto neighbour = Tessellation<2>::neighbour(face);
         if (!neighbour) continue;
         Vector<2> apart{};
