@@ -31,7 +31,7 @@ void SymmetricFactors::factorise(Sparse lower_triangle) {
   check(MatFactorInfoInitialize(&info), what);
   if (factors_ == nullptr) {
     check(MatGetFactor(view_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factors_), what);
-    constexpr PetscInt more_memory = 14, per_cent = 60;
+    constexpr PetscInt more_memory = 14, per_cent = 30;
     check(MatMumpsSetIcntl(factors_, more_memory, per_cent), what);
     check(MatCholeskyFactorSymbolic(factors_, view_, nullptr, &info), what);
   }
