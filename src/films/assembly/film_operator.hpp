@@ -64,7 +64,8 @@ class FilmOperator {
   Eigen::SimplicialLLT<Sparse> volume_factors_;
   Eigen::Matrix<double, Eigen::Dynamic, 3> tractions_;    ///< forces of the stresses xx, yy and xy on the boundary
   Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient_;  ///< displacements of the gradients 11, 12, 21 and 22
-  Eigen::Vector2d held_;  ///< of these, one does not move along the second axis where a traction boundary holds a node
+  /// From the first node to the one that a traction boundary keeps from moving along the second axis.
+  Eigen::Vector2d held_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace breccia::films
