@@ -24,7 +24,7 @@ struct ErrorRule {
 
 /// Theory, Eq. 43a.
 constexpr ErrorRule rule_of(Mixing mixing) {
-  return mixing == Mixing::series ? ErrorRule{0.10, 1.8, 1.0} : ErrorRule{3.0, 1.35, 3.0};
+  return mixing == Mixing::series ? ErrorRule{0.10, 1.8, 1.5} : ErrorRule{3.0, 1.35, 3.0};
 }
 
 /// Theory, Eq. 43b.
