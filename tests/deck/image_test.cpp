@@ -216,6 +216,7 @@ TEST_F(DeckImage, MayBeADataSetOfHdf5) {
     file.create_group("/labels");
     file.write("/labels/phase", values, {2, 2});
     file.write("/labels/other", values, {2, 2});
+    file.commit();
   }
   const auto stage = study(keys("scan.h5:/labels/phase"), "cells = 2").stages.at(0);
   EXPECT_THAT(stage.image()->labels, ElementsAre(1, 1, 0, 0)) << "from the bottom";

@@ -112,7 +112,11 @@ TEST(Quality, ReportsUnknownErrors) {
   EXPECT_THAT(upper, HasSubstr("matrix: the errors of stage fine add to these"));
   EXPECT_THAT(upper, Not(HasSubstr("seed"))) << "there is one regular packing";
   EXPECT_THAT(summary_of(quality_of(stage, result_of({}))), HasSubstr("bounds: not tested"));
-  EXPECT_EQ(summary_of(quality_of(stage, result_of({}, 0))), "") << "without particles";
+  auto empty = result_of({}, 0);
+  empty.microstructure.fraction = 0.0;
+  EXPECT_EQ(summary_of(quality_of(stage, empty)), "") << "without particles";
+  empty.microstructure.fraction = 0.5;
+  EXPECT_THAT(summary_of(quality_of(stage, empty)), HasSubstr("bounds: not tested")) << "pixels of an image";
 }
 
 TEST(Quality, BoundsAreComparedAtTheTimesOfBoth) {
