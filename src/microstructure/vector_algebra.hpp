@@ -35,4 +35,9 @@ template <std::size_t dim>
   return std::sqrt(dot(a, a));
 }
 
+/// The component of a x b out of the plane: positive if b lies counter-clockwise of a.
+[[nodiscard]] inline double cross(const std::array<double, 2>& a, const std::array<double, 2>& b) noexcept {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 }  // namespace breccia

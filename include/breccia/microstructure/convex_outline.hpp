@@ -1,0 +1,13 @@
+#pragma once
+
+#include "breccia/microstructure/vector.hpp"
+
+namespace breccia {
+
+/// The place of a convex outline that lies farthest along a direction (theory, Eq. 51).
+struct SupportPoint {
+  Vector<2> place;             ///< from the centre of the outline [m]
+  double radius_of_curvature;  ///< of the outline there [m]; 0 in a corner
+};
+
+}  // namespace breccia

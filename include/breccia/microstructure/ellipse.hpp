@@ -1,0 +1,25 @@
+#pragma once
+
+#include "breccia/microstructure/convex_outline.hpp"
+
+namespace breccia {
+
+/// An ellipse with its axes along x and y, around the origin.
+struct Ellipse {
+  Vector<2> axes;  ///< whole lengths [m]
+
+  /// The place farthest along a direction of length 1.
+  [[nodiscard]] SupportPoint support(const Vector<2>& direction) const noexcept;
+  /// True for places inside and on the outline.
+  [[nodiscard]] bool contains(const Vector<2>& place) const noexcept;
+  /// A lower bound of the distance from a place inside to the outline [m]; 0 on it.
+  [[nodiscard]] double depth(const Vector<2>& place) const noexcept;
+
+  friend bool operator==(const Ellipse&, const Ellipse&) = default;
+};
+
+[[nodiscard]] double area(const Ellipse& ellipse) noexcept;          ///< [m^2]
+[[nodiscard]] double perimeter(const Ellipse& ellipse);              ///< [m]
+[[nodiscard]] double circumradius(const Ellipse& ellipse) noexcept;  ///< largest distance from the centre [m]
+
+}  // namespace breccia

@@ -1,0 +1,102 @@
+#include "breccia/microstructure/particle.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "separation.hpp"
+#include "vector_algebra.hpp"
+
+namespace breccia {
+namespace {
+
+/// The place of a posed shape farthest along a direction, from its centre.
+SupportPoint support(const Shape& shape, const Pose& pose, const Vector<2>& direction) {
+  const auto seen = pose.to_shape(direction);
+  const auto [place, radius] = std::visit([&](const auto& one) { return one.support(seen); }, shape);
+  return {pose.from_shape(place), radius};
+}
+
+struct InWords {
+  std::string operator()(const Ellipse& ellipse) const {
+    return fmt::format("ellipse of {:.6g} m x {:.6g} m", ellipse.axes[0], ellipse.axes[1]);
+  }
+  std::string operator()(const ConvexPolygon& polygon) const {
+    return fmt::format("polygon of {} corners", polygon.corners().size());
+  }
+};
+
+/// The direction along which a place inside a convex body leaves it soonest, among a number of them.
+template <class Support>
+Gap shortest_way_out(const Vector<2>& place, const Support& support, Gap best) {
+  constexpr int directions = 360;
+  for (int step = 0; step < directions; ++step) {
+    const double angle = 2.0 * std::numbers::pi * step / directions;
+    const Vector<2> direction = {std::cos(angle), std::sin(angle)};
+    const double width = dot(direction, difference(place, support(direction).place));
+    if (width > best.width) best = {width, direction};
+  }
+  return best;
+}
+
+}  // namespace
+
+Pose::Pose(const Vector<2>& centre, double angle) noexcept
+    : centre_(centre), angle_(angle), cosine_(std::cos(angle)), sine_(std::sin(angle)) {}
+
+Pose Pose::at(const Vector<2>& centre) const noexcept {
+  auto moved = *this;
+  moved.centre_ = centre;
+  return moved;
+}
+
+double area(const Shape& shape) {
+  return std::visit([](const auto& one) { return area(one); }, shape);
+}
+
+double perimeter(const Shape& shape) {
+  return std::visit([](const auto& one) { return perimeter(one); }, shape);
+}
+
+double circumradius(const Shape& shape) {
+  return std::visit([](const auto& one) { return circumradius(one); }, shape);
+}
+
+double equivalent_diameter(const Shape& shape) {
+  return 2.0 * std::sqrt(area(shape) / std::numbers::pi);
+}
+
+std::string in_words(const Shape& shape) {
+  return std::visit(InWords(), shape);
+}
+
+std::array<Vector<2>, 2> extent(const Shape& shape, const Pose& pose) {
+  const auto reach = [&](const Vector<2>& direction) { return dot(direction, support(shape, pose, direction).place); };
+  return {{{reach({-1.0, 0.0}), reach({1.0, 0.0})}, {reach({0.0, -1.0}), reach({0.0, 1.0})}}};
+}
+
+double signed_distance(const Particle& particle, const Vector<2>& place) {
+  const auto& [shape, pose] = particle;
+  const auto seen = pose.to_shape(difference(place, pose.centre()));
+  const auto distance = [&](const auto& one) {
+    if (one.contains(seen)) return -one.depth(seen);
+    const auto support = [&one](const Vector<2>& direction) { return one.support(direction); };
+    return std::max(0.0, Separation(seen, support).distance(std::numeric_limits<double>::infinity()).width);
+  };
+  return std::visit(distance, shape);
+}
+
+Gap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other, double enough) {
+  // The first shape grown by the second one, turned around: the distance of the centre of the second one from it.
+  const auto grown = [&](const Vector<2>& direction) -> SupportPoint {
+    const auto [place, radius] = support(one, at_one, direction);
+    const auto [behind, radius_behind] = support(other, at_other, {-direction[0], -direction[1]});
+    return {difference(place, behind), radius + radius_behind};
+  };
+  const auto apart = difference(at_other.centre(), at_one.centre());
+  const auto found = Separation(apart, grown).distance(enough);
+  return found.width < 0.0 && std::isinf(enough) ? shortest_way_out(apart, grown, found) : found;
+}
+
+}  // namespace breccia
