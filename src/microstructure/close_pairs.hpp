@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "breccia/microstructure/microstructure.hpp"
 
-#include "level_grid.hpp"
-#include "periodic_images.hpp"
+#include "near_pairs.hpp"
 #include "vector_algebra.hpp"
 
 namespace breccia {
@@ -20,23 +17,17 @@ namespace breccia {
 /// image in a periodic box. Diameters are positive.
 template <int dim, class Visit>
 void visit_close_pairs(double side, Walls walls, const std::vector<Ball<dim>>& balls, double reach, Visit&& visit) {
+  std::vector<Vector<dim>> centres;
   std::vector<double> radii;
-  radii.reserve(balls.size());
-  for (const auto& ball : balls) radii.push_back(0.5 * ball.diameter);
-  LevelGrid<dim> grid(side, walls, radii);
-  const PeriodicImages<dim> images(side);
-  std::vector<std::uint32_t> order(balls.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&grid](std::uint32_t ball) { return grid.level(ball); });
-  for (const std::uint32_t ball : order) {
-    const Vector<dim>& centre = balls[ball].centre;
-    grid.visit_near(centre, radii[ball] + reach, [&](std::uint32_t other, std::uint32_t image) {
-      const Vector<dim> seen = displaced(balls[other].centre, 1.0, images.shift(image));
-      const double gap = norm(difference(seen, centre)) - radii[ball] - radii[other];
-      if (gap < reach) visit(ball, other, gap);
-    });
-    grid.insert(ball, centre);
+  for (const auto& ball : balls) {
+    centres.push_back(ball.centre);
+    radii.push_back(0.5 * ball.diameter);
   }
+  visit_near_pairs<dim>(side, walls, centres, radii, reach,
+                        [&](std::uint32_t ball, std::uint32_t other, const Vector<dim>& seen) {
+                          const double gap = norm(difference(seen, centres[ball])) - radii[ball] - radii[other];
+                          if (gap < reach) visit(ball, other, gap);
+                        });
 }
 
 /// Smallest distance between the surfaces of two balls [m], or of a ball and its own image in a periodic box. Infinite

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "breccia/microstructure/particle_box.hpp"
+
+namespace breccia {
+
+/// What is at a place of a box with particles.
+struct ParticlePlace {
+  /// The particle that the place is in, or whose coated outline is nearest; none beyond the reach of the locator.
+  std::optional<std::size_t> particle = {};
+  /// Signed distance from the outline of that particle, without its coating (signed_distance()); the reach of the
+  /// locator where there is none [m].
+  double distance = 0.0;
+};
+
+/// Tells for any place of a box which particle it is in, or which one is near. The particles must not overlap.
+class ParticleLocator {
+ public:
+  /// The box need not outlive the locator.
+  explicit ParticleLocator(ParticleBox box);
+
+  [[nodiscard]] const ParticleBox& box() const noexcept { return box_; }
+  /// What is at a position in the box [m].
+  [[nodiscard]] ParticlePlace at(const Vector<2>& position) const;
+
+ private:
+  /// A particle or one of its images.
+  struct Candidate {
+    std::size_t number;
+    Particle particle;
+    double radius;  // of a disc around it with its coating
+  };
+
+  [[nodiscard]] int bucket_along_axis(double coordinate) const;
+
+  ParticleBox box_;
+  int buckets_;   // along each side
+  double reach_;  // farther away a particle need not be found
+  std::vector<Candidate> candidates_;
+  std::vector<std::vector<std::size_t>> candidates_of_;  // of each bucket
+};
+
+}  // namespace breccia

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "breccia/microstructure/packing.hpp"
+#include "breccia/microstructure/particle.hpp"
+
+namespace breccia {
+
+/// A particle to place.
+struct ParticleToPlace {
+  Shape shape;
+  std::optional<double> angle = {};  ///< of its first axis from the x axis [rad]; without it at random
+  /// Thickness of a shell around the particle [m]: its coating and half of its gap. No two shells overlap.
+  double shell = 0.0;
+  double wall_distance = 0.0;  ///< smallest distance between the particle and a hard wall [m]
+};
+
+/// Convex particles of any shape to place at random, and the box.
+struct RandomSequentialRequest {
+  double side = 0.0;  ///< of the box [0, side]^2 [m]
+  Walls walls = Walls::hard;
+  std::vector<ParticleToPlace> particles = {};
+  std::uint64_t seed = 1;  ///< the same seed gives the same packing
+};
+
+/// Places particles at random, the largest first, each where it has room (random sequential addition; Feder, Journal of
+/// Theoretical Biology 87, 237, 1980), and grows them by a Monte Carlo compression where they shall be denser than that
+/// can make them: they are placed at a smaller scale, and then grow in steps, between which each moves and turns at
+/// random, but never into another one (theory, Eq. 53). It runs step by step, so that it can be followed and
+/// interrupted.
+class RandomSequentialRun {
+ public:
+  /// Throws InputError on arguments without meaning, PackingError where a particle does not fit into the box.
+  explicit RandomSequentialRun(RandomSequentialRequest request);
+  RandomSequentialRun(RandomSequentialRun&&) noexcept;
+  RandomSequentialRun& operator=(RandomSequentialRun&&) noexcept;
+  RandomSequentialRun(const RandomSequentialRun&) = delete;
+  RandomSequentialRun& operator=(const RandomSequentialRun&) = delete;
+  ~RandomSequentialRun();
+
+  [[nodiscard]] bool is_done() const noexcept;
+  /// Places all particles, or lets them grow by a step. Throws PackingError when they jam before they have their size:
+  /// its attainable_fraction() is that of the particles with their shells.
+  void advance();
+  /// Events are moves that were tried.
+  [[nodiscard]] PackingProgress progress() const noexcept;
+  /// Of the particles, in the order of the request. Throws InputError if it is not done.
+  [[nodiscard]] const std::vector<Pose>& poses() const;
+
+ private:
+  struct Growth;
+  void place();
+
+  std::unique_ptr<Growth> growth_;
+};
+
+}  // namespace breccia
