@@ -62,7 +62,7 @@ void require_sound(const Filler& filler) {
 }
 
 void require_sound(const ExplicitPacking& listed, double side) {
-  require(!listed.discs.empty(), "discs");
+  require(!listed.discs.empty() || !listed.particles.empty(), "particles");
   for (const auto& disc : listed.discs) {
     require(is_positive(disc.diameter) && disc.diameter <= side, "diameters of discs within the box");
   }

@@ -9,6 +9,7 @@
 #include "breccia/campaign/run.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/gap.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 
@@ -81,11 +82,17 @@ struct DescribePacking {
     return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
                        packing.seed);
   }
+  std::string operator()(const RandomSequentialPacking& packing) const {
+    return fmt::format("random sequential, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
+                       packing.seed);
+  }
   std::string operator()(const RegularPacking& packing) const {
     return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
   }
   std::string operator()(const ExplicitPacking& packing) const {
-    return fmt::format("{}, {} discs{}", packing.file.string(), packing.discs.size(),
+    const auto particles = packing.particles.empty() ? fmt::format("{} discs", packing.discs.size())
+                                                     : fmt::format("{} particles", packing.particles.size());
+    return fmt::format("{}, {}{}", packing.file.string(), particles,
                        packing.walls == Walls::periodic ? ", periodic" : "");
   }
 };
@@ -98,6 +105,7 @@ std::string describe_filler(const Stage& stage, const Filler& filler) {
     text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
   }
   text += '\n';
+  if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape));
   if (filler.coating) {
     text += fmt::format("    coating  {}, {} ({:.3g} cells)\n", filler.coating->material.name,
                         length(filler.coating->thickness), filler.coating->thickness / stage.cell_size());

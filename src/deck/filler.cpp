@@ -13,6 +13,7 @@
 #include "gap.hpp"
 #include "materials.hpp"
 #include "packing.hpp"
+#include "shapes.hpp"
 #include "sizes.hpp"
 
 namespace breccia {
@@ -95,7 +96,8 @@ void read_amount(const Section& section, const PackingMethod& packing, Filler& f
     return;
   }
   if (std::holds_alternative<ExplicitPacking>(packing)) {
-    section.refuse({"sizes", "fraction", "from", "to"}, "the discs of an explicit packing are all listed in its file");
+    section.refuse({"sizes", "fraction", "from", "to"},
+                   "the particles of an explicit packing are all listed in its file");
     return;
   }
   filler.sizes = read_sizes(section);
@@ -124,8 +126,8 @@ std::optional<Coating> read_coating(const Section& section, const std::vector<Ma
 Filler read_filler(const Section& section, const Stage& stage, const std::vector<Material>& materials) {
   Filler filler;
   filler.material = read_material_reference(section, "material", materials);
-  section.refuse({"shape"}, discs_alone);
   section.refuse({"image"}, image_elsewhere);
+  filler.shape = read_shape(section, stage.packing);
   if (stage.grains() == nullptr) filler.coating = read_coating(section, materials);
   read_amount(section, stage.packing, filler);
   read_gap(section, stage, filler);
@@ -180,7 +182,9 @@ void read_fillers(const Section& section, const std::vector<Material>& materials
   for (const auto& table : tables) stage.fillers.push_back(read_filler(table, stage, materials));
   check_together(section, stage);
   if (const auto* listed = stage.listed(); listed != nullptr && stage.side > 0.0) {
-    section.section("packing").report_errors_of("discs", [&] { require_room(stage, *listed); });
+    const auto table = section.section("packing");
+    const auto* const key = table.has("particles") ? "particles" : table.has("discs") ? "discs" : "polygons";
+    table.report_errors_of(key, [&] { require_room(stage, *listed); });
   }
 }
 

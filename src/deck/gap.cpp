@@ -66,7 +66,7 @@ void read_gap(const Section& section, const Stage& stage, Filler& filler) {
     return;
   }
   if (!stage.is_random()) {
-    section.refuse({"gap"}, "only the method \"lubachevsky-stillinger\" keeps a gap");
+    section.refuse({"gap"}, "only a random packing keeps a gap");
     return;
   }
   // Missing sizes have been reported as a mistake already.

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,17 +15,22 @@
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
+#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/limits.hpp"
+
+#include "listed_particles.hpp"
 
 namespace breccia {
 
 namespace {
 
-constexpr std::string_view random_method = "lubachevsky-stillinger", grain_method = "laguerre", image_method = "image";
+constexpr std::string_view random_method = "lubachevsky-stillinger", sequential_method = "random-sequential",
+                           grain_method = "laguerre", image_method = "image";
 
-enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre, image };
+enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre, image, sequential };
 
 std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistakes& mistakes) {
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
@@ -47,31 +54,13 @@ std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistak
   return discs;
 }
 
-/// The number of the filler of each row. Reports numbers that are those of no filler, and a missing column.
-std::vector<std::size_t> read_filler_numbers(const MeasuredTable& table, std::size_t fillers, FileMistakes& mistakes) {
-  if (!table.has({Quantity::filler})) {
-    if (fillers > 1) mistakes.add("", "expected a column called filler with the number of the filler of each disc");
-    return {};
-  }
-  const auto& column = table.column(Quantity::filler);
-  std::vector<std::size_t> numbers;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double number = column.values[row];
-    const bool is_filler = number >= 0.0 && number < static_cast<double>(fillers) && number == std::floor(number);
-    if (!is_filler) {
-      mistakes.add(table.place(row), fmt::format("expected the number of a filler, 0 to {}", fillers - 1),
-                   fmt::format("{}", column.written[row]));
-    }
-    numbers.push_back(is_filler ? static_cast<std::size_t>(number) : 0);
-  }
-  return fillers > 1 ? numbers : std::vector<std::size_t>();
-}
-
 Walls read_walls(const Section& packing, bool by_default = true) {
   return packing.optional_boolean("walls").value_or(by_default) ? Walls::hard : Walls::periodic;
 }
 
-LubachevskyStillingerPacking read_random(const Section& packing) {
+/// A packing at random: its walls and its seed.
+template <class Packing>
+Packing read_random(const Section& packing) {
   const auto walls = read_walls(packing);
   const auto seed = packing.optional_integer("seed", Range::not_negative()).value_or(1);
   return {walls, static_cast<std::uint64_t>(seed)};
@@ -90,23 +79,56 @@ bool is_picture(const std::filesystem::path& file) {
   return std::ranges::find(pictures, extension) != pictures.end();
 }
 
+/// The key that names the file of the particles: `discs` is its earlier name. Empty without one.
+std::string key_of_particles(const Section& packing) {
+  if (packing.has("particles")) packing.refuse({"discs"}, "the particles are given already");
+  if (packing.has("particles")) return "particles";
+  return packing.has("discs") || !packing.has("polygons") ? "discs" : "";
+}
+
+/// Reads discs or ellipses.
+void read_particle_table(const std::filesystem::path& file, double side, std::size_t fillers, ExplicitPacking& listed) {
+  const auto table = read_measured_table(file);
+  FileMistakes mistakes(file);
+  if (lists_ellipses(table)) {
+    listed.particles = read_ellipses(table, side, mistakes);
+  } else {
+    listed.discs = read_discs(table, side, mistakes);
+  }
+  listed.fillers = read_filler_numbers(table, fillers, mistakes);
+  mistakes.refuse();
+}
+
+/// Adds polygons to what a table of particles has listed; discs among them become circles.
+void add_polygons(ListedPolygons polygons, ExplicitPacking& listed) {
+  for (const auto& [centre, diameter] : listed.discs) {
+    listed.particles.push_back({Ellipse{{diameter, diameter}}, Pose(centre, 0.0)});
+  }
+  listed.discs.clear();
+  std::ranges::move(polygons.particles, std::back_inserter(listed.particles));
+  std::ranges::move(polygons.fillers, std::back_inserter(listed.fillers));
+}
+
 ExplicitPacking read_explicit(const Section& packing, double side, std::size_t fillers) {
-  ExplicitPacking listed{packing.file("discs"), {}, read_walls(packing), {}};
-  if (listed.file.empty()) return listed;
+  const auto key = key_of_particles(packing);
+  ExplicitPacking listed{key.empty() ? "" : packing.file(key), {}, read_walls(packing), {}};
   if (is_picture(listed.file)) {
-    packing.report("discs", fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
-                                        listed.file.string(), image_elsewhere));
+    packing.report(key, fmt::format("expected a CSV file with columns x_m, y_m, diameter_m, got {}; {}",
+                                    listed.file.string(), image_elsewhere));
     return listed;
   }
-  packing.report_errors_of("discs", [&] {
-    const auto table = read_measured_table(listed.file);
-    FileMistakes mistakes(listed.file);
-    auto discs = read_discs(table, side, mistakes);
-    auto numbers = read_filler_numbers(table, fillers, mistakes);
-    mistakes.refuse();
-    listed.discs = std::move(discs);
-    listed.fillers = std::move(numbers);
-  });
+  if (!listed.file.empty()) {
+    packing.report_errors_of(key, [&] {
+      auto read = listed;
+      read_particle_table(listed.file, side, fillers, read);
+      listed = std::move(read);
+    });
+  }
+  if (!packing.has("polygons")) return listed;
+  const auto polygons = packing.file("polygons");
+  if (polygons.empty()) return listed;
+  packing.report_errors_of("polygons", [&] { add_polygons(read_polygons(polygons, side, fillers), listed); });
+  if (listed.file.empty()) listed.file = polygons;
   return listed;
 }
 
@@ -162,13 +184,17 @@ bool asks_for_other_shapes(const Section& packing) {
 bool takes_seed(const Section& packing) {
   if (packing.kind("method") != Kind::text) return false;
   const auto method = packing.optional_text("method");
-  return method == random_method || (method == grain_method && !packing.has("sites"));
+  return method == random_method || method == sequential_method || (method == grain_method && !packing.has("sites"));
 }
 
 void require_room(const Stage& stage, const ExplicitPacking& listed) {
-  if (listed.discs.empty()) return;  // a mistake that has been reported
+  if (listed.discs.empty() && listed.particles.empty()) return;  // a mistake that has been reported
   try {
-    require_valid<2>(with_coatings(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
+    if (!listed.particles.empty()) {
+      require_valid(particle_box(stage, listed));
+    } else {
+      require_valid<2>(with_coatings(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
+    }
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
   }
@@ -177,7 +203,7 @@ void require_room(const Stage& stage, const ExplicitPacking& listed) {
 std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers) {
   const auto packing = stage.section("packing");
   if (asks_for_other_shapes(packing)) {
-    packing.report("method", discs_alone);
+    packing.report("method", shapes_elsewhere);
     packing.accept_all_keys();
     return std::nullopt;
   }
@@ -188,6 +214,7 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
                                                                {"explicit", MethodName::listed},
                                                                {grain_method, MethodName::laguerre},
                                                                {image_method, MethodName::image},
+                                                               {sequential_method, MethodName::sequential},
                                                            });
   if (!method) {
     packing.accept_all_keys();
@@ -202,8 +229,10 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
       return read_laguerre(packing, side);
     case MethodName::image:
       return std::nullopt;  // read_image() reads it
+    case MethodName::sequential:
+      return read_random<RandomSequentialPacking>(packing);
     default:
-      return read_random(packing);
+      return read_random<LubachevskyStillingerPacking>(packing);
   }
 }
 

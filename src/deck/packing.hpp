@@ -8,10 +8,10 @@
 
 namespace breccia {
 
-/// Message about a key for particles that are not discs.
-inline constexpr auto discs_alone =
-    "particles are discs, or grains of a tessellation (\"laguerre\"), or pixels of an image (\"image\"): other shapes "
-    "are not available (docs/limitations.md)";
+/// Message about a shape in place of a packing method.
+inline constexpr auto shapes_elsewhere =
+    "ellipses and polygons are the shape of a filler, shape = { aspect = 1.5 } with packing.method = "
+    "\"random-sequential\", or listed for \"explicit\" (docs/decks.md)";
 
 /// Message about an image in the wrong place of a deck.
 inline constexpr auto image_elsewhere =

@@ -98,14 +98,7 @@ DynamicOptions read_dynamic(const Section& section) {
 }
 
 bool has_periodic_particles(const Stage& stage) {
-  if (stage.fillers.empty()) return false;
-  const auto* random = std::get_if<LubachevskyStillingerPacking>(&stage.packing);
-  const auto* listed = stage.listed();
-  const auto* grains = stage.grains();
-  return (random != nullptr && random->walls == Walls::periodic) ||
-         (listed != nullptr && listed->walls == Walls::periodic) ||
-         (grains != nullptr && grains->walls == Walls::periodic) ||
-         (stage.image() != nullptr && stage.image()->walls == Walls::periodic);
+  return !stage.fillers.empty() && stage.is_periodic();
 }
 
 bool has_films_along_walls(const Stage& stage) {

@@ -16,6 +16,8 @@
 #include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/study/coatings.hpp"
 
+#include "shaped_measures.hpp"
+
 namespace breccia {
 
 namespace {
@@ -80,6 +82,10 @@ void measure(const Stage& stage, StageMicrostructure& result) {
   }
   if (result.grains) {
     measure_grains(result);
+    return;
+  }
+  if (result.shaped) {
+    measure_shaped(stage, result);
     return;
   }
   const auto coated = with_coatings(stage, result.microstructure);

@@ -6,6 +6,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
+#include "breccia/microstructure/particle_locator.hpp"
 #include "breccia/study/coatings.hpp"
 
 namespace breccia {
@@ -60,6 +61,21 @@ std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstr
   return particles;
 }
 
+/// The particle of every point in it or in its coating.
+std::vector<std::int32_t> particles_of_points(const ParticleBox& box, int cells) {
+  const ParticleLocator locator(box);
+  const Discretisation<2> points(Grid<2>{{cells, cells}, box.side / cells});
+  std::vector<std::int32_t> particles(points.points(), no_particle);
+  points.grid().for_each_cell([&](const Index<2>& cell) {
+    for (int point = 0; point < Discretisation<2>::points_per_cell; ++point) {
+      const auto [particle, distance] = locator.at(points.position(cell, point));
+      if (!particle || distance > box.coating_of(*particle)) continue;
+      particles[points.grid().point_index(cell, point)] = static_cast<std::int32_t>(*particle);
+    }
+  });
+  return particles;
+}
+
 PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int cells) {
   const auto phases = phases_of(stage);
   const auto matrix = phases.index_of(name_of_matrix_phase);
@@ -85,7 +101,9 @@ PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int 
 PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, int cells) {
   if (packed.grains) return labels_of_grains(stage, *packed.grains, cells);
   PointLabels labels = {.phases = phases_of_points(discretise(stage, packed, cells, Mixing::points)), .particles = {}};
-  if (stage.image() == nullptr) {
+  if (packed.shaped) {
+    labels.particles = particles_of_points(*packed.shaped, cells);
+  } else if (stage.image() == nullptr) {
     labels.particles = particles_of_points(stage, packed.microstructure, cells, labels.phases);
   }
   return labels;

@@ -1,11 +1,14 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -14,6 +17,7 @@
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
+#include "breccia/microstructure/particle_locator.hpp"
 
 namespace breccia {
 
@@ -75,6 +79,25 @@ Labelling<2> labelling_of(const StageGrains& grains, PhaseIndex matrix, PhaseInd
   };
 }
 
+/// Places in particles have the phases of their fillers, those in their coatings that of the coating.
+Labelling<2> labelling_of(const ParticleBox& box, PhaseIndex matrix, std::vector<ParticlePhases> of_fillers) {
+  const auto locator = std::make_shared<const ParticleLocator>(box);
+  return [locator, matrix, of_fillers = std::move(of_fillers)](const Vector<2>& position) -> PhaseAt {
+    const auto [particle, distance] = locator->at(position);
+    if (!particle) return {matrix, distance};
+    const auto& [phase, coating, thickness] = of_fillers.at(locator->box().filler_of(*particle));
+    if (distance <= 0.0) return {phase, -distance};
+    if (distance <= thickness) return {coating, std::min(distance, thickness - distance)};
+    return {matrix, distance - thickness};
+  };
+}
+
+Labelling<2> labelling_of(const Stage& stage, const StageMicrostructure& packed, const Phases& phases) {
+  const auto matrix = phases.index_of(name_of_matrix_phase);
+  if (packed.shaped) return labelling_of(*packed.shaped, matrix, phases_of_fillers(stage, phases));
+  return labelling_of(*packed.grains, matrix, phases.index_of(phase_of(stage, stage.fillers.front().material)));
+}
+
 }  // namespace
 
 namespace {
@@ -92,10 +115,9 @@ Discretisation<2> discretise_image(const Stage& stage, const LabelImage<2>& imag
 
 Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
   if (const auto* image = stage.image()) return discretise_image(stage, *image, cells, mixing);
-  if (!packed.grains) return discretise(stage, packed.microstructure, cells, mixing);
+  if (!packed.grains && !packed.shaped) return discretise(stage, packed.microstructure, cells, mixing);
   const auto phases = phases_of(stage);
-  const auto labelling = labelling_of(*packed.grains, phases.index_of(name_of_matrix_phase),
-                                      phases.index_of(phase_of(stage, stage.fillers.front().material)));
+  const auto labelling = labelling_of(stage, packed, phases);
   const Grid<2> grid = {{cells, cells}, stage.side / cells};
   return mixing == Mixing::points ? discretise<2>(grid, labelling) : discretise_mixed(grid, labelling, phases.size());
 }

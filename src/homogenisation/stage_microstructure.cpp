@@ -12,18 +12,22 @@
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
+#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/statistics.hpp"
 #include "breccia/microstructure/tessellation.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/filler_sizes.hpp"
 
+#include "drawn_particles.hpp"
 #include "microstructure_measures.hpp"
 #include "named_errors.hpp"
 #include "packing_advice.hpp"
 #include "packing_state.hpp"
+#include "sequential_packing.hpp"
 
 namespace breccia {
 namespace {
@@ -59,6 +63,16 @@ class StagePacking {
     return packing.packing();
   }
 
+  /// Runs a packing that is not saved on its way.
+  void run(RandomSequentialRun& packing) {
+    while (!packing.is_done()) {
+      packing.advance();
+      if (follow_) follow_(packing.progress());
+      if (checkpoint_ == nullptr || !checkpoint_->is_due()) continue;
+      checkpoint_->save([&](StateWriter& state) { state.write(packing_seconds_name, seconds()); });
+    }
+  }
+
   /// Wall time [s], including that of earlier runs.
   [[nodiscard]] double seconds() const {
     return seconds_before_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -89,40 +103,9 @@ Packing<2> in_words_of_the_deck(const Stage& stage, const PackingRequest& reques
   }
 }
 
-/// The particles of all fillers, with the number of the filler of each.
-struct Drawn {
-  std::vector<double> diameters = {};  ///< [m]
-  std::vector<std::size_t> fillers = {};
-  std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]
-};
-
-/// The diameters of a filler [m]. What is wrong names the filler where there are several.
-std::vector<double> draw_diameters_of(const Stage& stage, std::size_t number) {
-  const auto& filler = stage.fillers[number];
-  const auto distribution = distribution_of(filler);
-  if (!distribution) return std::get<ListedSizes>(filler.sizes.value()).diameters;
-  const auto draw = [&] { return draw_diameters<2>(*distribution, filler.fraction.value(), stage.side); };
-  if (stage.fillers.size() == 1) return draw();
-  return name_errors(fmt::format("filler {}, {}", number, filler.material.name), draw);
-}
-
-Drawn draw_particles(const Stage& stage) {
-  Drawn drawn;
-  for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
-    const auto diameters = draw_diameters_of(stage, number);
-    auto& deviation = drawn.size_deviations.emplace_back();
-    if (const auto distribution = distribution_of(stage.fillers[number])) {
-      deviation = largest_deviation<2>(*distribution, diameters);
-    }
-    drawn.diameters.insert(drawn.diameters.end(), diameters.begin(), diameters.end());
-    drawn.fillers.resize(drawn.diameters.size(), number);
-  }
-  return drawn;
-}
-
 /// The shells around particles (PackingRequest): their coatings, and half of what the gap of their filler is wider than
 /// the smallest. Empty where no particle has one.
-std::vector<double> shells_of(const Stage& stage, const Drawn& drawn, double smallest_gap) {
+std::vector<double> shells_of(const Stage& stage, const DrawnParticles& drawn, double smallest_gap) {
   std::vector<double> shells;
   for (const auto number : drawn.fillers) {
     const auto& filler = stage.fillers[number];
@@ -153,6 +136,32 @@ Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillinger
   }
   auto fillers = stage.fillers.size() > 1 ? drawn.fillers : std::vector<std::size_t>();
   return {stage.side, method.walls, std::move(packed.balls), std::move(fillers)};
+}
+
+/// Particles of any shape; discs alone are discs again.
+Microstructure<2> keep_shapes(ParticleBox box, StageMicrostructure& result) {
+  if (auto discs = as_discs(box)) return *std::move(discs);
+  Microstructure<2> none = {box.side, box.walls, {}};
+  result.shaped = std::move(box);
+  return none;
+}
+
+Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
+                                    StageMicrostructure& result) {
+  auto drawn = draw_particles(stage);
+  for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
+  const auto request = sequential_request(stage, method, drawn);
+  const auto pack = [&] {
+    RandomSequentialRun run(request);
+    packing.run(run);
+    result.events = run.progress().events;
+    return packed_box(stage, request, run.poses(), std::move(drawn.fillers));
+  };
+  try {
+    return keep_shapes(pack(), result);
+  } catch (const PackingError& error) {
+    throw NumericalError(message_on(stage, request, error));
+  }
 }
 
 /// The sites of the grains: listed, or at random for the sizes of the filler.
@@ -200,7 +209,13 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
           [&](const ImagePacking& pixels) {
             return Microstructure<2>{stage.side, pixels.image->walls, {}};
           },
+          [&](const RandomSequentialPacking& method) { return pack_sequentially(stage, method, packing, result); },
           [&](const ExplicitPacking& listed) {
+            if (!listed.particles.empty()) {
+              auto box = particle_box(stage, listed);
+              require_valid(box);
+              return keep_shapes(std::move(box), result);
+            }
             Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs, listed.fillers};
             require_valid(with_coatings(stage, microstructure));
             return microstructure;
@@ -209,6 +224,11 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
 }
 
 }  // namespace
+
+std::size_t StageMicrostructure::particles() const {
+  if (grains) return grains->count;
+  return shaped ? shaped->particles.size() : microstructure.particles.size();
+}
 
 std::optional<double> StageMicrostructure::size_deviation() const {
   std::optional<double> largest;

@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/study/filler_shapes.hpp"
 
 #include "microstructure_measures.hpp"
+#include "shaped_state.hpp"
 
 namespace breccia {
 
@@ -58,6 +60,16 @@ StageGrains read_grains(const StateReader& state, double side, Walls walls) {
   return grains;
 }
 
+/// Particles of other shapes than discs.
+ParticleBox read_box(const StateReader& state, const Stage& stage, double side, Walls walls) {
+  ParticleBox box = {side, walls, read_particles(state), {}, {}};
+  if (state.has("/filler")) {
+    box.fillers = filler_numbers(state.numbers("/filler", box.particles.size()), stage.fillers.size());
+  }
+  box.coatings = coatings_of(stage, box.fillers, box.particles.size());
+  return box;
+}
+
 }  // namespace
 
 void save(StateWriter& state, const StageMicrostructure& microstructure) {
@@ -75,6 +87,11 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
   state.write("/diameter_m", diameters);
   if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
   if (microstructure.grains) save_grains(state, *microstructure.grains);
+  if (microstructure.shaped) {
+    save_particles(state, microstructure.shaped->particles);
+    const auto& of_shaped = microstructure.shaped->fillers;
+    if (!of_shaped.empty()) state.write("/filler", std::vector<double>(of_shaped.begin(), of_shaped.end()));
+  }
   for (std::size_t number = 0; number < microstructure.fillers.size(); ++number) {
     const auto deviation = microstructure.fillers[number].size_deviation;
     if (deviation) state.write(name_of_size_deviation(number), *deviation);
@@ -100,7 +117,10 @@ StageMicrostructure read_stage_microstructure(const StateReader& state, const St
   if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(discs, is_in_box)) {
     throw FileError("a checkpoint of a packing: expected discs in a box");
   }
-  if (state.has("/filler")) fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
+  if (has_particles(state)) result.shaped = read_box(state, stage, side, walls);
+  if (state.has("/filler") && !result.shaped) {
+    fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
+  }
   if (state.has(name_of_film)) result.grains = read_grains(state, side, walls);
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {

@@ -149,7 +149,9 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
     return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
            "tests.boundaries it is tested under the periodic boundary alone";
   }
-  if (!cuts || !has_particles_across_sides(packed.microstructure)) return std::nullopt;
+  const bool has_shapes_across =
+      packed.shaped && packed.shaped->walls == Walls::periodic && smallest_side_distance(*packed.shaped) < 0.0;
+  if (!cuts || !(has_shapes_across || has_particles_across_sides(packed.microstructure))) return std::nullopt;
   return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
          "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
          "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "

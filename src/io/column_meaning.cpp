@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 21> stems{{
+constexpr std::array<Stem, 25> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -47,6 +47,10 @@ constexpr std::array<Stem, 21> stems{{
     {"cumulative volume fraction", cumulative_volume_fraction},
     {"weight", weight},
     {"filler", filler},
+    {"axis 1", axis_1},
+    {"axis 2", axis_2},
+    {"angle", angle},
+    {"particle", particle},
     {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},
 }};
 

@@ -100,6 +100,11 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
     case Quantity::x:
     case Quantity::y:
       return "um";
+    case Quantity::axis_1:
+    case Quantity::axis_2:
+      return "um";
+    case Quantity::angle:
+      return "deg";
     case Quantity::weight:
       return "m2";
     default:
@@ -117,7 +122,7 @@ double Conversion::operator()(double value) const {
 Conversion conversion_of(const ColumnMeaning& meaning) {
   const std::string_view unit = meaning.unit;
   if (meaning.quantity == Quantity::cumulative_volume_fraction) return fraction(unit);
-  if (meaning.quantity == Quantity::filler) return number_without_unit(unit);
+  if (meaning.quantity == Quantity::filler || meaning.quantity == Quantity::particle) return number_without_unit(unit);
   if (unit.empty()) {
     throw InputError(
         fmt::format("expected one in the name of the column, as in \"[{}]\", got none", example_of_unit(meaning)));
@@ -135,7 +140,11 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::diameter:
     case Quantity::x:
     case Quantity::y:
+    case Quantity::axis_1:
+    case Quantity::axis_2:
       return by_unit(unit, Dimension::length);
+    case Quantity::angle:
+      return by_unit(unit, Dimension::angle);
     case Quantity::weight:
       return by_unit(unit, Dimension::area);
     default:

@@ -26,7 +26,7 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 std::string wanted(Dimension dimension) {
-  return fmt::format("a {} such as \"{}\"", name(dimension), example(dimension));
+  return fmt::format("{} such as \"{}\"", with_article(dimension), example(dimension));
 }
 
 /// The result of reading one value: the value, or a description of the expected value.
@@ -49,7 +49,7 @@ Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const 
   const auto* text = std::get_if<std::string>(&value.content);
   if (text == nullptr) {
     return wrong<double>(expected_but_got(
-        fmt::format("a {} with its unit, such as \"{}\"", name(dimension), example(dimension)), value));
+        fmt::format("{} with its unit, such as \"{}\"", with_article(dimension), example(dimension)), value));
   }
   try {
     const double quantity = parse_quantity(*text, dimension);

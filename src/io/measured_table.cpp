@@ -43,6 +43,14 @@ std::string_view example_of(Quantity quantity) {
       return "called weight, such as weight_m2";
     case Quantity::filler:
       return "called filler";
+    case Quantity::axis_1:
+      return "called axis_1, such as axis_1_um";
+    case Quantity::axis_2:
+      return "called axis_2, such as axis_2_um";
+    case Quantity::angle:
+      return "called angle, such as angle_deg";
+    case Quantity::particle:
+      return "called particle";
   }
   return {};
 }

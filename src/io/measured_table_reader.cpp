@@ -74,8 +74,10 @@ class MeasuredTableReader {
     const auto is_of = [](Quantity quantity) {
       return [quantity](const auto& meaning) { return meaning && meaning->quantity == quantity; };
     };
-    // In a table of anything but particles a filler may be a text.
-    const bool has_particles = std::ranges::any_of(meanings_, is_of(Quantity::diameter));
+    const auto has = [&](Quantity quantity) { return std::ranges::any_of(meanings_, is_of(quantity)); };
+    // In a table of anything but particles or their corners a particle and a filler may be texts.
+    if (!has(Quantity::x)) std::ranges::replace_if(meanings_, is_of(Quantity::particle), std::nullopt);
+    const bool has_particles = has(Quantity::diameter) || has(Quantity::axis_1) || has(Quantity::particle);
     if (!has_particles) std::ranges::replace_if(meanings_, is_of(Quantity::filler), std::nullopt);
   }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <variant>
@@ -45,10 +46,11 @@ constexpr std::array<ReadableUnit, 4> pressures{{{1.0, "Pa"}, {1e3, "kPa"}, {1e6
 constexpr std::array<ReadableUnit, 1> densities{{{1.0, "kg/m^3"}}};
 constexpr std::array<ReadableUnit, 1> temperatures{{{1.0, "K"}}};
 constexpr std::array<ReadableUnit, 3> areas{{{1e-12, "um^2"}, {1e-6, "mm^2"}, {1.0, "m^2"}}};
+constexpr std::array<ReadableUnit, 1> angles{{{std::numbers::pi / 180.0, "deg"}}};
 constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm"}, {1e6, "1/um"}}};
 
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 9> all{{
+  static const std::array<DimensionFacts, 10> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -58,6 +60,7 @@ const DimensionFacts& facts(Dimension dimension) {
       {"temperature difference", "120 K", "K", temperatures, {"K", "degC", "degF"}},
       {"reciprocal length", "12500 /mm", "m-1", inverse_lengths, {"1/m", "1/mm", "1/um"}},
       {"area", "2 mm^2", "m2", areas, {"um^2", "mm^2", "m^2"}},
+      {"angle", "30 deg", "rad", angles, {"deg", "rad"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }
@@ -145,20 +148,28 @@ double as_written(double converted) {
 /// The quantity in the SI unit of the dimension, or the reason why it has none (empty for another dimension).
 std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
   const std::lock_guard lock(udunits_mutex);
-  const auto unit = parse_unit(quantity.unit);
+  const bool is_angle = dimension == Dimension::angle;
+  const auto unit = parse_unit(is_angle && quantity.unit == "deg" ? "degree" : quantity.unit);
   if (!unit && quantity.unit.starts_with(',')) return hint(quantity, dimension);
   if (!unit) return fmt::format(": unknown unit \"{}\"{}", quantity.unit, hint(quantity, dimension));
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
   if (!converter) return hint(quantity, dimension);
   const bool is_difference = dimension == Dimension::temperature_difference;
   const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
-  return as_written(cv_convert_double(converter.get(), quantity.number) - origin);
+  const double converted = cv_convert_double(converter.get(), quantity.number) - origin;
+  // A degree is no decimal fraction of a radian.
+  return is_angle ? converted : as_written(converted);
 }
 
 }  // namespace
 
 std::string_view name(Dimension dimension) {
   return facts(dimension).name;
+}
+
+std::string with_article(Dimension dimension) {
+  const auto noun = name(dimension);
+  return fmt::format("{} {}", noun.starts_with('a') ? "an" : "a", noun);
 }
 
 std::string_view example(Dimension dimension) {
@@ -187,18 +198,18 @@ std::optional<double> number_in_unit(const NumberAndUnit& quantity, const std::s
 double parse_quantity(std::string_view text, Dimension dimension) {
   const auto quantity = split_quantity(text);
   if (!quantity) {
-    throw InputError(fmt::format(R"(expected a {}, a number and its unit such as "{}", got "{}")", name(dimension),
-                                 example(dimension), text));
+    throw InputError(fmt::format(R"(expected {}, a number and its unit such as "{}", got "{}")",
+                                 with_article(dimension), example(dimension), text));
   }
   if (quantity->unit.empty()) {
-    throw InputError(fmt::format(R"(expected a {} with its unit, such as "{}", got "{}")", name(dimension),
+    throw InputError(fmt::format(R"(expected {} with its unit, such as "{}", got "{}")", with_article(dimension),
                                  example(dimension), text));
   }
   const auto value = to_si(*quantity, dimension);
   if (const auto* si = std::get_if<double>(&value); si != nullptr && std::isfinite(*si)) return *si;
   const auto* reason = std::get_if<std::string>(&value);
-  throw InputError(
-      fmt::format("expected a {}, got \"{}\"{}", name(dimension), text, reason != nullptr ? *reason : std::string()));
+  throw InputError(fmt::format("expected {}, got \"{}\"{}", with_article(dimension), text,
+                               reason != nullptr ? *reason : std::string()));
 }
 
 std::string readable(double value, Dimension dimension) {

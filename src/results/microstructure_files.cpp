@@ -11,7 +11,10 @@
 #include "breccia/report/grain_picture.hpp"
 #include "breccia/report/image_picture.hpp"
 #include "breccia/report/microstructure_picture.hpp"
+#include "breccia/report/particle_picture.hpp"
 #include "breccia/results/label_files.hpp"
+
+#include "particle_files.hpp"
 
 namespace breccia {
 namespace {
@@ -76,6 +79,11 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
   }
   if (microstructure.grains) {
     write_grains(directory, stage, *microstructure.grains);
+    return;
+  }
+  if (microstructure.shaped) {
+    write_particles(directory, stage, *microstructure.shaped);
+    write_text(directory / "microstructure.svg", particle_picture(*microstructure.shaped, drawn_fillers(stage)));
     return;
   }
   std::vector<double> x, y, diameters;

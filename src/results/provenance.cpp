@@ -16,6 +16,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/whole_filler.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/identity.hpp"
 
 namespace breccia {
@@ -216,7 +217,7 @@ Json name_of_fillers(const Stage& stage) {
 Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
   Json fillers = Json::array();
   for (std::size_t number = 0; number < std::min(stage.fillers.size(), packed.size()); ++number) {
-    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating] = stage.fillers[number];
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = stage.fillers[number];
     const auto& statistics = packed[number];
     Json filler = {{"material", material.name},
                    {"particles", stage.image() == nullptr ? Json(statistics.particles) : Json()},
@@ -233,6 +234,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
                            {"thickness_cells", coating->thickness / stage.cell_size()},
                            {"fraction", statistics.coating_fraction}};
     }
+    if (shape) filler["shape"] = in_words(*shape);
     fillers.push_back(std::move(filler));
   }
   return fillers;
@@ -253,13 +255,19 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["smallest_diameter_m"] = smallest.diameter;
     microstructure["largest_diameter_m"] = largest.diameter;
   }
+  if (packing.shaped) {
+    const auto [smallest, largest] = std::ranges::minmax(
+        packing.shaped->particles, {}, [](const Particle& particle) { return equivalent_diameter(particle.shape); });
+    microstructure["smallest_diameter_m"] = equivalent_diameter(smallest.shape);
+    microstructure["largest_diameter_m"] = equivalent_diameter(largest.shape);
+  }
   if (packing.grains) {
     const auto& grains = packing.fillers.front();
     microstructure["film_m"] = packing.grains->film;
     microstructure["film_cells"] = packing.grains->film / stage.cell_size();
     microstructure["smallest_diameter_m"] = json_of(grains.smallest_diameter);
     microstructure["largest_diameter_m"] = json_of(grains.largest_diameter);
-    if (stage.has_seed()) microstructure["seed"] = std::get<LaguerrePacking>(stage.packing).seed;
+    if (const auto seed = stage.seed()) microstructure["seed"] = *seed;
   }
   if (const auto* image = stage.image()) {
     microstructure["particles"] = Json();  // which pixels do not tell
@@ -268,7 +276,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
   }
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {
-    microstructure["seed"] = std::get<LubachevskyStillingerPacking>(stage.packing).seed;
+    microstructure["seed"] = stage.seed().value();
     microstructure["events"] = packing.events;
   }
   Json materials = Json::array();

@@ -53,9 +53,12 @@ std::optional<DiameterRange> diameters_of(const Filler& filler) {
 std::optional<DiameterRange> diameters_of(const Stage& stage) {
   if (stage.fillers.empty()) return std::nullopt;
   if (const auto* listed = stage.listed()) {
-    if (listed->discs.empty()) return std::nullopt;
-    const auto [smallest, largest] = std::ranges::minmax(listed->discs, {}, &Disc::diameter);
-    return DiameterRange{smallest.diameter, largest.diameter};
+    std::vector<double> diameters;
+    for (const auto& disc : listed->discs) diameters.push_back(disc.diameter);
+    for (const auto& particle : listed->particles) diameters.push_back(equivalent_diameter(particle.shape));
+    if (diameters.empty()) return std::nullopt;
+    const auto [smallest, largest] = std::ranges::minmax(diameters);
+    return DiameterRange{smallest, largest};
   }
   std::optional<DiameterRange> all;
   for (const auto& filler : stage.fillers) {

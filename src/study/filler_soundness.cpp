@@ -10,8 +10,10 @@
 #include "breccia/error.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/image_statistics.hpp"
+#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/limits.hpp"
 #include "breccia/study/stage_rules.hpp"
@@ -89,11 +91,19 @@ void check_no_sizes(const Filler& filler, const std::string& part, StudyMistakes
   }
 }
 
-void check_gap(const Filler& filler, const PackingMethod& packing, const std::string& part, StudyMistakes& mistakes) {
+void check_gap(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   mistakes.check_quantity(part, "gap", filler.gap, Range::not_negative(), Dimension::length);
-  if (!std::holds_alternative<LubachevskyStillingerPacking>(packing) && filler.gap > 0.0) {
+  if (!stage.is_random() && filler.gap > 0.0) {
     mistakes.add(part, "expected no gap: only a random packing keeps one");
   }
+}
+
+void check_shape(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  if (!filler.shape) return;
+  if (!std::holds_alternative<RandomSequentialPacking>(stage.packing)) {
+    mistakes.add(part, "expected no shape: only a random sequential packing places other shapes than discs");
+  }
+  mistakes.add_all(part, mistakes_of_shape(*filler.shape));
 }
 
 /// The sizes and the fraction of grains that fill the box.
@@ -167,7 +177,8 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
     mistakes.check_quantity(part, "thickness of the coating", filler.coating->thickness, Range::positive(),
                             Dimension::length);
   }
-  check_gap(filler, stage.packing, part, mistakes);
+  check_gap(filler, stage, part, mistakes);
+  check_shape(filler, stage, part, mistakes);
   if (const auto* grains = stage.grains()) {
     check_grains(filler, *grains, part, mistakes);
     return;
@@ -187,10 +198,15 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
 }
 
 void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto& [file, discs, walls, fillers] = *stage.listed();
-  if (discs.empty()) mistakes.add(part, "expected at least one disc");
-  if (!fillers.empty() && fillers.size() != discs.size()) {
-    mistakes.add(part, fmt::format("expected the filler of each of {} discs, got {}", discs.size(), fillers.size()));
+  const auto& [file, discs, walls, fillers, particles] = *stage.listed();
+  if (discs.empty() && particles.empty()) mistakes.add(part, "expected at least one disc");
+  if (!discs.empty() && !particles.empty()) {
+    mistakes.add(part, "expected discs, or particles of other shapes and none");
+    return;
+  }
+  const auto count = std::max(discs.size(), particles.size());
+  if (!fillers.empty() && fillers.size() != count) {
+    mistakes.add(part, fmt::format("expected the filler of each of {} discs, got {}", count, fillers.size()));
     return;
   }
   if (fillers.empty() && stage.fillers.size() > 1) {
@@ -202,9 +218,14 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
                                    stage.fillers.size()));
     return;
   }
-  if (accepts(allowed::side, stage.side)) {
-    mistakes.add_error_of(part, [&] { require_valid<2>(with_coatings(stage, {stage.side, walls, discs, fillers})); });
-  }
+  if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
+  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles] {
+    if (!particles.empty()) {
+      require_valid(particle_box(stage, *stage.listed()));
+    } else {
+      require_valid<2>(with_coatings(stage, {stage.side, walls, discs, fillers}));
+    }
+  });
 }
 
 }  // namespace

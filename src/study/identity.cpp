@@ -110,8 +110,10 @@ class Content {
     static_cast<void>(warnings);
   }
   void add(const Filler& filler) {
-    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating] = filler;
+    const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = filler;
     add_all(material, fraction, smallest, largest, sizes, gap, gap_source, coating);
+    // A study without shapes keeps the content that it had before there were any.
+    if (shape) add(*shape);
   }
   void add(const Coating& coating) {
     const auto& [material, thickness] = coating;
@@ -147,8 +149,9 @@ class Content {
     add_all(columns, rows);
   }
   void add(const ExplicitPacking& packing) {
-    const auto& [file, discs, walls, fillers] = packing;
+    const auto& [file, discs, walls, fillers, particles] = packing;
     add_all(discs, walls, fillers);
+    if (!particles.empty()) add(particles);
     static_cast<void>(file);
   }
   void add(const LaguerrePacking& packing) {
@@ -168,6 +171,37 @@ class Content {
     add_all(pixel_side, walls);
     // Eight bytes for each of millions of labels would be too many.
     add(content_hash({reinterpret_cast<const char*>(labels.data()), labels.size() * sizeof(Label)}));
+  }
+  void add(const RandomSequentialPacking& packing) {
+    const auto& [walls, seed] = packing;
+    add_all(walls, seed);
+  }
+  void add(const FillerShape& shape) {
+    const auto& [outline, angle] = shape;
+    add_all(outline, angle);
+  }
+  void add(const EllipticOutline& outline) {
+    const auto& [aspect] = outline;
+    add(aspect);
+  }
+  void add(const PolygonalOutline& outline) {
+    const auto& [file, corners] = outline;
+    add(corners);
+    static_cast<void>(file);
+  }
+  void add(const Vector<2>& vector) {
+    for (const double coordinate : vector) add(coordinate);
+  }
+  void add(const Ellipse& ellipse) {
+    const auto& [axes] = ellipse;
+    add(axes);
+  }
+  void add(const ConvexPolygon& polygon) {
+    for (const auto& corner : polygon.corners()) add(corner);
+  }
+  void add(const Particle& particle) {
+    const auto& [shape, pose] = particle;
+    add_all(shape, pose.centre(), pose.angle());
   }
   void add(const Site<2>& site) {
     const auto& [position, weight] = site;

@@ -8,6 +8,40 @@ const std::string& name_of(const StageMatrix& matrix) {
   return std::visit([](const auto& named) -> const std::string& { return named.name; }, matrix);
 }
 
+namespace {
+
+struct SeedOf {
+  using Answer = std::optional<std::uint64_t>;
+
+  Answer operator()(const LubachevskyStillingerPacking& packing) const { return packing.seed; }
+  Answer operator()(const RandomSequentialPacking& packing) const { return packing.seed; }
+  Answer operator()(const LaguerrePacking& packing) const {
+    return packing.is_random() ? Answer(packing.seed) : std::nullopt;
+  }
+  Answer operator()(const RegularPacking&) const { return std::nullopt; }
+  Answer operator()(const ExplicitPacking&) const { return std::nullopt; }
+  Answer operator()(const ImagePacking&) const { return std::nullopt; }
+};
+
+struct WallsOf {
+  Walls operator()(const RegularPacking&) const { return Walls::hard; }
+  Walls operator()(const ImagePacking& packing) const { return packing.image ? packing.image->walls : Walls::hard; }
+  template <class Packing>
+  Walls operator()(const Packing& packing) const {
+    return packing.walls;
+  }
+};
+
+}  // namespace
+
+std::optional<std::uint64_t> Stage::seed() const {
+  return std::visit(SeedOf(), packing);
+}
+
+bool Stage::is_periodic() const {
+  return std::visit(WallsOf(), packing) == Walls::periodic;
+}
+
 std::vector<int> Stage::grids() const {
   auto grids = coarser_cells;
   grids.push_back(cells);

@@ -1,6 +1,7 @@
 #include "breccia/io/units.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -60,6 +61,8 @@ struct Refused {
 TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
   const std::vector<Refused> cases{
       {"3.6 um", Dimension::pressure, "expected a pressure, got \"3.6 um\""},
+      {"30", Dimension::angle, "expected an angle with its unit, such as \"30 deg\""},
+      {"30 mm", Dimension::angle, "expected an angle, got \"30 mm\""},
       {"10 Hz", Dimension::time, "expected a time, got \"10 Hz\""},
       {"10 s", Dimension::frequency, "expected a frequency, got \"10 s\""},
       {"120 m", Dimension::temperature, "expected a temperature, got \"120 m\""},
@@ -86,6 +89,13 @@ TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
         test::message_of<InputError>([&] { static_cast<void>(parse_quantity(refused.text, refused.dimension)); });
     EXPECT_EQ(message, refused.message);
   }
+}
+
+TEST(Units, AnglesAreInRadians) {
+  EXPECT_EQ(parse_quantity("180 deg", Dimension::angle), std::numbers::pi);
+  EXPECT_EQ(parse_quantity("90 degree", Dimension::angle), 0.5 * std::numbers::pi);
+  EXPECT_EQ(parse_quantity("-0.5 rad", Dimension::angle), -0.5);
+  EXPECT_EQ(readable(std::numbers::pi / 6.0, Dimension::angle), "30 deg");
 }
 
 TEST(Units, NumbersInOtherUnits) {

@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/particle_locator.hpp"
+#include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/statistics.hpp"
 
 #include "expect_error.hpp"

@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/particle_box.hpp"
+#include "breccia/microstructure/particle_validity.hpp"
 
 #include "expect_error.hpp"
 

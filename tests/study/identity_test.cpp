@@ -64,6 +64,24 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) {
         study.stages[0].packing = ExplicitPacking{"", {{{1e-3, 1e-3}, 1e-3}}, Walls::hard};
       },
+      [](Study& study) { study.stages[0].packing = RandomSequentialPacking{}; },
+      [](Study& study) {
+        study.stages[0].fillers[0].shape = FillerShape{EllipticOutline{1.5}, {}};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].shape = FillerShape{EllipticOutline{2.0}, {}};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].shape = FillerShape{EllipticOutline{2.0}, 0.1};
+      },
+      [](Study& study) {
+        study.stages[0].fillers[0].shape = FillerShape{PolygonalOutline{"", {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}}, {}};
+      },
+      [](Study& study) {
+        ExplicitPacking listed;
+        listed.particles = {{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}};
+        study.stages[0].packing = listed;
+      },
       [](Study& study) { study.tests.last_time *= 2.0; },
       [](Study& study) { study.tests.loads = {Load::bulk}; },
       [](Study& study) { study.tests.quasistatic.sampling.tolerance = 1e-4; },

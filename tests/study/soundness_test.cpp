@@ -1,5 +1,6 @@
 #include "breccia/study/soundness.hpp"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
@@ -225,6 +226,45 @@ TEST(RequireSound, NamesEachMistakeOfSeveralFillersAndCoatings) {
         },
         "fine, packing: a disc is of filler 2, counted from 0, but there are only 2"}},
       sound);
+}
+
+TEST(RequireSound, NamesEachMistakeOfShapes) {
+  auto sound = with_random_packing(SingleSize{1e-3});
+  sound.stages[0].packing = RandomSequentialPacking{};
+  filler_of(sound).shape = FillerShape{EllipticOutline{1.5}, {}};
+  EXPECT_NO_THROW(require_sound(sound));
+  const auto with_outline = [](auto outline) {
+    return [outline](Study& study) { filler_of(study).shape->outline = outline; };
+  };
+  expect_each({{with_outline(EllipticOutline{0.0}), "fine, filler: expected an aspect above 0, got 0"},
+               {with_outline(PolygonalOutline{"", {{0.0, 0.0}, {1.0, 0.0}}}), "three corners or more"},
+               {[](Study& study) { filler_of(study).shape->angle = std::nan(""); }, "expected a finite angle"},
+               {[](Study& study) { study.stages[0].packing = LubachevskyStillingerPacking{}; },
+                "only a random sequential packing places other shapes than discs"}},
+              sound);
+}
+
+TEST(RequireSound, NamesEachMistakeOfListedParticles) {
+  auto sound = test::two_stages();
+  filler_of(sound).sizes.reset();
+  ExplicitPacking listed;
+  listed.particles = {{Ellipse{{2e-3, 1e-3}}, Pose({2e-3, 2e-3}, 0.0)}};
+  sound.stages[0].packing = listed;
+  EXPECT_NO_THROW(require_sound(sound));
+  const auto packing_of = [](Study& study) -> ExplicitPacking& {
+    return std::get<ExplicitPacking>(study.stages[0].packing);
+  };
+  expect_each({{[&](Study& study) {
+                  packing_of(study).particles[0].shape = Ellipse{{0.0, 1e-3}};
+                },
+                "its axes must be positive"},
+               {[&](Study& study) { packing_of(study).particles.push_back(packing_of(study).particles[0]); },
+                "particle 1 (ellipse of 0.002 m x 0.001 m at 0.002 m, 0.002 m) and particle 2"},
+               {[&](Study& study) {
+                  packing_of(study).discs = {{{2e-3, 2e-3}, 1e-3}};
+                },
+                "expected discs, or particles of other shapes and none"}},
+              sound);
 }
 
 TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {

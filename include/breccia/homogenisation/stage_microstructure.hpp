@@ -9,6 +9,7 @@
 #include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/packing.hpp"
+#include "breccia/microstructure/particle_box.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
@@ -32,8 +33,10 @@ struct StageGrains {
 
 /// The particles or grains of a stage with their statistics. Pixels are those of its image (Stage::image).
 struct StageMicrostructure {
-  Microstructure<2> microstructure;        ///< without particles where there are grains or pixels
+  /// Without particles where there are grains, pixels or other shapes than discs.
+  Microstructure<2> microstructure;
   std::optional<StageGrains> grains = {};  ///< in place of particles
+  std::optional<ParticleBox> shaped = {};  ///< particles of which not all are discs, with their coatings
   double fraction = 0.0;                   ///< area of the particles per area of the box [-]
   double interface_per_area = 0.0;         ///< length of the interface per area of the box, S/A [1/m]
   double wall_gap = 0.0;  ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
@@ -44,7 +47,7 @@ struct StageMicrostructure {
   double seconds = 0.0;                        ///< wall time of the packing [s]
 
   /// Number of particles, or of grains.
-  [[nodiscard]] std::size_t particles() const { return grains ? grains->count : microstructure.particles.size(); }
+  [[nodiscard]] std::size_t particles() const;
   /// Largest difference of the drawn and the wanted size distribution of a filler [-]; nothing where none was drawn.
   [[nodiscard]] std::optional<double> size_deviation() const;
 };
@@ -54,9 +57,9 @@ using PackingFollower = std::function<void(const PackingProgress&)>;
 
 /// Makes the microstructure of a stage: packs the particles of all its fillers together, arranges them regularly, or
 /// takes them from its list or its image. With a checkpoint, an earlier state is resumed, and the state and finally the
-/// result are saved. Throws InputError when the sizes are invalid, or when particles of a list or a regular array
-/// overlap or leave the box; NumericalError when the packing is impossible; Interrupted when the run shall end
-/// (CheckpointSchedule::stop).
+/// result are saved; a random sequential packing, which takes seconds, begins anew and comes to the same bits. Throws
+/// InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the box;
+/// NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
 StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
                                         Checkpoint* checkpoint = nullptr);
 

@@ -25,7 +25,11 @@ enum class Quantity {
   y,                           ///< [m]
   cumulative_volume_fraction,  ///< from 0 to 1
   weight,                      ///< of a site of a tessellation [m^2]
-  filler,                      ///< number of the filler of a particle; known beside diameters alone
+  filler,                      ///< number of the filler of a particle; known beside sizes or corners alone
+  axis_1,                      ///< whole first axis of an ellipse [m]
+  axis_2,                      ///< whole second axis of an ellipse [m]
+  angle,                       ///< from the x axis to the first axis of an ellipse [rad]
+  particle,                    ///< number of the particle that a corner belongs to
 };
 
 /// A column of a file.

@@ -16,11 +16,15 @@ enum class Dimension {
   temperature,             ///< [K]; "19 degC" is 292.15 K
   temperature_difference,  ///< [K]; "120 degC" is 120 K
   inverse_length,          ///< [1/m]
-  area                     ///< [m^2]
+  area,                    ///< [m^2]
+  angle                    ///< [rad]
 };
 
 /// The dimension as a noun: "length", "pressure".
 std::string_view name(Dimension dimension);
+
+/// The same with its article: "a length", "an angle".
+std::string with_article(Dimension dimension);
 
 /// An example of a quantity for messages: "48 um".
 std::string_view example(Dimension dimension);

@@ -65,7 +65,7 @@ struct Particle {
 [[nodiscard]] double signed_distance(const Particle& particle, const Vector<2>& place);
 
 /// A gap between two shapes, and the direction along which it is.
-struct Gap {
+struct ParticleGap {
   double width;         ///< [m]
   Vector<2> direction;  ///< from the first shape to the second, of length 1
 };
@@ -74,7 +74,7 @@ struct Gap {
 /// the distance of their centres below it. A gap of `enough` [m] or more is not looked at any closer: its width is a
 /// lower bound then. Negative where the particles overlap: moved by as much along the direction, the second one is
 /// clear of the first; the shortest way out is not longer, and not much shorter where `enough` is infinite.
-[[nodiscard]] Gap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other,
-                      double enough = std::numeric_limits<double>::infinity());
+[[nodiscard]] ParticleGap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other,
+                              double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace breccia

@@ -40,11 +40,6 @@ void for_each_image(const ParticleBox& box, Action&& action) {
   }
 }
 
-/// Throws InputError if the particles cannot be where they are: an ellipse with an axis that is not positive, a centre
-/// outside the box, a particle or its coating across a hard wall, two of them that overlap by more than roundoff. The
-/// message lists every one of them (up to twenty), counting particles from 1.
-void require_valid(const ParticleBox& box);
-
 /// Area of the particles per area of the box, without coatings.
 [[nodiscard]] double volume_fraction(const ParticleBox& box);
 /// Area of the coatings per area of the box.

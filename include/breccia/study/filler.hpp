@@ -9,6 +9,7 @@
 
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
+#include "breccia/microstructure/particle.hpp"
 #include "breccia/study/image_packing.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -43,6 +44,23 @@ struct TabulatedSizes {
 
 using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes>;
 
+/// Ellipses.
+struct EllipticOutline {
+  double aspect = 1.0;  ///< first axis over the second one [-]
+};
+
+/// Convex polygons, all similar to one.
+struct PolygonalOutline {
+  std::filesystem::path file;
+  std::vector<Vector<2>> corners;  ///< in any unit: the size follows from the diameter of equal area
+};
+
+/// Shape of the particles of a filler, whose sizes are diameters of discs of equal area.
+struct FillerShape {
+  std::variant<EllipticOutline, PolygonalOutline> outline;
+  std::optional<double> angle = {};  ///< of all particles [rad]; without it each has one at random
+};
+
 /// Event-driven growth of moving particles (Lubachevsky and Stillinger, J. Stat. Phys. 60, 561, 1990).
 struct LubachevskyStillingerPacking {
   Walls walls = Walls::hard;
@@ -60,7 +78,16 @@ struct ExplicitPacking {
   std::filesystem::path file;
   std::vector<Disc> discs;
   Walls walls = Walls::hard;
-  std::vector<std::size_t> fillers = {};  ///< the number of the filler of each disc; empty where all are of the first
+  /// The number of the filler of each disc, or of each of `particles`; empty where all are of the first.
+  std::vector<std::size_t> fillers = {};
+  std::vector<Particle> particles = {};  ///< of other shapes, in place of discs
+};
+
+/// Particles of any shape placed at random one after the other, the largest first, and grown by a Monte Carlo
+/// compression (RandomSequentialRun).
+struct RandomSequentialPacking {
+  Walls walls = Walls::hard;
+  std::uint64_t seed = 1;
 };
 
 /// Grains of a Laguerre tessellation, which fill the box but for films of the matrix of one thickness between them.
@@ -74,8 +101,8 @@ struct LaguerrePacking {
   [[nodiscard]] bool is_random() const { return sites.empty(); }
 };
 
-using PackingMethod =
-    std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking, ImagePacking>;
+using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking,
+                                   ImagePacking, RandomSequentialPacking>;
 
 /// The form in which a deck gives the gap between particles.
 enum class GapSource {
@@ -102,6 +129,7 @@ struct Filler {
   double gap = 0.0;  ///< smallest distance between coated particles of this filler [m]
   GapSource gap_source = GapSource::length;
   std::optional<Coating> coating = {};
+  std::optional<FillerShape> shape = {};  ///< of its particles; discs without one
 
   /// Thickness of the coating [m]; 0 where there is none.
   [[nodiscard]] double coating_thickness() const { return coating ? coating->thickness : 0.0; }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -43,9 +45,16 @@ struct Stage {
     return packing_of_pixels == nullptr ? nullptr : packing_of_pixels->image.get();
   }
   /// Whether the particles are packed at random.
-  [[nodiscard]] bool is_random() const { return std::holds_alternative<LubachevskyStillingerPacking>(packing); }
+  [[nodiscard]] bool is_random() const {
+    return std::holds_alternative<LubachevskyStillingerPacking>(packing) ||
+           std::holds_alternative<RandomSequentialPacking>(packing);
+  }
   /// Whether particles or grains are placed at random, by a seed.
-  [[nodiscard]] bool has_seed() const { return is_random() || (grains() != nullptr && grains()->is_random()); }
+  [[nodiscard]] bool has_seed() const { return seed().has_value(); }
+  /// The seed; nothing where particles or grains are not placed at random.
+  [[nodiscard]] std::optional<std::uint64_t> seed() const;
+  /// Whether the box goes on beyond its sides.
+  [[nodiscard]] bool is_periodic() const;
   /// Cells per side of all grids, rising.
   [[nodiscard]] std::vector<int> grids() const;
 };

@@ -72,6 +72,10 @@ std::vector<Vector<2>> sound(std::vector<Vector<2>> corners) {
 std::vector<Vector<2>> centred(std::vector<Vector<2>> corners) {
   if (twice_signed_area(corners) < 0.0) std::ranges::reverse(corners);
   const auto centre = centroid(corners);
+  // Corners that are centred already keep their bits.
+  constexpr double roundoff = 1e-14;
+  const double size = norm(difference(corners[1], corners[0]));
+  if (norm(centre) <= roundoff * size) return corners;
   for (auto& corner : corners) corner = difference(corner, centre);
   return corners;
 }

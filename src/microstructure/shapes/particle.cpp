@@ -29,7 +29,7 @@ struct InWords {
 
 /// The direction along which a place inside a convex body leaves it soonest, among a number of them.
 template <class Support>
-Gap shortest_way_out(const Vector<2>& place, const Support& support, Gap best) {
+ParticleGap shortest_way_out(const Vector<2>& place, const Support& support, ParticleGap best) {
   constexpr int directions = 360;
   for (int step = 0; step < directions; ++step) {
     const double angle = 2.0 * std::numbers::pi * step / directions;
@@ -87,7 +87,7 @@ double signed_distance(const Particle& particle, const Vector<2>& place) {
   return std::visit(distance, shape);
 }
 
-Gap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other, double enough) {
+ParticleGap gap(const Shape& one, const Pose& at_one, const Shape& other, const Pose& at_other, double enough) {
   // The first shape grown by the second one, turned around: the distance of the centre of the second one from it.
   const auto grown = [&](const Vector<2>& direction) -> SupportPoint {
     const auto [place, radius] = support(one, at_one, direction);

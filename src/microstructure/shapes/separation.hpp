@@ -24,7 +24,7 @@ class Separation {
   Separation(const Vector<2>& place, const Support& support) : place_(place), support_(support) {}
 
   /// Stops as soon as the distance is certain to be `enough` [m] or more.
-  Gap distance(double enough) {
+  ParticleGap distance(double enough) {
     const double far = norm(place_);
     if (far == 0.0) return {-support_(Vector<2>{1.0, 0.0}).place[0], {1.0, 0.0}};
     towards_ = {place_[0] / far, place_[1] / far};
@@ -106,7 +106,7 @@ class Separation {
   Vector<2> place_, towards_{};
   const Support& support_;
   End lower_, upper_;
-  Gap best_ = {-std::numeric_limits<double>::infinity(), {1.0, 0.0}};
+  ParticleGap best_ = {-std::numeric_limits<double>::infinity(), {1.0, 0.0}};
   double largest_ = std::numeric_limits<double>::infinity();  // upper bound of the distance
   bool is_overlap_ = false;
 };

@@ -34,10 +34,11 @@ function legendOf({matrix, filler, fillers = [], microstructure}) {
   const sizesOf = ({smallest_diameter_m: smallest, largest_diameter_m: largest}) =>
     [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
   const described = (material, sizes) => (sizes.length > 0 ? `${material}, diameter ${sizes.join(" to ")}` : material);
+  const shapeOf = ({shape} = {}) => (shape === undefined ? "" : `, ${shape}`);
   const entries = [entry("matrix", matrix)];
   const phases = phasesOf(fillers);
   if (filler !== null && phases.length < 2) {
-    entries.push(entry("filler", described(filler, sizesOf(microstructure))));
+    entries.push(entry("filler", described(filler, sizesOf(microstructure)) + shapeOf(fillers[0])));
   } else {
     const coloured = (material, text) => {
       const place = entry("filler", text);
@@ -47,7 +48,7 @@ function legendOf({matrix, filler, fillers = [], microstructure}) {
     for (const one of fillers) {
       const particles = one.particles === null ? "" : `${one.particles} particles, `;
       const share = `${particles}${percentOfWhole(one.fraction)}`;
-      entries.push(coloured(one.material, `${described(one.material, sizesOf(one))} (${share})`));
+      entries.push(coloured(one.material, `${described(one.material, sizesOf(one))}${shapeOf(one)} (${share})`));
       if (one.coating === null) continue;
       const thickness = display(one.coating.thickness_m, "m");
       entries.push(coloured(one.coating.material, `${one.coating.material}, coating of ${thickness}`));

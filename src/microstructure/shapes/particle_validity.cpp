@@ -1,3 +1,5 @@
+#include "breccia/microstructure/particle_validity.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -9,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/microstructure/particle_box.hpp"
 
 #include "particle_pairs.hpp"
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/microstructure/particle_box.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// The shape of a particle of a filler with this diameter of equal area [m]: that of the filler, or a circle.
+Shape shape_of(const Filler& filler, double diameter);
+
+/// What is wrong with the shape of a filler, one line for each mistake: an aspect that is not positive, corners that
+/// are not those of a convex polygon, an angle that is not finite.
+std::vector<std::string> mistakes_of_shape(const FillerShape& shape);
+
+/// A shape in words: "ellipses of aspect 1.5, all at 30 deg", "polygons of 5 corners".
+std::string in_words(const FillerShape& shape);
+
+/// Thickness of the coating of each particle [m] of these fillers; empty where none has one.
+std::vector<double> coatings_of(const Stage& stage, const std::vector<std::size_t>& fillers, std::size_t particles);
+
+/// The listed particles of a stage, of shapes other than discs, with their coatings.
+ParticleBox particle_box(const Stage& stage, const ExplicitPacking& listed);
+
+}  // namespace breccia

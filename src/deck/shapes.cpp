@@ -1,0 +1,82 @@
+#include "shapes.hpp"
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table_reader.hpp"
+
+namespace breccia {
+namespace {
+
+/// Why a packing has no place for shapes of fillers; nothing where it has.
+struct ReasonAgainstShapes {
+  using Reason = std::optional<std::string>;
+
+  Reason operator()(const RandomSequentialPacking&) const { return std::nullopt; }
+  Reason operator()(const LubachevskyStillingerPacking&) const {
+    return "the method \"lubachevsky-stillinger\" packs discs alone; packing.method = \"random-sequential\" packs "
+           "other shapes";
+  }
+  Reason operator()(const RegularPacking&) const {
+    return "a regular packing has discs alone; packing.method = \"random-sequential\" packs other shapes";
+  }
+  Reason operator()(const ExplicitPacking&) const {
+    return "the shapes of an explicit packing are all listed in its files";
+  }
+  Reason operator()(const ImagePacking&) const { return "an image shows the shapes"; }
+  Reason operator()(const LaguerrePacking&) const { return "grains of a tessellation have the shapes of its cells"; }
+};
+
+PolygonalOutline read_polygon(const std::filesystem::path& file) {
+  const auto table = read_measured_table(file);
+  table.require({Quantity::x, Quantity::y});
+  const auto& x = table.column(Quantity::x).values;
+  const auto& y = table.column(Quantity::y).values;
+  PolygonalOutline outline = {file, {}};
+  for (std::size_t row = 0; row < table.rows(); ++row) outline.corners.push_back({x[row], y[row]});
+  FileMistakes mistakes(file);
+  for (const auto& [corner, text] : corner_mistakes(outline.corners)) {
+    mistakes.add(corner < table.rows() ? table.place(corner) : "", text);
+  }
+  mistakes.refuse();
+  return outline;
+}
+
+/// The shape of a table that has one; nothing for discs, and where a mistake has been reported.
+std::optional<FillerShape> read_outline(const Section& shape) {
+  const auto key = shape.exactly_one({"aspect", "polygon"});
+  const auto angle = shape.optional_quantity("angle", Dimension::angle);
+  if (key == "aspect") {
+    const double aspect = shape.number("aspect", Range::positive());
+    if (aspect == 1.0) return std::nullopt;
+    return FillerShape{EllipticOutline{aspect}, angle};
+  }
+  if (key != "polygon") return std::nullopt;
+  const auto file = shape.file("polygon");
+  if (file.empty()) return std::nullopt;
+  std::optional<FillerShape> read;
+  shape.report_errors_of("polygon", [&] { read = FillerShape{read_polygon(file), angle}; });
+  return read;
+}
+
+}  // namespace
+
+std::optional<FillerShape> read_shape(const Section& filler, const PackingMethod& packing) {
+  if (!filler.has("shape")) return std::nullopt;
+  if (filler.kind("shape") != Kind::table) {
+    filler.report("shape", "expected { aspect = 1.5 } for ellipses or { polygon = \"file.csv\" }");
+    return std::nullopt;
+  }
+  const auto read = read_outline(filler.section("shape"));
+  const auto reason = std::visit(ReasonAgainstShapes(), packing);
+  if (!read || !reason) return read;
+  filler.report("shape", *reason);
+  return std::nullopt;
+}
+
+}  // namespace breccia

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// Reads `shape` of a filler of a stage whose packing has been read: `{ aspect = 1.5, angle = "30 deg" }` or
+/// `{ polygon = "file.csv" }`. Nothing for discs (an aspect of 1). Reports a shape that the packing cannot place.
+std::optional<FillerShape> read_shape(const Section& filler, const PackingMethod& packing);
+
+}  // namespace breccia

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// The particles of all fillers, with the number of the filler of each.
+struct DrawnParticles {
+  std::vector<double> diameters = {};  ///< [m]
+  std::vector<std::size_t> fillers = {};
+  std::vector<std::optional<double>> size_deviations = {};  ///< of each filler [-]
+};
+
+/// Draws the diameters of all fillers of a stage. Throws as draw_diameters() does.
+DrawnParticles draw_particles(const Stage& stage);
+
+}  // namespace breccia

@@ -1,0 +1,58 @@
+#include "sequential_packing.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "breccia/io/display.hpp"
+#include "breccia/study/filler_shapes.hpp"
+#include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/gap.hpp"
+
+namespace breccia {
+
+RandomSequentialRequest sequential_request(const Stage& stage, const RandomSequentialPacking& method,
+                                           const DrawnParticles& drawn) {
+  RandomSequentialRequest request = {.side = stage.side, .walls = method.walls, .particles = {}, .seed = method.seed};
+  for (std::size_t particle = 0; particle < drawn.diameters.size(); ++particle) {
+    const auto& filler = stage.fillers[drawn.fillers[particle]];
+    const double coating = filler.coating_thickness();
+    request.particles.push_back({.shape = shape_of(filler, drawn.diameters[particle]),
+                                 .angle = filler.shape ? filler.shape->angle : std::nullopt,
+                                 .shell = coating + 0.5 * filler.gap,
+                                 .wall_distance = coating + filler.gap});
+  }
+  return request;
+}
+
+ParticleBox packed_box(const Stage& stage, const RandomSequentialRequest& request, const std::vector<Pose>& poses,
+                       std::vector<std::size_t> fillers) {
+  if (stage.fillers.size() == 1) fillers.clear();
+  ParticleBox box = {stage.side, request.walls, {}, std::move(fillers), {}};
+  for (std::size_t particle = 0; particle < poses.size(); ++particle) {
+    box.particles.push_back({request.particles[particle].shape, poses[particle]});
+  }
+  box.coatings = coatings_of(stage, box.fillers, box.particles.size());
+  return box;
+}
+
+std::string message_on(const Stage& stage, const RandomSequentialRequest& request, const PackingError& error) {
+  const auto size = [](const ParticleToPlace& particle) { return equivalent_diameter(particle.shape); };
+  const double largest = size(std::ranges::max(request.particles, {}, size));
+  if (error.obstacle() == PackingObstacle::size) {
+    return fmt::format("a particle that keeps a gap of {} does not fit into a box of {}; expected smaller particles",
+                       gaps_in_words(stage), display(stage.side, "m"));
+  }
+  const double smallest = size(std::ranges::min(request.particles, {}, size));
+  const auto sizes = smallest == largest ? display(largest, "m")
+                                         : fmt::format("{} to {}", display(smallest, "m"), display(largest, "m"));
+  const auto asked = fraction_asked_of(stage);
+  return fmt::format(
+      "{} particles of {} (diameters of discs of equal area){} with a gap of {} jam: with half of the gap around each "
+      "they are stuck at {:.1f} % of the box; expected a smaller fraction or gap, or a wider range of sizes",
+      request.particles.size(), sizes, asked ? fmt::format(" at a fraction of {:.6g}", *asked) : "",
+      gaps_in_words(stage), 100.0 * error.attainable_fraction());
+}
+
+}  // namespace breccia
