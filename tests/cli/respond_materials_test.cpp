@@ -82,10 +82,10 @@ class RespondWithMaterials : public ::testing::Test {
     arguments.insert(arguments.begin(), {"respond", "out"});
     return run_breccia(study->path(), arguments);
   }
-  /// Holds the curve in a directory to that of a run of its own.
+  /// Holds the curve in a directory to that of a run of its own, which samples the matrix alone.
   static void expect_run(const std::string& directory, const std::vector<std::string>& settings) {
     const StudyDirectory other(coated);
-    std::vector<std::string> more;
+    std::vector<std::string> more = {"--set", "tests.quasistatic.vary={}", "--set", "tests.quasistatic.tolerance=1e-6"};
     for (const auto& setting : settings) more.insert(more.end(), {"--set", setting});
     const auto run = other.breccia("run", more);
     ASSERT_EQ(run.exit_code, 0) << run.errors;
