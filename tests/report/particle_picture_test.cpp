@@ -26,7 +26,7 @@ TEST(ParticlePicture, DrawsEllipsesAndPolygonsWithYUpwards) {
       particle_picture({1.0, Walls::hard, {ellipse({0.3, 0.6}, std::numbers::pi / 6.0), square}, {}, {}});
   EXPECT_EQ(xml_mistake(picture), "");
   EXPECT_THAT(picture,
-              HasSubstr(R"(<ellipse cx="300" cy="400" rx="200" ry="100" transform="rotate(-30 300 400)"/>)"));
+              HasSubstr(R"svg(<ellipse cx="300" cy="400" rx="200" ry="100" transform="rotate(-30 300 400)"/>)svg"));
   EXPECT_THAT(picture, HasSubstr(R"(<polygon points="700,800 800,800 800,700 700,700 "/>)"));
 }
 
