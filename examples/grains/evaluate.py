@@ -99,6 +99,7 @@ def figure(cases, path):
              ("equal-128-bounds", "displacement", "127 of them, upper bound", "#4477aa", 3),
              ("equal-128-bounds", "traction", "127 of them, lower bound", "#4477aa", 3),
              ("sizes", "periodic", "50 to 500 µm", "#cc6677", 1),
+             ("sizes-wide", "periodic", "20 µm to 1 mm", "#ccaa33", 1),
              ("three-stages-seed1", "periodic", "all sizes, three stages", "#228833", 1))
     times = [10.0**(-8 + step / 20) for step in range(121)]
     data = "$measured << EOD\n" + "".join(f"{t:.6g} {measured(t) / MPA:.6g}\n" for t in times) + "EOD\n"
