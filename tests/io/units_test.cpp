@@ -61,7 +61,7 @@ struct Refused {
 TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
   const std::vector<Refused> cases{
       {"3.6 um", Dimension::pressure, "expected a pressure, got \"3.6 um\""},
-      {"30", Dimension::angle, "expected an angle with its unit, such as \"30 deg\""},
+      {"30", Dimension::angle, R"(expected an angle with its unit, such as "30 deg", got "30")"},
       {"30 mm", Dimension::angle, "expected an angle, got \"30 mm\""},
       {"10 Hz", Dimension::time, "expected a time, got \"10 Hz\""},
       {"10 s", Dimension::frequency, "expected a frequency, got \"10 s\""},
