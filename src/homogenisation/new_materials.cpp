@@ -68,6 +68,7 @@ std::vector<std::string> varying_materials(const std::vector<StoredResponses>& s
 std::map<std::string, Material> by_replaced_material(const std::vector<NewMaterial>& new_materials,
                                                      const std::vector<StoredResponses>& stored,
                                                      const std::vector<Material>& of_study) {
+  require_earlier_stages(stored);
   const auto known = materials_by_name(stored);
   std::map<std::string, Material> replacements;
   std::vector<std::string> mistakes;

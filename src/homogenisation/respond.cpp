@@ -98,6 +98,11 @@ Study study_of(const std::vector<StoredResponses>& stored, const TimeWindow& tim
   return study;
 }
 
+InputError without_its_matrix(const StoredResponses& stage) {
+  return InputError(fmt::format("stage {}: its matrix is the result of stage {}, of which there is no response",
+                                stage.stage, name_of(stage.matrix)));
+}
+
 /// The first of the remaining stages whose matrix is a material or a finished stage.
 std::vector<StoredResponses>::const_iterator next_stage(const std::vector<StoredResponses>& stored,
                                                         const std::vector<StageResult>& done) {
@@ -110,8 +115,7 @@ std::vector<StoredResponses>::const_iterator next_stage(const std::vector<Stored
   });
   if (next != stored.end()) return next;
   const auto& stuck = *std::ranges::find_if(stored, [&](const StoredResponses& one) { return !is_done(one.stage); });
-  throw InputError(fmt::format("stage {}: its matrix is the result of stage {}, of which there is no response",
-                               stuck.stage, name_of(stuck.matrix)));
+  throw without_its_matrix(stuck);
 }
 
 void refuse_several_studies(const std::vector<StoredResponses>& stored) {
@@ -265,6 +269,15 @@ std::vector<StageResult> respond(const std::vector<StoredResponses>& stored,
   refuse_several_studies(stored);
   return or_tell_covered_times(times.value_or(stored.front().times),
                                [&](const TimeWindow& window) { return respond_within(stored, matrices, window); });
+}
+
+void require_earlier_stages(const std::vector<StoredResponses>& stored) {
+  for (const auto& one : stored) {
+    const auto* earlier = std::get_if<EarlierStage>(&one.matrix);
+    if (earlier == nullptr || std::ranges::find(stored, earlier->name, &StoredResponses::stage) != stored.end())
+      continue;
+    throw without_its_matrix(one);
+  }
 }
 
 }  // namespace breccia

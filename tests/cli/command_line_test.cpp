@@ -89,14 +89,15 @@ TEST_F(CommandLine, CheckPrintsLargeMemoriesInGigabytes) {
 
 TEST_F(CommandLine, CheckTellsTheCellsForAnError) {
   ASSERT_EQ(run({"new", "starter.toml"}).exit_code, 0);
-  // The discs keep 193.228 um apart in a box of 6 mm: ten per cent need one cell in that, five per cent 1.47 cells.
+  // The discs keep 193.228 um apart in a box of 6 mm: ten and five per cent need the cell and a half
+  // from which on the error is known.
   const auto check = run({"check", "starter.toml", "--error", "10 %", "5 %", "--set", "stages.composite.cells=30"});
   EXPECT_THAT(check.output,
-              HasSubstr("0.97 cells in the narrowest gap, error of the grid of any size; cells = 32 for 10 %, "
-                        "46 for 5 %\n"));
+              HasSubstr("0.97 cells in the narrowest gap, error of the grid of any size; cells = 47 for 10 %, "
+                        "47 for 5 %\n"));
   EXPECT_THAT(
       run({"check", "starter.toml"}).output,
-      testing::ContainsRegex("error of the grid up to about 1.3 %; cells = 46 for 5 %, .* for 2 %, .* for 1 %\n"));
+      testing::ContainsRegex("error of the grid up to about 1.3 %; cells = 47 for 5 %, .* for 2 %, .* for 1 %\n"));
   const auto wrong = run({"check", "starter.toml", "--error", "2"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.errors,

@@ -45,6 +45,9 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
 /// of another study, or of this one before it was changed.
 std::vector<StoredResponses> responses_of(const Study& study, const StudyResult& result);
 
+/// Throws InputError if a stage builds on one that is not among them.
+void require_earlier_stages(const std::vector<StoredResponses>& stored);
+
 /// The stage with another matrix, at the times given or else those of the study: milliseconds.
 /// Throws NotCovered if the matrix leaves the sampled range; the message has both and the times that are covered.
 StageResult respond(const StoredResponses& stored, const Material& matrix, std::optional<TimeWindow> times = {});
