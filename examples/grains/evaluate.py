@@ -83,7 +83,7 @@ def tables(results):
             row(f"{name}, {boundary}, 1.5e6 s", over_measured(case.curve(boundary, 10.0)))
 
     head("seeds: spread of one, per cent")
-    for prefix in ("equal-32-seed", "equal-128-seed", "three-stages-seed"):
+    for prefix in ("equal-32-seed", "equal-128-seed", "sizes-seed", "three-stages-seed"):
         curves = [case.curve() for name, case in cases.items() if name.startswith(prefix)]
         if len(curves) < 2:
             continue
@@ -98,7 +98,7 @@ def figure(cases, path):
     lines = (("equal-512-seed1", "periodic", "509 equal grains", "#4477aa", 1),
              ("equal-128-bounds", "displacement", "127 of them, upper bound", "#4477aa", 3),
              ("equal-128-bounds", "traction", "127 of them, lower bound", "#4477aa", 3),
-             ("sizes", "periodic", "50 to 500 µm", "#cc6677", 1),
+             ("sizes-seed1", "periodic", "50 to 500 µm", "#cc6677", 1),
              ("sizes-wide", "periodic", "20 µm to 1 mm", "#ccaa33", 1),
              ("three-stages-seed1", "periodic", "all sizes, three stages", "#228833", 1))
     times = [10.0**(-8 + step / 20) for step in range(121)]
