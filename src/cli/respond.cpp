@@ -174,11 +174,16 @@ struct AskedMaterial {
   fs::path file;
 };
 
+/// A file with an equals sign in its name is the matrix, unless what follows the sign is a file, too.
 AskedMaterial read_asked_material(const std::string& text) {
   const auto sign = text.find('=');
-  const bool is_file = sign == std::string::npos || fs::exists(text);
-  if (is_file) return {std::string(name_of_matrix_phase), text};
-  return {text.substr(0, sign), text.substr(sign + 1)};
+  if (sign == std::string::npos) return {std::string(name_of_matrix_phase), text};
+  const auto name = text.substr(0, sign), file = text.substr(sign + 1);
+  if (fs::exists(text) && (file.empty() || !fs::exists(file))) return {std::string(name_of_matrix_phase), text};
+  if (name.empty() || file.empty()) {
+    throw InputError(fmt::format("--material: expected FILE.toml or NAME=FILE.toml, got \"{}\"", text));
+  }
+  return {name, file};
 }
 
 /// The files of the new materials. Files that cannot be read leave a material without moduli, and a mistake.

@@ -65,8 +65,7 @@ std::vector<ValueLabel> read_labels(const Section& packing, const std::vector<Ma
 }
 
 /// Leaves one page of a stack, counted from 1. Reports a stack without a page, and a page that is none of the file.
-bool take_page(const Section& packing, Raster& raster) {
-  const auto page = packing.optional_integer("page", Range::positive());
+bool take_page(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
   const auto pages = raster.extents.size() > 2 ? raster.extents[2] : 1;
   if (packing.has("page") && page.value_or(0) < 1) return false;  // which has been reported
   if (page && static_cast<std::size_t>(*page) > pages) {
@@ -74,10 +73,11 @@ bool take_page(const Section& packing, Raster& raster) {
     return false;
   }
   if (!page && pages > 1) {
-    packing.report("file",
-                   fmt::format("a stack of {} images: three dimensions are not available yet; packing.page = 1 takes "
-                               "the first one",
-                               pages));
+    // Programs that read colours leave arrays of [y][x][colour].
+    const bool may_be_colours = raster.extents[0] == 3 || raster.extents[0] == 4;
+    packing.report("file", fmt::format("a stack of {} images: three dimensions are not available yet; {}", pages,
+                                       may_be_colours ? "if it is one image in colours, save one of them, or labels"
+                                                      : "packing.page = 1 takes the first one"));
     return false;
   }
   const auto pixels = static_cast<std::int64_t>(raster.extents[0] * raster.extents[1]);
@@ -99,6 +99,7 @@ bool require_square(const Section& packing, const Raster& raster) {
 }
 
 std::optional<Raster> read_pixels(const Section& packing, ImagePacking& image) {
+  const auto page = packing.optional_integer("page", Range::positive());
   const auto written = packing.text("file");
   if (written.empty()) return std::nullopt;
   auto [file, array] = raster_name(written);
@@ -107,7 +108,7 @@ std::optional<Raster> read_pixels(const Section& packing, ImagePacking& image) {
   if (image.file.empty()) return std::nullopt;
   std::optional<Raster> raster;
   packing.report_errors_of("file", [&] { raster = read_raster(image.file, image.array); });
-  const bool is_plane = raster && take_page(packing, *raster);
+  const bool is_plane = raster && take_page(packing, page, *raster);
   return is_plane && require_square(packing, *raster) ? raster : std::nullopt;
 }
 

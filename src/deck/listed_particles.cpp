@@ -67,7 +67,15 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
   const auto& y = table.column(Quantity::y).values;
   const auto filler_of_row = read_filler_numbers(table, fillers, mistakes);
   std::map<double, std::vector<std::size_t>> rows_of;  // of the corners of each particle
-  for (std::size_t row = 0; row < table.rows(); ++row) rows_of[numbers[row]].push_back(row);
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const bool goes_on = row > 0 && numbers[row] == numbers[row - 1];
+    if (numbers[row] != std::floor(numbers[row])) {
+      mistakes.add(table.place(row), fmt::format("expected the whole number of a particle, got {}", numbers[row]));
+    } else if (!goes_on && rows_of.contains(numbers[row])) {
+      mistakes.add(table.place(row), fmt::format("particle {}: expected its corners in one piece", numbers[row]));
+    }
+    rows_of[numbers[row]].push_back(row);
+  }
   ListedPolygons polygons;
   for (const auto& [number, rows] : rows_of) {
     std::vector<Vector<2>> corners;
@@ -96,7 +104,7 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
 
 std::vector<std::size_t> read_filler_numbers(const MeasuredTable& table, std::size_t fillers, FileMistakes& mistakes) {
   if (!table.has({Quantity::filler})) {
-    if (fillers > 1) mistakes.add("", "expected a column called filler with the number of the filler of each disc");
+    if (fillers > 1) mistakes.add("", "expected a column called filler with the number of the filler of each particle");
     return {};
   }
   const auto& column = table.column(Quantity::filler);

@@ -9,6 +9,8 @@
 
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
+#include "breccia/study/filler_shapes.hpp"
+#include "breccia/study/limits.hpp"
 
 namespace breccia {
 namespace {
@@ -44,6 +46,8 @@ PolygonalOutline read_polygon(const std::filesystem::path& file) {
     mistakes.add(corner < table.rows() ? table.place(corner) : "", text);
   }
   mistakes.refuse();
+  for (const auto& mistake : mistakes_of_shape({outline, {}})) mistakes.add("", mistake);
+  mistakes.refuse();
   return outline;
 }
 
@@ -52,7 +56,7 @@ std::optional<FillerShape> read_outline(const Section& shape) {
   const auto key = shape.exactly_one({"aspect", "polygon"});
   const auto angle = shape.optional_quantity("angle", Dimension::angle);
   if (key == "aspect") {
-    const double aspect = shape.number("aspect", Range::positive());
+    const double aspect = shape.number("aspect", allowed::aspect);
     if (aspect == 1.0) return std::nullopt;
     return FillerShape{EllipticOutline{aspect}, angle};
   }

@@ -1,6 +1,7 @@
 #include "breccia/films/film_moduli.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -13,9 +14,9 @@ namespace breccia {
 std::vector<std::vector<double>> film_moduli(const FilmProblem& problem, std::span<const Moduli> binders,
                                              std::span<const Load> loads) {
   for (const auto& [bulk, shear] : binders) {
-    if (bulk > 0.0 && shear > 0.0) continue;
-    throw InputError(
-        fmt::format("films: the moduli of the binder must be positive, got K = {} Pa and G = {} Pa", bulk, shear));
+    if (bulk > 0.0 && shear > 0.0 && std::isfinite(bulk) && std::isfinite(shear)) continue;
+    throw InputError(fmt::format(
+        "films: the moduli of the binder must be positive and finite, got K = {} Pa and G = {} Pa", bulk, shear));
   }
   const films::FilmComposite composite(problem);
   films::FilmSolver solver(composite);

@@ -14,6 +14,7 @@ namespace breccia {
 
 RandomSequentialRequest sequential_request(const Stage& stage, const RandomSequentialPacking& method,
                                            const DrawnParticles& drawn) {
+  const double smallest_gap = std::ranges::min(stage.fillers, {}, &Filler::gap).gap;
   RandomSequentialRequest request = {.side = stage.side, .walls = method.walls, .particles = {}, .seed = method.seed};
   for (std::size_t particle = 0; particle < drawn.diameters.size(); ++particle) {
     const auto& filler = stage.fillers[drawn.fillers[particle]];
@@ -21,7 +22,7 @@ RandomSequentialRequest sequential_request(const Stage& stage, const RandomSeque
     request.particles.push_back({.shape = shape_of(filler, drawn.diameters[particle]),
                                  .angle = filler.shape ? filler.shape->angle : std::nullopt,
                                  .shell = coating + 0.5 * filler.gap,
-                                 .wall_distance = coating + filler.gap});
+                                 .wall_distance = coating + 0.5 * (filler.gap + smallest_gap)});
   }
   return request;
 }
@@ -41,15 +42,19 @@ std::string message_on(const Stage& stage, const RandomSequentialRequest& reques
   const auto size = [](const ParticleToPlace& particle) { return equivalent_diameter(particle.shape); };
   const double largest = size(std::ranges::max(request.particles, {}, size));
   if (error.obstacle() == PackingObstacle::size) {
-    return fmt::format("a particle that keeps a gap of {} does not fit into a box of {}; expected smaller particles",
-                       gaps_in_words(stage), display(stage.side, "m"));
+    const auto length = [](const ParticleToPlace& particle) { return 2.0 * circumradius(particle.shape); };
+    const double longest = length(std::ranges::max(request.particles, {}, length));
+    return fmt::format(
+        "a particle {} long that keeps a gap of {} does not fit into a box of {}; expected smaller particles",
+        display(longest, "m"), gaps_in_words(stage), display(stage.side, "m"));
   }
   const double smallest = size(std::ranges::min(request.particles, {}, size));
   const auto sizes = smallest == largest ? display(largest, "m")
                                          : fmt::format("{} to {}", display(smallest, "m"), display(largest, "m"));
   const auto asked = fraction_asked_of(stage);
   return fmt::format(
-      "{} particles of {} (diameters of discs of equal area){} with a gap of {} jam: with half of the gap around each "
+      "{} particles of {} (diameters of discs of equal area){} with a gap of {} jam: with their coatings and half of "
+      "the gap around each "
       "they are stuck at {:.1f} % of the box; expected a smaller fraction or gap, or a wider range of sizes",
       request.particles.size(), sizes, asked ? fmt::format(" at a fraction of {:.6g}", *asked) : "",
       gaps_in_words(stage), 100.0 * error.attainable_fraction());

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/io/units.hpp"
+#include "breccia/study/limits.hpp"
 
 namespace breccia {
 namespace {
@@ -25,16 +27,29 @@ struct ShapeOf {
   }
 };
 
+/// Long polygons pack as badly as long ellipses. The ratio is the aspect where the outline is an ellipse.
+std::vector<std::string> mistakes_of_length(const std::vector<Vector<2>>& corners) {
+  const ConvexPolygon polygon(corners);
+  const double ratio = std::numbers::pi * circumradius(polygon) * circumradius(polygon) / area(polygon);
+  if (ratio <= allowed::aspect.upper) return {};
+  return {
+      fmt::format("the disc around the polygon has {:.3g} times its area, expected at most {:g}; are its x and y in "
+                  "one unit?",
+                  ratio, allowed::aspect.upper)};
+}
+
 struct MistakesOf {
   std::vector<std::string> operator()(const EllipticOutline& outline) const {
-    if (outline.aspect > 0.0 && std::isfinite(outline.aspect)) return {};
-    return {fmt::format("expected an aspect above 0, got {:g}", outline.aspect)};
+    if (accepts(allowed::aspect, outline.aspect)) return {};
+    return {fmt::format("expected an aspect from {} to {}, got {:g}", allowed::aspect.lower, allowed::aspect.upper,
+                        outline.aspect)};
   }
   std::vector<std::string> operator()(const PolygonalOutline& outline) const {
     std::vector<std::string> mistakes;
     for (const auto& [corner, text] : corner_mistakes(outline.corners)) {
       mistakes.push_back(fmt::format("corner {} of the polygon: {}", corner + 1, text));
     }
+    if (mistakes.empty()) mistakes = mistakes_of_length(outline.corners);
     return mistakes;
   }
 };

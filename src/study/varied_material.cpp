@@ -45,6 +45,11 @@ std::vector<std::string> mistakes_of_interval(const ModulusInterval& interval, c
     return {fmt::format("expected two rising positive {} moduli, got {} and {}", name, pascals(interval.least),
                         pascals(interval.most))};
   }
+  constexpr double most_decades = 6.0;
+  if (std::log10(interval.most / interval.least) > most_decades) {
+    return {fmt::format("expected {} moduli at most {:g} decades apart, got {} and {}", name, most_decades,
+                        pascals(interval.least), pascals(interval.most))};
+  }
   const double own = modulus.equilibrium();
   if (own >= interval.least && own <= interval.most) return {};
   return {fmt::format("the {} modulus of the material, {}, is not among {} to {}", name, pascals(own),

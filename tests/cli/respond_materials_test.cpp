@@ -171,6 +171,9 @@ TEST_F(RespondWithMaterials, AFileWhoseNameHasAnEqualsSignIsTheMatrix) {
   const auto answer = respond({"--material", "a=b.toml"});
   ASSERT_EQ(answer.exit_code, 0) << answer.errors;
   EXPECT_THAT(answer.output, HasSubstr("with a=b as matrix"));
+  const auto empty = respond({"--material", "interphase="});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.errors, HasSubstr("expected FILE.toml or NAME=FILE.toml, got \"interphase=\""));
 }
 
 TEST(CheckOfVariedMaterials, TellsWhatIsSampledAndCountsItsTime) {

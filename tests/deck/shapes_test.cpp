@@ -77,8 +77,9 @@ TEST_F(DeckShapes, Polygons) {
 
 TEST_F(DeckShapes, MistakesInShapes) {
   EXPECT_THAT(mistakes_of_shape("{ aspect = 0 }"),
-              HasSubstr("a.filler.shape.aspect: expected a positive number, got 0"));
+              HasSubstr("a.filler.shape.aspect: expected a number from 0.05 to 20, got 0"));
   EXPECT_THAT(mistakes_of_shape("{ aspect = -1.5 }"), HasSubstr("got -1.5"));
+  EXPECT_THAT(mistakes_of_shape("{ aspect = 30 }"), HasSubstr("expected a number from 0.05 to 20, got 30"));
   EXPECT_THAT(mistakes_of_shape("{ aspect = \"long\" }"), HasSubstr("a.filler.shape.aspect: "));
   EXPECT_THAT(mistakes_of_shape("{ }"), HasSubstr("expected exactly one of aspect, polygon"));
   directory.write("grain.csv", "x_mm,y_mm\n0,0\n2,0\n2,1\n0,1\n");

@@ -315,7 +315,8 @@ TEST_F(DeckStages, AListOfDiscsTellsTheirFillers) {
   EXPECT_THAT(mistakes(lines), AllOf(HasSubstr("discs.csv:3: expected the number of a filler, 0 to 1"),
                                      HasSubstr("discs.csv:4: expected the number of a filler, 0 to 1")));
   directory.write("discs.csv", "x_mm,y_mm,diameter_mm\n1,1,1\n3,3,1\n");
-  EXPECT_THAT(mistakes(lines), HasSubstr("expected a column called filler with the number of the filler of each disc"));
+  EXPECT_THAT(mistakes(lines),
+              HasSubstr("expected a column called filler with the number of the filler of each particle"));
 }
 
 TEST_F(DeckStages, CoatingsOfListedDiscsMustNotOverlap) {

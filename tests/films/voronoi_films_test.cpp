@@ -54,7 +54,7 @@ TEST(VoronoiFilms, ConvergeToWithinTwoThirdsOfAPerCent) {
 }
 
 // Moduli along the axes [MPa] for a binder of 0.7 MPa, found before with four layers across every film.
-TEST(VoronoiFilms, OfOtherThicknessesErrByTheSquareOfTheThickness) {
+TEST(VoronoiFilms, OfOtherThicknessesErrMoreTheThickerTheFilms) {
   struct Case {
     double thickness, modulus, tolerance;
   };

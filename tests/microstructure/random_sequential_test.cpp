@@ -96,6 +96,9 @@ TEST(RandomSequential, RefusesWhatCannotBePlaced) {
   auto wide = ellipses(1, 0.5, 4.0, 0.0, Walls::hard);
   wide.particles.front().angle = 0.0;
   expect_error<PackingError>([&] { RandomSequentialRun{wide}; }, "does not fit");
+  // A particle that is longer than a periodic box would overlap its own images.
+  expect_error<PackingError>([&] { RandomSequentialRun{ellipses(1, 0.1257, 9.0, 0.0, Walls::periodic)}; },
+                             "does not fit");
   auto no_side = ellipses(3, 0.5, 1.5, 0.0, Walls::hard);
   no_side.side = 0.0;
   expect_error<InputError>([&] { RandomSequentialRun{no_side}; }, "side of the box");

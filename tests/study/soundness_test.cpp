@@ -236,7 +236,7 @@ TEST(RequireSound, NamesEachMistakeOfShapes) {
   const auto with_outline = [](auto outline) {
     return [outline](Study& study) { filler_of(study).shape->outline = outline; };
   };
-  expect_each({{with_outline(EllipticOutline{0.0}), "fine, filler: expected an aspect above 0, got 0"},
+  expect_each({{with_outline(EllipticOutline{0.0}), "fine, filler: expected an aspect from 0.05 to 20, got 0"},
                {with_outline(PolygonalOutline{"", {{0.0, 0.0}, {1.0, 0.0}}}), "three corners or more"},
                {[](Study& study) { filler_of(study).shape->angle = std::nan(""); }, "expected a finite angle"},
                {[](Study& study) { study.stages[0].packing = LubachevskyStillingerPacking{}; },

@@ -11,7 +11,7 @@ namespace breccia {
 /// The shape of a particle of a filler with this diameter of equal area [m]: that of the filler, or a circle.
 Shape shape_of(const Filler& filler, double diameter);
 
-/// What is wrong with the shape of a filler, one line for each mistake: an aspect that is not positive, corners that
+/// What is wrong with the shape of a filler, one line for each mistake: an aspect beyond its limits, corners that
 /// are not those of a convex polygon, an angle that is not finite.
 std::vector<std::string> mistakes_of_shape(const FillerShape& shape);
 

@@ -14,12 +14,12 @@ struct FilmStretch {
   double thickness;
 };
 
-/// What a stretch of film adds to the matrices (theory, Eqs. 60 and 61). Its unknowns are the displacements of six
-/// nodes, two components each: begin, middle and end of the first side, then of the second; then the flow at its begin
-/// and at its end. Its pressures are those at begin, middle and end.
 /// The resistance of the bend at an end of a film, as a length of film in units of the thickness (theory, Eq. 63).
 inline constexpr double end_length = 0.23;
 
+/// What a stretch of film adds to the matrices (theory, Eqs. 60 and 61). Its unknowns are the displacements of six
+/// nodes, two components each: begin, middle and end of the first side, then of the second; then the flow at its begin
+/// and at its end. Its pressures are those at begin, middle and end.
 struct FilmElement {
   static constexpr int displacements = 12, flows = 2, pressures = 3, unknowns = displacements + flows;
 

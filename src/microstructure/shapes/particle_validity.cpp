@@ -50,7 +50,8 @@ std::vector<std::string> mistakes_of_particles(const ParticleBox& box) {
     } else if (box.walls == Walls::hard && room(box, number) < -roundoff * box.side) {
       mistakes.push_back(fmt::format("{}: crosses a wall by {:.3g} m", name(box, number), -room(box, number)));
     } else if (box.walls == Walls::periodic &&
-               gap_to_own_images(particle, box.side) - 2.0 * box.coating_of(number) < -roundoff * box.side) {
+               (gap_to_own_images(particle, box.side) - 2.0 * box.coating_of(number) < -roundoff * box.side ||
+                circumradius(particle.shape) + box.coating_of(number) > box.side)) {
       mistakes.push_back(fmt::format("{}: overlaps its own periodic image", name(box, number)));
     }
   }

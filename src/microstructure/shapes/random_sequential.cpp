@@ -39,18 +39,19 @@ void require_meaning(const RandomSequentialRequest& request) {
   }
 }
 
-/// Room that a particle has in the box in this orientation [m]; negative where it does not fit.
+/// Room that a particle has between the walls in this orientation [m]; negative where it does not fit.
 double room(const RandomSequentialRequest& request, const ParticleToPlace& particle, double angle) {
   const Pose pose({0.0, 0.0}, angle);
-  if (request.walls == Walls::periodic) {
-    return gap_to_own_images({particle.shape, pose}, request.side) - 2.0 * particle.shell;
-  }
   const auto reach = extent(particle.shape, pose);
   const double width = std::max(reach[0][0] + reach[0][1], reach[1][0] + reach[1][1]);
   return request.side - width - 2.0 * particle.wall_distance;
 }
 
+/// In a periodic box a particle is no longer than the box, so that it never meets its own images.
 bool fits(const RandomSequentialRequest& request, const ParticleToPlace& particle) {
+  if (request.walls == Walls::periodic) {
+    return 2.0 * (circumradius(particle.shape) + particle.shell) < request.side;
+  }
   if (particle.angle) return room(request, particle, *particle.angle) > 0.0;
   constexpr int angles = 180;
   for (int step = 0; step < angles; ++step) {
