@@ -20,6 +20,7 @@
 #include "breccia/io/display.hpp"
 #include "breccia/io/percentage.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/test_rules.hpp"
 
 #include "command.hpp"
 #include "filler_summary.hpp"
@@ -110,8 +111,24 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
   return plan;
 }
 
+/// The plan of a test of grains and films; an empirical formula for a core of the year 2020.
+Plan film_plan(const Study& study, const Stage& stage, const StageMicrostructure& packed, Boundary boundary) {
+  const double unknowns = film_unknowns(study.tests, packed.particles());
+  const double bytes = film_memory(unknowns);
+  constexpr double hundred_thousand = 1e5;
+  const double solution = 1.2e-5 * unknowns * std::pow(std::max(1.0, unknowns / hundred_thousand), 0.3);
+  const double seconds = expected_snapshots(study.tests, stage) * solution;
+  return {fmt::format("  {} {}, quasi-static: {} grains and films, {:.0f} unknowns, about {}, some {}\n", stage.name,
+                      bound_of(boundary), packed.particles(), unknowns, memory(bytes), display_duration(seconds, 1)),
+          seconds, bytes};
+}
+
 Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   Plan plan;
+  if (model_of(study.tests, stage) == Model::films) {
+    for (const auto boundary : study.tests.boundaries) plan.add(film_plan(study, stage, packed, boundary));
+    return plan;
+  }
   for (const int cells : stage.grids()) {
     for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells));
   }
@@ -157,7 +174,8 @@ void print_plan(const Study& study, const std::vector<double>& errors) {
     const auto packed = make_microstructure(stage);
     fillers.push_back(packed.fillers);
     const auto plan = plan_of(study, stage, packed);
-    fmt::print("{}{}", plan.text, grid_advice(stage, packed, study.tests.mixing, errors));
+    const bool has_grid = model_of(study.tests, stage) == Model::cells;
+    fmt::print("{}{}", plan.text, has_grid ? grid_advice(stage, packed, study.tests.mixing, errors) : "");
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
     all.add(plan);
   }

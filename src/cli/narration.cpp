@@ -25,13 +25,14 @@ std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& p
 
 std::string describe(const Stage& stage, const StageResult& result) {
   const auto& packed = result.microstructure;
-  auto text = fmt::format("{}: {} fill {:.2f} % of the box ({:.2f} % of {} points)", stage.name,
-                          inclusions_in_words(stage, packed), 100.0 * packed.fraction, 100.0 * result.point_fraction,
-                          result.points);
+  const bool has_points = result.points > 0;
+  auto text = fmt::format("{}: {} fill {:.2f} % of the box", stage.name, inclusions_in_words(stage, packed),
+                          100.0 * packed.fraction);
+  if (has_points) text += fmt::format(" ({:.2f} % of {} points)", 100.0 * result.point_fraction, result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
   if (packed.grains) {
-    text += fmt::format(", films of {} ({:.2g} cells)", readable(packed.grains->film, Dimension::length),
-                        packed.grains->film / stage.cell_size());
+    text += fmt::format(", films of {}", readable(packed.grains->film, Dimension::length));
+    if (has_points) text += fmt::format(" ({:.2g} cells)", packed.grains->film / stage.cell_size());
   }
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
@@ -71,8 +72,8 @@ std::string describe(const Stage& stage, const TestResult& test) {
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {} cells, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.id.load),
-                     bound_of(test.id.boundary), name_of(test.id.grid), how, seconds, describe_error(response));
+  return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.id.load),
+                     bound_of(test.id.boundary), words_of(test.id.grid), how, seconds, describe_error(response));
 }
 
 }  // namespace

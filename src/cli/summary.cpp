@@ -11,6 +11,7 @@
 #include "breccia/io/units.hpp"
 #include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/gap.hpp"
+#include "breccia/study/test_rules.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 
 #include "quantities.hpp"
@@ -130,16 +131,22 @@ std::string describe_fillers(const Stage& stage) {
   return text;
 }
 
-std::string describe(const Stage& stage) {
+/// The grid of a stage, or of the labels of grains that are computed with films.
+std::string describe_grid(const Stage& stage, Model model) {
+  if (model == Model::films) {
+    return fmt::format("    model    grains and films; {} x {} cells for labels alone\n", stage.cells, stage.cells);
+  }
   const auto points = 4LL * stage.cells * stage.cells;
   const auto grids = stage.coarser_cells.empty() ? ""
                                                  : fmt::format("             and one of {} cells per side\n",
                                                                fmt::join(stage.coarser_cells, " and "));
-  auto text = fmt::format(
-      "  {}\n    matrix   {}\n    box      {}\n    grid     {} x {} cells of {}, {} material points\n", stage.name,
-      name_of(stage.matrix), length(stage.side), stage.cells, stage.cells, length(stage.cell_size()), points);
-  text += grids;
-  return text + describe_fillers(stage);
+  return fmt::format("    grid     {} x {} cells of {}, {} material points\n{}", stage.cells, stage.cells,
+                     length(stage.cell_size()), points, grids);
+}
+
+std::string describe(const Stage& stage, Model model) {
+  return fmt::format("  {}\n    matrix   {}\n    box      {}\n{}{}", stage.name, name_of(stage.matrix),
+                     length(stage.side), describe_grid(stage, model), describe_fillers(stage));
 }
 
 std::string describe(const DynamicOptions& options) {
@@ -193,6 +200,9 @@ std::string describe(const Tests& tests) {
     for (const double at : tests.field_times) times.push_back(time(at));
     text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
   }
+  if (tests.model == Model::films) {
+    text += fmt::format("    films    elements along the faces up to {:.4g} of a grain\n", tests.films.face_share);
+  }
   text += describe(tests.mixing);
   for (const auto method : tests.methods) {
     text += method == Method::dynamic ? describe(tests.dynamic) : describe(tests.quasistatic, tests.varied);
@@ -207,7 +217,7 @@ std::string summary(const Study& study) {
                           study.provenance.hash);
   for (const auto& material : study.materials) text += describe(material, study.tests);
   text += "\nstages\n";
-  for (const auto& stage : study.stages) text += describe(stage);
+  for (const auto& stage : study.stages) text += describe(stage, model_of(study.tests, stage));
   return text + "\ntests\n" + describe(study.tests);
 }
 

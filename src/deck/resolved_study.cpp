@@ -27,8 +27,9 @@ Study resolve(const Deck& document) {
   auto [materials, temperature_shifts] = read_materials(root);
   study.materials = std::move(materials);
   study.temperature_shifts = std::move(temperature_shifts);
-  study.stages = read_stages(root, study.materials);
-  study.tests = read_tests(root, study.stages);
+  const auto model = read_model(root);
+  study.stages = read_stages(root, study.materials, model);
+  study.tests = read_tests(root, study.stages, model);
   study.measurements = read_measurements(root, study.stages, study.tests);
   for (const auto& mistake : contradictions(study)) root.report("tests", mistake);
   study.provenance.inputs = document.files();

@@ -75,6 +75,17 @@ int read_cells(const Section& section, double side) {
   return static_cast<int>(cells);
 }
 
+/// Whether a stage is one of grains that are computed with films, which need no cells.
+bool needs_no_cells(const Section& section, Model model) {
+  if (model != Model::films) return false;
+  const auto packing = section.optional_section("packing");
+  return packing && packing->has("method") && packing->kind("method") == Kind::text &&
+         packing->text("method") == "laguerre";
+}
+
+/// Cells per side of the labels of grains that are computed with films.
+constexpr int cells_of_labels = 512;
+
 /// A warning about a gap in material points together with several grids: the gap, and so the material, depends on the
 /// finest grid.
 std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
@@ -89,7 +100,7 @@ std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
 
 }  // namespace
 
-std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials) {
+std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model) {
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
     Stage stage;
@@ -108,6 +119,8 @@ std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>&
       stage.coarser_cells.pop_back();
     } else if (is_image && !section.has("cells") && !section.has("resolution")) {
       stage.cells = cells_of_points(section, stage);
+    } else if (!section.has("cells") && !section.has("resolution") && needs_no_cells(section, model)) {
+      stage.cells = cells_of_labels;
     } else {
       stage.cells = read_cells(section, stage.side);
     }

@@ -4,10 +4,11 @@
 
 #include "breccia/io/deck.hpp"
 #include "breccia/study/stage.hpp"
+#include "breccia/study/tests.hpp"
 
 namespace breccia {
 
-/// Reads [[stages]]; their materials must be among the given ones.
-std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials);
+/// Reads [[stages]]; their materials must be among the given ones. Grains that are computed with films need no cells.
+std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model);
 
 }  // namespace breccia

@@ -115,9 +115,24 @@ std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
 
 }  // namespace
 
-Tests read_tests(const Section& deck, const std::vector<Stage>& stages) {
+Model read_model(const Section& deck) {
+  const auto section = deck.optional_section("tests");
+  if (!section || !section->has("model")) return Model::cells;
+  return section->choice<Model>("model").value_or(Model::cells);
+}
+
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model) {
   const auto section = deck.section("tests");
   Tests tests;
+  tests.model = model;
+  if (model == Model::films) {
+    if (const auto films = section.optional_section("films")) {
+      tests.films.face_share =
+          films->optional_number("face_share", allowed::face_share).value_or(tests.films.face_share);
+    }
+  } else {
+    section.refuse({"films"}, R"(it belongs to model = "films")");
+  }
   tests.boundaries = default_boundaries(stages);
   if (section.has("loads")) {
     tests.loads = section.list_of_choices<Load>("loads");

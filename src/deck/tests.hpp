@@ -8,7 +8,10 @@
 
 namespace breccia {
 
-/// Reads [tests]; the stages have been read before.
-Tests read_tests(const Section& deck, const std::vector<Stage>& stages);
+/// Reads tests.model.
+Model read_model(const Section& deck);
+
+/// Reads the rest of [tests]; the stages have been read before.
+Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model model);
 
 }  // namespace breccia

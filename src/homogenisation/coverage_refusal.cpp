@@ -82,7 +82,7 @@ namespace {
 void require_joint_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
   constexpr double most = 0.01;
   double largest = 0.0;
-  for (const auto& [cells, response] : stored.entries) {
+  for (const auto& [grid, response] : stored.entries) {
     if (response.phases().size() < 2) continue;
     largest =
         std::max(largest, largest_error(response, materials_for(stored, response, matrix(response.boundary)), window));
@@ -100,7 +100,7 @@ void require_joint_coverage(const StoredResponses& stored, const MatrixUnder& ma
 void require_coverage(const StoredResponses& stored, const MatrixUnder& matrix, const TimeWindow& window) {
   std::vector<std::string> lines;
   std::optional<TimeWindow> covered = window;
-  for (const auto& [cells, response] : stored.entries) {
+  for (const auto& [grid, response] : stored.entries) {
     const auto materials = materials_for(stored, response, matrix(response.boundary));
     const auto found = coverage(response, materials, window);
     if (found.is_whole()) continue;

@@ -38,9 +38,26 @@ SizesByArea sizes_by_area(const std::vector<GrainGeometry<2>>& grains, double Gr
   return {diameter_below(areas, 0.1), diameter_below(areas, 0.5)};
 }
 
+/// Length of the films shorter than five times their thickness over that of all films. The faces of the cells are in
+/// the middle of the films.
+double share_of_short_films(const Tessellation<2>& tessellation, double film) {
+  double all = 0.0, in_short_films = 0.0;
+  for (std::size_t site = 0; site < tessellation.size(); ++site) {
+    const auto& cell = tessellation.cell(site);
+    const auto lengths = face_measures(cell);
+    for (std::size_t face = 0; face < lengths.size(); ++face) {
+      if (!Tessellation<2>::neighbour(cell.half_spaces()[face])) continue;
+      all += lengths[face];
+      if (lengths[face] < 5.0 * film) in_short_films += lengths[face];
+    }
+  }
+  return all > 0.0 ? in_short_films / all : 0.0;
+}
+
 void measure_grains(StageMicrostructure& result) {
-  auto& [sites, film, count, cell_sizes, grain_sizes] = *result.grains;
+  auto& [sites, film, count, cell_sizes, grain_sizes, short_films] = *result.grains;
   const Tessellation<2> tessellation(sites);
+  short_films = share_of_short_films(tessellation, film);
   auto grains = grain_geometries(tessellation, film);
   cell_sizes = sizes_by_area(grains, &GrainGeometry<2>::cell_volume);
   std::erase_if(grains, [](const GrainGeometry<2>& grain) { return !(grain.grain_volume > 0.0); });

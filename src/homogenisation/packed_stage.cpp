@@ -5,6 +5,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/study/test_rules.hpp"
 
 namespace breccia {
 
@@ -14,6 +15,10 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   result.cells = stage.cells;
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
+  if (model_of(study.tests, stage) == Model::films) {
+    result.point_fraction = result.microstructure.fraction;
+    return result;
+  }
   const auto discretisation = discretise(stage, result.microstructure, stage.cells, study.tests.mixing);
   result.points = discretisation.points();
   const auto phases = phases_of(stage);

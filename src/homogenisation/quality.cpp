@@ -92,6 +92,7 @@ std::string words_on_bounds(const StageQuality& quality) {
 }
 
 std::string words_on_grid(const StageQuality& quality) {
+  if (quality.grids.empty()) return "films: error of the mesh unknown (--set tests.films.face_share=0.15 halves it)";
   if (quality.grid_share) return fmt::format("grid: error up to {}", words_of(*quality.grid_share));
   if (quality.grids.size() > 1) return "grid: error unknown until every grid is tested";
   const int cells = quality.grids.back();
@@ -182,6 +183,11 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
   quality.has_films_along_walls = packed.grains && packed.grains->sites.walls == Walls::hard;
+  const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
+  if (is_of_films) {
+    quality.grids.clear();
+    quality.gap_cells = std::numeric_limits<double>::infinity();
+  }
   if (const auto thickness = thinnest_coating(stage)) quality.coating_cells = *thickness / stage.cell_size();
   return quality;
 }

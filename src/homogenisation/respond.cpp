@@ -1,6 +1,8 @@
 #include "breccia/homogenisation/respond.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -31,7 +33,7 @@ TestResult test_of(const StoredResponses::Entry& entry, const std::vector<Materi
   record.response.error_estimate = largest_error(response, materials, window);
   record.response.reduced = response;
   const auto compliance = creep_compliance(response, materials);
-  TestResult test{.id = {response.load, response.boundary, Method::quasistatic, TestGrid(entry.cells)}};
+  TestResult test{.id = {response.load, response.boundary, Method::quasistatic, entry.grid}};
   test.series = relaxation_modulus(compliance);
   for (const double time : logarithmic_times(window, points_per_decade)) {
     test.modulus.push_back({time, test.series.at(time)});
@@ -47,14 +49,14 @@ Stage stage_of(const StoredResponses& stored) {
   stage.name = stored.stage;
   stage.matrix = stored.matrix;
   stage.side = stored.side;
-  for (const auto& entry : stored.entries) stage.cells = std::max(stage.cells, entry.cells);
-  auto& coarser = stage.coarser_cells;
+  std::set<int> grids;  // none with films
   for (const auto& entry : stored.entries) {
-    if (entry.cells != stage.cells && std::ranges::find(coarser, entry.cells) == coarser.end()) {
-      coarser.push_back(entry.cells);
-    }
+    if (const auto cells = entry.grid.cells()) grids.insert(*cells);
   }
-  std::ranges::sort(coarser);
+  if (!grids.empty()) {
+    stage.cells = *grids.rbegin();
+    stage.coarser_cells.assign(grids.begin(), std::prev(grids.end()));
+  }
   stage.fillers.emplace_back().material.density = stored.filler_density;
   return stage;
 }
@@ -218,9 +220,8 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
                                .entries = {}};
   for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);
-    const auto cells = test.id.grid.cells();
-    if (record == nullptr || !record->response.reduced || !cells) continue;
-    responses.entries.push_back({*cells, *record->response.reduced});
+    if (record == nullptr || !record->response.reduced) continue;
+    responses.entries.push_back({test.id.grid, *record->response.reduced});
   }
   return responses;
 }

@@ -13,6 +13,7 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_materials.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/test_rules.hpp"
 
 #include "comparison.hpp"
 #include "stage_extrapolation.hpp"
@@ -30,12 +31,11 @@ class StageSolution {
       : study_(study), stage_(stage), observer_(observer), sink_(sink), result_(result), done_(result.stages.back()) {}
 
   void run(int threads) {
-    for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_, discretise(stage_, done_.microstructure, cells, study_.tests.mixing),
-                           threads};
-      for (const auto boundary : study_.tests.boundaries) {
-        for (const auto method : study_.tests.methods) run(grid, boundary, method);
-      }
+    if (model_of(study_.tests, stage_) == Model::films) {
+      const StageFilms films{&study_, &stage_, &done_.microstructure.grains.value(), threads};
+      for (const auto boundary : study_.tests.boundaries) run(films, boundary);
+    } else {
+      run_on_grids(threads);
     }
     for (auto& test : extrapolate_tests(stage_, done_.tests, study_.tests.mixing)) add(std::move(test));
     for (const auto& warning : warnings_on_bounds(quality_of(stage_, done_))) {
@@ -47,19 +47,37 @@ class StageSolution {
   }
 
  private:
+  void run_on_grids(int threads) {
+    for (const int cells : stage_.grids()) {
+      const StageGrid grid{&study_, &stage_, discretise(stage_, done_.microstructure, cells, study_.tests.mixing),
+                           threads};
+      for (const auto boundary : study_.tests.boundaries) {
+        for (const auto method : study_.tests.methods) run(grid, boundary, method);
+      }
+    }
+  }
+
   void run(const StageGrid& grid, Boundary boundary, Method method) {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
       auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
-      for (auto& test : run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_)) {
-        add(std::move(test));
-      }
-      sink_.all_loads_tested(stage_, result_);
+      add_all_loads(run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_));
       return;
     }
     for (const auto load : loads_of(study_, stage_)) {
       add(run_dynamic(grid, matrix, boundary, load, observer_, sink_));
     }
+  }
+
+  void run(const StageFilms& films, Boundary boundary) {
+    const auto& matrix = matrix_of(stage_, result_.stages, boundary, Method::quasistatic);
+    auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
+    add_all_loads(run_films(films, matrix, std::move(moduli), boundary, observer_, sink_));
+  }
+
+  void add_all_loads(std::vector<TestResult> tests) {
+    for (auto& test : tests) add(std::move(test));
+    sink_.all_loads_tested(stage_, result_);
   }
 
   void add(TestResult test) {

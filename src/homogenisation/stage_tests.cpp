@@ -1,5 +1,6 @@
 #include "stage_tests.hpp"
 
+#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
@@ -43,6 +44,59 @@ void hand_over_fields(const StageGrid& grid, Result& found, Checkpoint* checkpoi
   });
 }
 
+/// Runs a quasi-static test of all loads, with its checkpoint, and makes results of it.
+class QuasistaticRun {
+ public:
+  QuasistaticRun(const Stage& stage, const QuasistaticTest& test, TestGrid grid, const StudyObserver& observer,
+                 StudySink& sink) {
+    const TestId first{test.loads.front(), test.boundary, Method::quasistatic, grid};
+    checkpoint_ = sink.test_checkpoint(stage, first);
+    found_ = name_errors(fmt::format("{} {}", stage.name, calculation_of(first)), [&] {
+      // The first elastic solution may take long.
+      if (observer.progress) observer.progress(stage, first, 0.0, "begun");
+      return run_quasistatic_test(
+          test,
+          [&](const std::string& details, double share) {
+            if (observer.progress) observer.progress(stage, first, share, details);
+          },
+          checkpoint_.get());
+    });
+    for (const auto& response : found_.responses) {
+      results_.push_back({.id = {response.load, test.boundary, Method::quasistatic, grid}});
+    }
+  }
+
+  [[nodiscard]] QuasistaticTestResult& found() noexcept { return found_; }
+  [[nodiscard]] Checkpoint* checkpoint() const noexcept { return checkpoint_.get(); }
+  [[nodiscard]] TestResult& first_result() noexcept { return results_.front(); }
+
+  /// Leaves the state of the finished test, which has no fields.
+  void finish_without_fields() {
+    if (checkpoint_ == nullptr || checkpoint_->is_finished()) return;
+    checkpoint_->finish([&](StateWriter& state) {
+      save_result(state, found_);
+      save_field_times(state, {});
+    });
+  }
+
+  /// The results by load. Call it once.
+  [[nodiscard]] std::vector<TestResult> take_results() {
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+      auto& response = found_.responses[i];
+      results_[i].modulus = std::exchange(response.modulus, {});
+      results_[i].compliance = std::exchange(response.compliance, {});
+      results_[i].series = response.series;
+      results_[i].record = QuasistaticRecord{std::move(response), found_.effort, found_.seconds};
+    }
+    return std::move(results_);
+  }
+
+ private:
+  std::unique_ptr<Checkpoint> checkpoint_;
+  QuasistaticTestResult found_;
+  std::vector<TestResult> results_;
+};
+
 }  // namespace
 
 PronySeries fitted(const Curve& curve) {
@@ -57,34 +111,21 @@ PronySeries fitted(const Curve& curve) {
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink) {
-  const auto& stage = *grid.stage;
-  const TestId first{loads_of(*grid.study, stage).front(), boundary, Method::quasistatic, grid_of(grid)};
-  const auto checkpoint = sink.test_checkpoint(stage, first);
-  auto test = make_quasistatic_test(*grid.study, stage, matrix, grid.discretisation, boundary, grid.threads);
+  auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.discretisation, boundary, grid.threads);
   test.relaxation = std::move(relaxation);
-  auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(first)), [&] {
-    // The first elastic solution may take long.
-    if (observer.progress) observer.progress(stage, first, 0.0, "begun");
-    return run_quasistatic_test(
-        test,
-        [&](const std::string& details, double share) {
-          if (observer.progress) observer.progress(stage, first, share, details);
-        },
-        checkpoint.get());
-  });
-  std::vector<TestResult> results;
-  for (const auto& response : found.responses) {
-    results.push_back({.id = {response.load, boundary, Method::quasistatic, grid_of(grid)}});
-  }
-  hand_over_fields(grid, found, checkpoint.get(), sink, results.front());
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    auto& response = found.responses[i];
-    results[i].modulus = std::exchange(response.modulus, {});
-    results[i].compliance = std::exchange(response.compliance, {});
-    results[i].series = response.series;
-    results[i].record = QuasistaticRecord{std::move(response), found.effort, found.seconds};
-  }
-  return results;
+  QuasistaticRun run(*grid.stage, test, grid_of(grid), observer, sink);
+  hand_over_fields(grid, run.found(), run.checkpoint(), sink, run.first_result());
+  return run.take_results();
+}
+
+std::vector<TestResult> run_films(const StageFilms& films, const Material& matrix,
+                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
+                                  const StudyObserver& observer, StudySink& sink) {
+  auto test = make_film_test(*films.study, *films.stage, matrix, *films.grains, boundary, films.threads);
+  test.relaxation = std::move(relaxation);
+  QuasistaticRun run(*films.stage, test, TestGrid::films(), observer, sink);
+  run.finish_without_fields();
+  return run.take_results();
 }
 
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,

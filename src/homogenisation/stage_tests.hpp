@@ -19,11 +19,24 @@ struct StageGrid {
   int threads = 0;  ///< 0: all cores
 };
 
+/// Grains and films, ready to be tested.
+struct StageFilms {
+  const Study* study = nullptr;
+  const Stage* stage = nullptr;
+  const StageGrains* grains = nullptr;
+  int threads = 0;  ///< 0: all cores
+};
+
 /// Runs all loads under one boundary by the quasi-static method, with a matrix and its moduli [Pa] over its whole
 /// relaxation.
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                         const StudyObserver& observer, StudySink& sink);
+
+/// The same by the model of grains and films.
+std::vector<TestResult> run_films(const StageFilms& films, const Material& matrix,
+                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
+                                  const StudyObserver& observer, StudySink& sink);
 
 /// Runs one load under one boundary by the dynamic method.
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,

@@ -1,6 +1,8 @@
 #include "breccia/homogenisation/test_requests.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
@@ -54,6 +56,26 @@ std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::ve
   return variants;
 }
 
+QuasistaticTest test_without_fields(const Study& study, const Stage& stage, const Material& matrix,
+                                    std::variant<Discretisation<2>, FilmProblem> composite, Boundary boundary,
+                                    int threads) {
+  auto options = study.tests.quasistatic;
+  options.linear.threads = threads;
+  // Over every further modulus the basis takes up to three times as many snapshots.
+  options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
+  const auto materials = materials_of(stage, matrix);
+  const auto varying = varying_phases(study.tests, stage);
+  return {.composite = std::move(composite),
+          .materials = materials,
+          .varying = varying,
+          .variants = variants_of(study.tests, varying, materials),
+          .boundary = boundary,
+          .loads = loads_of(study, stage),
+          .times = {study.tests.first_time, study.tests.last_time},
+          .points_per_decade = study.tests.points_per_decade,
+          .options = options};
+}
+
 }  // namespace
 
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
@@ -71,22 +93,20 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const Discretisation<2>& discretisation, Boundary boundary, int threads) {
-  auto options = study.tests.quasistatic;
-  options.linear.threads = threads;
-  // Over every further modulus the basis takes up to three times as many snapshots.
-  options.sampling.most_snapshots *= 1 + 2 * varied_moduli(study.tests.varied);
-  const auto materials = materials_of(stage, matrix);
-  const auto varying = varying_phases(study.tests, stage);
-  return {.discretisation = discretisation,
-          .materials = materials,
-          .varying = varying,
-          .variants = variants_of(study.tests, varying, materials),
-          .boundary = boundary,
-          .loads = loads_of(study, stage),
-          .times = {study.tests.first_time, study.tests.last_time},
-          .points_per_decade = study.tests.points_per_decade,
-          .field_times = field_times_of(study, stage, discretisation, study.tests.loads.front()),
-          .options = options};
+  auto test = test_without_fields(study, stage, matrix, discretisation, boundary, threads);
+  test.field_times = field_times_of(study, stage, discretisation, study.tests.loads.front());
+  return test;
+}
+
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
+                               const StageGrains& grains, Boundary boundary, int threads) {
+  const auto& material = stage.fillers.front().material;
+  FilmProblem problem = {.tessellation = Tessellation<2>(grains.sites),
+                         .thickness = grains.film,
+                         .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
+                         .boundary = boundary,
+                         .face_share = study.tests.films.face_share};
+  return test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
 }
 
 Material expected_matrix(const Study& study, const Stage& stage) {

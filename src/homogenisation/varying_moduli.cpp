@@ -32,7 +32,8 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
   for (const int cells : grids) {
     for (const auto& test : result.tests) {
       const auto* record = std::get_if<QuasistaticRecord>(&test.record);
-      if (test.id.load != load || test.id.boundary != boundary || test.id.grid != TestGrid(cells)) continue;
+      const bool is_on_grid = test.id.grid.is_films() || test.id.grid == TestGrid(cells);
+      if (test.id.load != load || test.id.boundary != boundary || !is_on_grid) continue;
       if (record == nullptr || !record->response.reduced) continue;
       found.cell_sides.push_back(stage.side / cells);
       found.responses.push_back(&*record->response.reduced);

@@ -110,16 +110,21 @@ Json json_of(const WholeFiller& filler) {
 /// Writes the settings and the accuracy of a test.
 struct DescribeRecord {
   const Tests& options;
+  TestGrid grid;
   std::size_t points;  ///< material points of the grid
 
   Json operator()(const QuasistaticRecord& record) const {
     const auto& response = record.response;
-    Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)},
-                 {"volumetric", name_of(options.quasistatic.volumetric)},
-                 {"mixing", name_of(options.mixing)},
-                 {"error_estimate", response.error_estimate},
-                 {"linear", json_of(record.effort)},
-                 {"wall_time_s", record.seconds}};
+    Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)}};
+    if (grid.is_films()) {
+      json["face_share"] = options.films.face_share;
+    } else {
+      json["volumetric"] = name_of(options.quasistatic.volumetric);
+      json["mixing"] = name_of(options.mixing);
+    }
+    json["error_estimate"] = response.error_estimate;
+    json["linear"] = json_of(record.effort);
+    json["wall_time_s"] = record.seconds;
     if (response.fit_error) json["fit_error"] = *response.fit_error;
     if (!response.reduced) {
       json["steps_per_decade"] = options.quasistatic.steps_per_decade;
@@ -161,7 +166,7 @@ Json json_of(const TestResult& test, const Study& study, const StageRecord& reco
                {"boundary", name_of(test.id.boundary)},
                {"method", name_of(test.id.method)},
                {"cells", cells ? Json(*cells) : Json(name_of(test.id.grid))}};
-  json.update(std::visit(DescribeRecord{study.tests, points}, test.record));
+  json.update(std::visit(DescribeRecord{study.tests, test.id.grid, points}, test.record));
   for (const auto& [time, file, stress, strain] : record.fields_of(test.id)) {
     json["fields"].push_back(
         {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}});

@@ -201,7 +201,7 @@ std::map<std::string, Material> read_materials(const Hdf5Reader& file, const std
 
 /// Throws FileError unless every response has a material for each phase that varies beside the matrix.
 void require_materials(const StoredResponses& stored, const Group& root) {
-  for (const auto& [cells, response] : stored.entries) {
+  for (const auto& [grid, response] : stored.entries) {
     auto names = response.phases();
     std::erase(names, name_of_matrix_phase);
     const bool fits = names.size() == stored.other_phases.size() &&
@@ -215,9 +215,8 @@ std::vector<StoredResponses::Entry> read_entries(const Group& group, Boundary bo
   std::vector<StoredResponses::Entry> entries;
   for (const auto& name : group.file.names(group.name)) {
     const auto grid = grid_named(name);
-    group.require(grid && !grid->is_extrapolated(), "numbers of cells");
-    auto& entry = entries.emplace_back();
-    entry.cells = grid->cells().value();
+    group.require(grid && !grid->is_extrapolated(), "numbers of cells, or films");
+    auto& entry = entries.emplace_back(StoredResponses::Entry{*grid, {}});
     entry.response = read_response({group.file, group.path, group.name + "/" + name});
     entry.response.load = load;
     entry.response.boundary = boundary;
@@ -279,10 +278,9 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
   file.write_attribute("/", "fit_tolerance", responses.fit_tolerance);
   file.write_attribute("/", "points_per_decade", std::int64_t{responses.points_per_decade});
   write_materials(file, responses.other_phases);
-  for (const auto& [cells, response] : responses.entries) {
-    write_response(
-        file, fmt::format("/{}/{}/{}", name_of(response.boundary), name_of(response.load), name_of(TestGrid(cells))),
-        response);
+  for (const auto& [grid, response] : responses.entries) {
+    write_response(file, fmt::format("/{}/{}/{}", name_of(response.boundary), name_of(response.load), name_of(grid)),
+                   response);
   }
   file.commit();
 }

@@ -71,11 +71,17 @@ void add_phases(const ReducedResponse& response, const std::map<std::string, Mat
   json["residual_scale"] = response.residual_scale;
 }
 
+/// A number of cells, or "films".
+Json json_of(TestGrid grid) {
+  const auto cells = grid.cells();
+  return cells ? Json(*cells) : Json(name_of(grid));
+}
+
 Json json_of(const StoredResponses::Entry& entry, const std::map<std::string, Material>& other_phases) {
   const auto& response = entry.response;
   Json json = {{"load", name_of(response.load)},
                {"boundary", name_of(response.boundary)},
-               {"cells", entry.cells},
+               {"cells", json_of(entry.grid)},
                {"filler_Pa", json_of(response.constant)},
                {"matrix_shear", json_of(response.part(ElasticModulus::shear))},
                {"matrix_bulk", json_of(response.part(ElasticModulus::bulk))},
@@ -95,11 +101,11 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   const auto stored = read_responses(file);
   refuse_foreign(file, stored.deck_hash, hash);
   // With mixed cells the finest grid gives the results, with points all grids do.
-  const int finest =
-      stored.entries.empty() ? 0 : std::ranges::max(stored.entries, {}, &StoredResponses::Entry::cells).cells;
   Json responses = Json::array();
+  if (stored.entries.empty()) return responses;
+  const auto finest = std::ranges::max(stored.entries, {}, &StoredResponses::Entry::grid).grid;
   for (const auto& entry : stored.entries) {
-    if (stored.mixing == Mixing::points || entry.cells == finest) {
+    if (stored.mixing == Mixing::points || entry.grid == finest) {
       responses.push_back(json_of(entry, stored.other_phases));
     }
   }

@@ -12,25 +12,23 @@ namespace breccia {
 namespace {
 
 constexpr std::string_view name_of_limit = "extrapolated";
+constexpr std::string_view name_of_films = "films";
 
 }  // namespace
 
-TestGrid::TestGrid(int cells) : cells_(cells) {
+TestGrid::TestGrid(int cells) : TestGrid(Kind::cells, cells) {
   if (cells < 1) throw InputError(fmt::format("a grid of {} cells: expected one cell or more per side", cells));
 }
 
-std::strong_ordering operator<=>(const TestGrid& one, const TestGrid& other) {
-  if (!one.cells_ || !other.cells_) return one.is_extrapolated() <=> other.is_extrapolated();
-  return *one.cells_ <=> *other.cells_;
-}
-
 std::string name_of(TestGrid grid) {
+  if (grid.is_films()) return std::string(name_of_films);
   const auto cells = grid.cells();
   return cells ? std::to_string(*cells) : std::string(name_of_limit);
 }
 
 std::optional<TestGrid> grid_named(std::string_view name) {
   if (name == name_of_limit) return TestGrid::extrapolated();
+  if (name == name_of_films) return TestGrid::films();
   int cells = 0;
   const auto* const end_of_name = name.data() + name.size();
   const auto [end, error] = std::from_chars(name.data(), end_of_name, cells);
@@ -38,8 +36,12 @@ std::optional<TestGrid> grid_named(std::string_view name) {
   return is_grid ? std::optional(TestGrid(cells)) : std::nullopt;
 }
 
+std::string words_of(TestGrid grid) {
+  return grid.is_films() ? name_of(grid) : name_of(grid) + " cells";
+}
+
 std::string calculation_of(const TestId& test) {
-  const auto boundary_and_grid = fmt::format("{}, {} cells", bound_of(test.boundary), name_of(test.grid));
+  const auto boundary_and_grid = fmt::format("{}, {}", bound_of(test.boundary), words_of(test.grid));
   if (test.method == Method::quasistatic) return boundary_and_grid + ", quasi-static";
   return fmt::format("{}, {}, dynamic", name_of(test.load), boundary_and_grid);
 }

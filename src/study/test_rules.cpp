@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -29,11 +30,52 @@ std::vector<std::string> films_along_walls(const Study& study) {
   for (const auto& stage : study.stages) {
     const auto* grains = stage.grains();
     if (stage.fillers.empty() || grains == nullptr || grains->walls == Walls::periodic) continue;
+    if (model_of(study.tests, stage) == Model::films) continue;  // refused already
     mistakes.push_back(
         fmt::format("the grains of stage {} have films along the walls: expected the boundary \"{}\" "
                     "alone, or packing.walls = false",
                     stage.name, name_of(Boundary::displacement)));
   }
+  return mistakes;
+}
+
+/// What the model of films does not have in one stage of grains.
+std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage) {
+  std::vector<std::string> mistakes;
+  const auto lacks = [&](const std::string& what) {
+    mistakes.push_back(fmt::format("model \"films\", stage {}: {}", stage.name, what));
+  };
+  const auto& grains = stage.fillers.front().material;
+  if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
+  const bool is_periodic = stage.grains()->walls == Walls::periodic;
+  if (!is_periodic) lacks("expected packing.walls = false; no film of this model runs along a wall");
+  const auto is_other = [](Boundary boundary) { return boundary != Boundary::periodic; };
+  if (is_periodic && std::ranges::any_of(tests.boundaries, is_other)) {
+    lacks(fmt::format("expected the boundary \"{}\"", name_of(Boundary::periodic)));
+  }
+  if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
+  return mistakes;
+}
+
+/// The model of films is quasi-static, reduced, and for grains.
+std::vector<std::string> lacking_in_films(const Study& study) {
+  const auto& tests = study.tests;
+  if (tests.model == Model::cells) return {};
+  std::vector<std::string> mistakes;
+  bool has_grains = false;
+  for (const auto& stage : study.stages) {
+    if (model_of(tests, stage) != Model::films) continue;
+    has_grains = true;
+    std::ranges::move(lacking_in_films(tests, stage), std::back_inserter(mistakes));
+  }
+  if (!has_grains)
+    mistakes.emplace_back(R"(model "films" is for grains: expected a stage with packing.method "laguerre")");
+  if (uses(tests, Method::dynamic))
+    mistakes.emplace_back(R"(model "films" has no inertia: expected method "quasistatic")");
+  if (tests.quasistatic.solver == Solver::stepping)
+    mistakes.emplace_back(R"(model "films": expected solver "reduced")");
+  if (!tests.varied.empty())
+    mistakes.emplace_back(R"(model "films" cannot vary other moduli than those of the matrix)");
   return mistakes;
 }
 
@@ -85,6 +127,11 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
   return mistakes;
 }
 
+Model model_of(const Tests& tests, const Stage& stage) {
+  const bool has_grains = stage.grains() != nullptr && !stage.fillers.empty();
+  return has_grains ? tests.model : Model::cells;
+}
+
 bool has_standard_points(const Tests& tests) {
   return (uses(tests, Method::quasistatic) && tests.quasistatic.volumetric == Volumetric::standard) ||
          (uses(tests, Method::dynamic) && tests.dynamic.volumetric == Volumetric::standard);
@@ -92,6 +139,7 @@ bool has_standard_points(const Tests& tests) {
 
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
+  std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
+#include "breccia/films/film_sampling.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
@@ -21,8 +23,8 @@
 namespace breccia {
 namespace {
 
-QuasistaticProblem problem_of(const QuasistaticTest& test) {
-  return {.discretisation = test.discretisation,
+QuasistaticProblem problem_of(const QuasistaticTest& test, const Discretisation<2>& discretisation) {
+  return {.discretisation = discretisation,
           .materials = test.materials,
           .volumetric = test.options.volumetric,
           .boundary = test.boundary,
@@ -76,22 +78,40 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   return path;
 }
 
+/// Samples the reduced responses of cells, or of grains and films, by load, and takes the fields of cells.
+std::vector<ReducedResponse> sample(const QuasistaticTest& test, const std::vector<Material>& materials,
+                                    const TrainingPath& path,
+                                    const std::function<void(const SamplingProgress&)>& follow, Checkpoint* checkpoint,
+                                    QuasistaticTestResult& result) {
+  if (const auto* films = std::get_if<FilmProblem>(&test.composite)) {
+    auto problem = *films;
+    problem.boundary = test.boundary;
+    std::vector<Moduli> of_binder;
+    for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
+    auto sampled = sample_film_responses(problem, test.loads, of_binder, test.options.sampling, follow, checkpoint);
+    result.effort = sampled.effort;
+    return std::move(sampled.responses);
+  }
+  const auto problem = problem_of(test, std::get<Discretisation<2>>(test.composite));
+  auto sampled = sample_responses(problem, test.loads, path, test.options.sampling, follow, checkpoint);
+  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, materials, time)});
+  result.effort = sampled.effort;
+  return std::move(sampled.responses);
+}
+
 void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                  Checkpoint* checkpoint) {
   const auto materials = varying_materials(test);
   const auto path = training_set(test, materials);
   const double orders = std::log10(1.0 / test.options.sampling.tolerance);
-  auto sampled = sample_responses(
-      problem_of(test), test.loads, path, test.options.sampling,
-      [&](const SamplingProgress& progress) {
-        if (!observer) return;
-        observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
-                 std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
-      },
-      checkpoint);
-  result.effort = sampled.effort;
+  const auto follow = [&](const SamplingProgress& progress) {
+    if (!observer) return;
+    observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
+             std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
+  };
+  auto responses = sample(test, materials, path, follow, checkpoint, result);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
-  for (auto& reduced : sampled.responses) {
+  for (auto& reduced : responses) {
     auto& response = result.responses.emplace_back();
     response.load = reduced.load;
     const auto compliance = creep_compliance(reduced, materials);
@@ -105,7 +125,13 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
     }
     response.reduced = std::move(reduced);
   }
-  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, materials, time)});
+}
+
+/// Throws InputError for what the model of grains and films does not have.
+void require_test_of_films(const QuasistaticTest& test) {
+  if (test.options.solver == Solver::stepping) throw InputError("quasi-static test: films have no stepping solver");
+  if (!test.field_times.empty()) throw InputError("quasi-static test: films have no fields of material points");
+  if (test.varying.size() != 1) throw InputError("quasi-static test: of films the binder alone varies");
 }
 
 void require_varying_phases(const QuasistaticTest& test) {
@@ -157,7 +183,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
   auto stepped = run_log_time_stepping(
-      problem_of(test), test.loads, steps,
+      problem_of(test, std::get<Discretisation<2>>(test.composite)), test.loads, steps,
       [&](double share) {
         if (observer) observer(fmt::format("{} steps", steps.size()), share);
       },
@@ -203,6 +229,7 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Qu
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
   if (test.options.solver == Solver::reduced) require_varying_phases(test);
+  if (std::holds_alternative<FilmProblem>(test.composite)) require_test_of_films(test);
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

@@ -37,7 +37,7 @@ struct Means {
 };
 
 Means means(const QuasistaticTest& test, Load load, double s) {
-  const auto fractions = test.discretisation.fractions(2);
+  const auto fractions = std::get<Discretisation<2>>(test.composite).fractions(2);
   double stiffness = 0.0, compliance = 0.0;
   for (std::size_t i = 0; i < fractions.size(); ++i) {
     const double modulus = modulus_under(load, test.materials[i], s);

@@ -74,7 +74,7 @@ Composite random_composite(std::uint64_t seed, FillerKind kind) {
 }
 
 QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) {
-  QuasistaticTest test{.discretisation = discretise(composite.box, cells, matrix, filler),
+  QuasistaticTest test{.composite = discretise(composite.box, cells, matrix, filler),
                        .materials = composite.materials,
                        .varying = {{matrix, "matrix"}},
                        .boundary = boundary,

@@ -47,9 +47,9 @@ StoredResponses two_responses() {
   stored.points_per_decade = 12;
   stored.mixing = Mixing::points;
   stored.range = SampledRange::times;
-  stored.entries = {{24, test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 1.0},
-                                                   {{{{.bulk = 2.0, .shear = 1.0}}, 0.0}})},
-                    {150, two_vector_response()}};
+  stored.entries = {{TestGrid(24), test::one_vector_response(Load::shear, Boundary::displacement, {3.0, 2.0, 1.0},
+                                                             {{{{.bulk = 2.0, .shear = 1.0}}, 0.0}})},
+                    {TestGrid(150), two_vector_response()}};
   return stored;
 }
 
@@ -110,7 +110,7 @@ TEST_F(ResponseFile, IsReadAsItWasWritten) {
   EXPECT_EQ(read.range, SampledRange::times);
   EXPECT_EQ(read.mixing, Mixing::points);
   ASSERT_EQ(read.entries.size(), 2U);
-  EXPECT_EQ(read.entries[0].cells, 24);
+  EXPECT_EQ(read.entries[0].grid, TestGrid(24));
   EXPECT_EQ(read.entries[0].response.load, Load::shear);
   EXPECT_EQ(read.entries[0].response.boundary, Boundary::displacement);
   EXPECT_EQ(read.entries[0].response.modulus(Moduli{.bulk = 10.0, .shear = 7.0}), 3.0 + 2.0 * 7.0 + 10.0);
@@ -123,7 +123,7 @@ TEST_F(ResponseFile, KeepsEveryNumberInItsPlace) {
   const auto& entry = read.entries.at(1);
   const auto& response = entry.response;
   const auto& original = written.entries[1].response;
-  EXPECT_EQ(entry.cells, 150);
+  EXPECT_EQ(entry.grid, TestGrid(150));
   EXPECT_EQ(response.load, Load::bulk);
   EXPECT_EQ(response.boundary, Boundary::traction);
   EXPECT_EQ(response.constant, original.constant);

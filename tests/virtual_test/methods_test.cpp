@@ -20,7 +20,7 @@ class Methods : public testing::TestWithParam<std::tuple<Boundary, Load>> {
  protected:
   static void expect_agreement(DynamicTest test) {
     std::tie(test.boundary, test.load) = GetParam();
-    const QuasistaticTest still = {.discretisation = test.discretisation,
+    const QuasistaticTest still = {.composite = test.discretisation,
                                    .materials = test.materials,
                                    .varying = {{composites::matrix, "matrix"}},
                                    .boundary = test.boundary,

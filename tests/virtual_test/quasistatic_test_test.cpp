@@ -15,13 +15,12 @@ namespace {
 namespace composites = testing_composites;
 
 QuasistaticTest one_particle(PhaseIndex matrix, PhaseIndex filler) {
-  QuasistaticTest test = {
-      .discretisation = discretise<2>({6e-3, Walls::hard, {{{2e-3, 3e-3}, 3e-3}}}, 12, matrix, filler),
-      .materials = {composites::binder, composites::binder},
-      .varying = {{matrix, "matrix"}},
-      .loads = {Load::shear, Load::bulk},
-      .times = {1e-3, 0.1},
-      .points_per_decade = 4};
+  QuasistaticTest test = {.composite = discretise<2>({6e-3, Walls::hard, {{{2e-3, 3e-3}, 3e-3}}}, 12, matrix, filler),
+                          .materials = {composites::binder, composites::binder},
+                          .varying = {{matrix, "matrix"}},
+                          .loads = {Load::shear, Load::bulk},
+                          .times = {1e-3, 0.1},
+                          .points_per_decade = 4};
   test.materials[filler] = composites::particle;
   return test;
 }

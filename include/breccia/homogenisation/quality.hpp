@@ -37,7 +37,7 @@ struct StageQuality {
   std::optional<double> fraction_asked;  ///< area fraction in the deck [-]; only for a packing that draws its particles
   double gap_cells = 0.0;                ///< the narrowest gap in cells of the finest grid; infinite without a gap
   std::optional<double> coating_cells = {};  ///< the thinnest coating in cells of the finest grid; nothing without one
-  std::vector<int> grids;                    ///< cells per side, rising
+  std::vector<int> grids;                    ///< cells per side, rising; empty where films are computed without cells
   bool is_random = false;                    ///< whether the packing depends on a seed
   bool has_films_along_walls = false;        ///< whether only the displacement boundary makes sense
   bool is_periodic = false;                  ///< whether a periodic test is finished, which gives no bound

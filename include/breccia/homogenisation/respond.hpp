@@ -17,7 +17,7 @@ namespace breccia {
 /// (results/response_file.hpp).
 struct StoredResponses {
   struct Entry {
-    int cells = 0;  ///< per side
+    TestGrid grid;
     ReducedResponse response;
   };
 

@@ -29,6 +29,8 @@ struct StageGrains {
   std::size_t count = 0;   ///< grains that the films leave
   SizesByArea cells = {};  ///< grains with half of the films around them
   SizesByArea sizes = {};  ///< of the grains that the films leave
+  /// Length of the films shorter than five times their thickness over that of all films [-].
+  double short_films = 0.0;
 };
 
 /// The particles or grains of a stage with their statistics. Pixels are those of its image (Stage::image).

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/virtual_test/dynamic_test.hpp"
 #include "breccia/virtual_test/quasistatic_test.hpp"
@@ -13,6 +14,9 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
 /// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const Discretisation<2>& discretisation, Boundary boundary, int threads);
+/// The same for the grains of a stage and the films between them.
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
+                               const StageGrains& grains, Boundary boundary, int threads);
 
 /// An estimate of the matrix of a stage before anything is computed; exact if the matrix is a material. It serves to
 /// plan runs; no result depends on it.

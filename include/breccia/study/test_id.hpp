@@ -12,28 +12,35 @@
 namespace breccia {
 
 /// The grid of a result: a number of cells per side, or the limit of vanishing cells, which is extrapolated from
-/// several grids. Grids are ordered by their cells; the limit is greater than all of them.
+/// several grids; or none, where the result is that of the model of grains and films. Grids are ordered by their cells;
+/// the limit is greater than all of them, and the model of films less.
 class TestGrid {
  public:
   /// A grid of so many cells per side. Throws InputError where they are fewer than one.
   explicit TestGrid(int cells);
-  static TestGrid extrapolated() { return {}; }
+  static TestGrid films() { return {Kind::films, 0}; }
+  static TestGrid extrapolated() { return {Kind::limit, 0}; }
 
-  [[nodiscard]] bool is_extrapolated() const { return !cells_; }
-  /// Cells per side; nothing for the limit.
-  [[nodiscard]] std::optional<int> cells() const { return cells_; }
+  [[nodiscard]] bool is_films() const { return kind_ == Kind::films; }
+  [[nodiscard]] bool is_extrapolated() const { return kind_ == Kind::limit; }
+  /// Cells per side; nothing for the limit and for films.
+  [[nodiscard]] std::optional<int> cells() const { return kind_ == Kind::cells ? std::optional(cells_) : std::nullopt; }
 
-  friend bool operator==(const TestGrid&, const TestGrid&) = default;
-  friend std::strong_ordering operator<=>(const TestGrid& one, const TestGrid& other);
+  friend auto operator<=>(const TestGrid&, const TestGrid&) = default;
 
  private:
-  TestGrid() = default;
+  enum class Kind { films, cells, limit };
+  TestGrid(Kind kind, int cells) : kind_(kind), cells_(cells) {}
 
-  std::optional<int> cells_;
+  Kind kind_ = Kind::cells;
+  int cells_;
 };
 
-/// The name of a grid in tables: "150", or "extrapolated".
+/// The name of a grid in tables: "150", "extrapolated" or "films".
 std::string name_of(TestGrid grid);
+
+/// The same in a sentence: "150 cells", "extrapolated cells", "films".
+std::string words_of(TestGrid grid);
 
 /// The grid with such a name; nothing for any other text.
 std::optional<TestGrid> grid_named(std::string_view name);
@@ -49,7 +56,8 @@ struct TestId {
 };
 
 /// The calculation that a test is part of, in words: "shear, upper bound, 150 cells, dynamic". The quasi-static method
-/// computes all loads together, so that its calculations have none: "upper bound, 150 cells, quasi-static".
+/// computes all loads together, so that its calculations have none: "upper bound, 150 cells, quasi-static", "upper
+/// bound, films, quasi-static".
 std::string calculation_of(const TestId& test);
 
 /// Whether one test is preferred to another that differs from it only in method or grid: quasi-static tests are

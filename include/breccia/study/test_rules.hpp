@@ -26,11 +26,15 @@ bool is_rising(const std::vector<double>& values);
 /// The times of fields must rise, and lie within the times of the tests.
 std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times);
 
+/// What the stage is computed with: films where the tests ask for them and it has grains, cells otherwise.
+Model model_of(const Tests& tests, const Stage& stage);
+
 /// Whether one of the methods takes standard volumetric strains, which mixed cells do not have.
 bool has_standard_points(const Tests& tests);
 
 /// What each part of a study allows and the whole does not: mixed cells with standard volumetric strains, films along
-/// the walls under a boundary other than displacement, and too few times for the fits that the study needs.
+/// the walls under a boundary other than displacement, what the model of films does not have, and too few times for the
+/// fits that the study needs.
 std::vector<std::string> contradictions(const Study& study);
 
 }  // namespace breccia

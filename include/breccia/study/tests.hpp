@@ -23,11 +23,29 @@ template <>
 inline constexpr auto words<Method> = std::to_array<Word<Method>>({{"quasistatic", Method::quasistatic},
                                                                    {"dynamic", Method::dynamic}});
 
+/// What a test is computed with.
+enum class Model {
+  cells,  ///< cells of a grid, which know what is in them
+  films   ///< where a stage has grains that fill the box: conforming grains and thin films (theory, section 17)
+};
+
+template <>
+inline constexpr auto words<Model> = std::to_array<Word<Model>>({{"cells", Model::cells}, {"films", Model::films}});
+
+/// Settings of the model of grains and films.
+struct FilmOptions {
+  /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
+  /// beside it [-].
+  double face_share = 0.3;
+};
+
 /// The virtual tests of every stage.
 struct Tests {
   std::vector<Load> loads{Load::shear};
   std::vector<Boundary> boundaries{Boundary::displacement, Boundary::traction};
   std::vector<Method> methods{Method::quasistatic};
+  Model model = Model::cells;
+  FilmOptions films = {};
   Mixing mixing = Mixing::series;        ///< of the cells that an interface crosses
   double first_time = 0.0;               ///< of the curves [s]
   double last_time = 0.0;                ///< of the curves [s]

@@ -4,8 +4,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
@@ -48,7 +50,9 @@ struct QuasistaticOptions {
 
 /// A quasi-static virtual test.
 struct QuasistaticTest {
-  Discretisation<2> discretisation;
+  /// Cells, or grains and films, whose boundary is that of the test. Grains and films know neither the stepping solver
+  /// nor fields, and their binder alone varies.
+  std::variant<Discretisation<2>, FilmProblem> composite;
   std::vector<Material> materials;  ///< by PhaseIndex
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
   /// solver does not use them.
