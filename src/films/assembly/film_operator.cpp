@@ -154,12 +154,14 @@ class FilmOperator::Assembly {
     return meshes_[node.grain].nodes[node.number] + node.image.cast<double>();
   }
 
-  /// The displacements of nodes, and flows.
+  /// The displacements of nodes, and flows. The macroscopic motion is taken from the first node: a translation does no
+  /// work on an element, and the motion from the origin of the box would add its rounding to the element's forces.
   [[nodiscard]] ElementUnknowns unknowns_of(std::span<const Node> nodes, std::span<const int> flows) const {
     ElementUnknowns unknowns;
     unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) = affine_motion(place(nodes[n]));
+      unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
+          affine_motion(place(nodes[n]) - place(nodes[0]));
       for (int i = 0; i < 2; ++i) {
         unknowns.numbers.push_back(unknowns_.displacement(nodes[n].grain, nodes[n].number, i));
       }
