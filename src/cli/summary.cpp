@@ -67,7 +67,9 @@ struct DescribeSizes {
 
 struct DescribePacking {
   std::string operator()(const LaguerrePacking& packing) const {
-    const auto* walls = packing.walls == Walls::hard ? "half a film along the walls" : "periodic";
+    const auto* hard =
+        packing.wall_film == WallFilm::half ? "half a film along the walls" : "cut by the walls like a window";
+    const auto* walls = packing.walls == Walls::hard ? hard : "periodic";
     const auto grains = packing.is_random() ? fmt::format("seed {}", packing.seed)
                                             : fmt::format("{}, {} sites", packing.file.string(), packing.sites.size());
     const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";

@@ -155,7 +155,13 @@ std::vector<Site<2>> read_sites(const std::filesystem::path& file, double side, 
 }
 
 LaguerrePacking read_laguerre(const Section& packing, double side) {
-  LaguerrePacking grains = {.walls = read_walls(packing, false)};
+  LaguerrePacking grains;
+  if (packing.kind("walls") == Kind::text) {
+    grains.wall_film = packing.choice<WallFilm>("walls", {{"cut", WallFilm::none}}).value_or(WallFilm::half);
+    grains.walls = Walls::hard;
+  } else {
+    grains.walls = read_walls(packing, false);
+  }
   // A film that is no length has been reported; the filler still needs no fraction.
   if (packing.has("film")) grains.film = packing.quantity("film", Dimension::length, Range::positive());
   if (packing.has("sites")) {

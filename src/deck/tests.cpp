@@ -102,7 +102,9 @@ bool has_periodic_particles(const Stage& stage) {
 }
 
 bool has_films_along_walls(const Stage& stage) {
-  return !stage.fillers.empty() && stage.grains() != nullptr && stage.grains()->walls == Walls::hard;
+  const auto* grains = stage.grains();
+  return !stage.fillers.empty() && grains != nullptr && grains->walls == Walls::hard &&
+         grains->wall_film == WallFilm::half;
 }
 
 /// The default boundaries: periodic if a box is periodic, since the others would cut its particles; displacement if

@@ -68,7 +68,8 @@ void measure_grains(StageMicrostructure& result) {
   result.fraction = grain_fraction(tessellation, film);
   result.interface_per_area = outlines / (sites.side * sites.side);
   result.gap = film;
-  result.wall_gap = sites.walls == Walls::hard ? 0.5 * film : std::numeric_limits<double>::infinity();
+  const bool has_films_along_walls = sites.walls == Walls::hard && sites.wall_film == WallFilm::half;
+  result.wall_gap = has_films_along_walls ? 0.5 * film : std::numeric_limits<double>::infinity();
   const auto deviation = result.fillers.empty() ? std::nullopt : result.fillers.front().size_deviation;
   result.fillers = {{.particles = count, .fraction = result.fraction, .size_deviation = deviation}};
   if (grains.empty()) return;

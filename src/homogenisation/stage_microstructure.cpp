@@ -166,7 +166,7 @@ Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPa
 
 /// The sites of the grains: listed, or at random for the sizes of the filler.
 LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  if (!method.is_random()) return {stage.side, method.walls, method.sites};
+  if (!method.is_random()) return {stage.side, method.walls, method.sites, method.wall_film};
   const auto& filler = stage.fillers.front();
   RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
   if (const auto distribution = distribution_of(filler)) {
@@ -177,7 +177,9 @@ LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, Sta
   } else {
     request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
   }
-  return random_sites<2>(request);
+  auto sites = random_sites<2>(request);
+  sites.wall_film = method.wall_film;
+  return sites;
 }
 
 StageGrains make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {

@@ -49,8 +49,8 @@ void save_grains(StateWriter& state, const StageGrains& grains) {
   state.write(name_of_film, grains.film);
 }
 
-StageGrains read_grains(const StateReader& state, double side, Walls walls) {
-  StageGrains grains = {.sites = {side, walls, {}}, .film = state.number(name_of_film)};
+StageGrains read_grains(const StateReader& state, double side, Walls walls, WallFilm wall_film) {
+  StageGrains grains = {.sites = {side, walls, {}, wall_film}, .film = state.number(name_of_film)};
   const auto x = state.numbers("/site_x_m");
   const auto y = state.numbers("/site_y_m", x.size()), weights = state.numbers("/site_weight_m2", x.size());
   for (std::size_t i = 0; i < x.size(); ++i) grains.sites.sites.push_back({{x[i], y[i]}, weights[i]});
@@ -121,7 +121,10 @@ StageMicrostructure read_stage_microstructure(const StateReader& state, const St
   if (state.has("/filler") && !result.shaped) {
     fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
   }
-  if (state.has(name_of_film)) result.grains = read_grains(state, side, walls);
+  if (state.has(name_of_film)) {
+    const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
+    result.grains = read_grains(state, side, walls, wall_film);
+  }
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto name = name_of_size_deviation(number);

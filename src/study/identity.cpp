@@ -155,8 +155,9 @@ class Content {
     static_cast<void>(file);
   }
   void add(const LaguerrePacking& packing) {
-    const auto& [walls, seed, film, file, sites] = packing;
+    const auto& [walls, wall_film, seed, film, file, sites] = packing;
     add_all(walls, seed, film, sites);
+    if (wall_film == WallFilm::none) add(std::string("no film along the walls"));
     static_cast<void>(file);
   }
   void add(const ImagePacking& packing) {

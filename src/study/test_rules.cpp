@@ -30,10 +30,10 @@ std::vector<std::string> films_along_walls(const Study& study) {
   for (const auto& stage : study.stages) {
     const auto* grains = stage.grains();
     if (stage.fillers.empty() || grains == nullptr || grains->walls == Walls::periodic) continue;
-    if (model_of(study.tests, stage) == Model::films) continue;  // refused already
+    if (grains->wall_film == WallFilm::none || model_of(study.tests, stage) == Model::films) continue;
     mistakes.push_back(
         fmt::format("the grains of stage {} have films along the walls: expected the boundary \"{}\" "
-                    "alone, or packing.walls = false",
+                    "alone, or packing.walls = \"cut\" or false",
                     stage.name, name_of(Boundary::displacement)));
   }
   return mistakes;
@@ -47,11 +47,15 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
-  const bool is_periodic = stage.grains()->walls == Walls::periodic;
-  if (!is_periodic) lacks("expected packing.walls = false; no film of this model runs along a wall");
-  const auto is_other = [](Boundary boundary) { return boundary != Boundary::periodic; };
-  if (is_periodic && std::ranges::any_of(tests.boundaries, is_other)) {
-    lacks(fmt::format("expected the boundary \"{}\"", name_of(Boundary::periodic)));
+  const auto& [walls, wall_film, seed, film, file, sites] = *stage.grains();
+  if (walls == Walls::hard && wall_film == WallFilm::half) {
+    lacks(R"(expected packing.walls = "cut" or false; no film of this model runs along a wall)");
+  }
+  const bool is_periodic = walls == Walls::periodic;
+  const auto fits = [is_periodic](Boundary boundary) { return (boundary == Boundary::periodic) == is_periodic; };
+  if (!std::ranges::all_of(tests.boundaries, fits)) {
+    lacks(is_periodic ? R"(expected the boundary "periodic", or packing.walls = "cut")"
+                      : R"(expected the boundaries "displacement" and "traction", or packing.walls = false)");
   }
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
   return mistakes;

@@ -151,7 +151,12 @@ TEST_F(DeckStages, GrainsHaveAFractionOrFilms) {
   const auto by_film = stage(with(sizes, ", film = \"20 um\", walls = true"));
   EXPECT_EQ(by_film.grains()->film, 20e-6);
   EXPECT_EQ(by_film.grains()->walls, Walls::hard);
+  EXPECT_EQ(by_film.grains()->wall_film, WallFilm::half);
   EXPECT_FALSE(by_film.fillers.front().fraction);
+  const auto cut = stage(with(sizes, ", film = \"20 um\", walls = \"cut\""));
+  EXPECT_EQ(cut.grains()->walls, Walls::hard);
+  EXPECT_EQ(cut.grains()->wall_film, WallFilm::none);
+  EXPECT_THAT(mistakes(with(sizes, ", film = \"20 um\", walls = \"cutt\"")), HasSubstr("packing.walls: "));
   EXPECT_THAT(mistakes(with("fraction = 0.9, gap = \"1 um\", coating = {}, sizes = { diameter = \"1 mm\" }",
                             ", film = \"20 um\"")),
               AllOf(HasSubstr("filler.fraction: "), HasSubstr("it follows from packing.film"),

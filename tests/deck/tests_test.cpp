@@ -51,6 +51,40 @@ TEST_F(DeckTests, APeriodicBoxIsTestedUnderThePeriodicBoundaryAlone) {
       << "as the deck wishes";
 }
 
+constexpr std::string_view grains = R"([[stages]]
+name = "grains"
+matrix = "binder"
+box = "6 mm"
+filler = { material = "hmx", fraction = 0.94, sizes = { diameter = "1 mm" } }
+packing = { method = "laguerre" }
+)";
+
+TEST_F(DeckTests, GrainsComputedWithFilmsNeedNoCells) {
+  const auto deck_of = [&](std::string_view stage, std::string_view lines) {
+    return test::join(test::materials, stage, "[tests]\n", times, lines);
+  };
+  const auto study = directory.study(deck_of(grains, "model = \"films\"\nfilms = { face_share = 0.1 }\n"));
+  EXPECT_EQ(study.tests.model, Model::films);
+  EXPECT_EQ(study.tests.films.face_share, 0.1);
+  EXPECT_EQ(study.stages.front().cells, 512) << "of the labels";
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "")), HasSubstr("cells"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "model = \"film\"\n")), HasSubstr("\"films\""));
+  EXPECT_THAT(directory.mistakes(deck_of(test::stage, "films = { face_share = 0.1 }\n")),
+              HasSubstr("it belongs to model = \"films\""));
+  EXPECT_THAT(directory.mistakes(deck_of(test::stage, "model = \"films\"\n")), HasSubstr("is for grains"));
+  EXPECT_THAT(directory.mistakes(deck_of(grains, "model = \"films\"\nsolver = \"stepping\"\n")),
+              HasSubstr("expected solver \"reduced\""));
+}
+
+TEST_F(DeckTests, GrainsThatTheWallsCutHaveBothBounds) {
+  const auto cut = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", walls = \"cut\"");
+  const auto study = directory.study(test::join(test::materials, cut, "[tests]\n", times, "model = \"films\"\n"));
+  EXPECT_THAT(study.tests.boundaries, ElementsAre(Boundary::displacement, Boundary::traction));
+  EXPECT_THAT(directory.mistakes(test::join(test::materials, cut, "[tests]\n", times,
+                                            "model = \"films\"\nboundaries = [\"periodic\"]\n")),
+              HasSubstr("expected the boundaries \"displacement\" and \"traction\""));
+}
+
 TEST_F(DeckTests, FieldsAreWantedAtTheseTimes) {
   EXPECT_THAT(tests(test::join(times, "fields = \"last\"")).field_times, ElementsAre(1e-2));
   EXPECT_THAT(tests(test::join(times, "fields = \"none\"")).field_times, IsEmpty());

@@ -46,10 +46,10 @@ TEST(VoronoiFilms, AreWithinHalfAPerCentOfTheResolvedOnes) {
   }
 }
 
-// What is left is of the order of (t/L)^2, and the reference's own 0.1 %.
-TEST(VoronoiFilms, ConvergeToWithinTwoThirdsOfAPerCent) {
+// What is left is of the order of (t/L)^2, 0.5 %, and the reference's own 0.1 %.
+TEST(VoronoiFilms, ConvergeToWithinHalfAPerCentAndTheErrorOfTheReference) {
   for (const auto& [shear, load, reference, found] : compare(0.1)) {
-    EXPECT_NEAR(found / reference, 1.0, load == "bulk" ? 5e-4 : 7e-3) << shear << " MPa, " << load;
+    EXPECT_NEAR(found / reference, 1.0, load == "bulk" ? 5e-4 : 6e-3) << shear << " MPa, " << load;
   }
 }
 
@@ -59,7 +59,7 @@ TEST(VoronoiFilms, OfOtherThicknessesErrMoreTheThickerTheFilms) {
     double thickness, modulus, tolerance;
   };
   for (const auto& [thickness, modulus, tolerance] :
-       {Case{0.0046875, 1043.9, 5e-3}, Case{0.009375, 272.9, 7e-3}, Case{0.01875, 44.2, 2e-2}}) {
+       {Case{0.0046875, 1043.9, 5e-3}, Case{0.009375, 272.9, 6e-3}, Case{0.01875, 44.2, 1.8e-2}}) {
     auto problem = test::voronoi_problem(Boundary::periodic, thickness);
     problem.face_share = 0.15;
     const std::array binder = {Moduli{test::binder_bulk, 0.7 * mega}};

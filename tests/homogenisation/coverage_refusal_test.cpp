@@ -30,7 +30,7 @@ StoredResponses stored() {
   stored.matrix = Material{"binder", 1000.0, PronySeries(2e9), PronySeries(1e7)};
   stored.side = 1.0;
   stored.times = {1e-3, 1e6};
-  stored.entries = {{12, sampled(Boundary::displacement)}, {12, sampled(Boundary::traction)}};
+  stored.entries = {{TestGrid(12), sampled(Boundary::displacement)}, {TestGrid(12), sampled(Boundary::traction)}};
   return stored;
 }
 

@@ -34,7 +34,7 @@ StoredResponses linear_stage(const std::string& name, StageMatrix matrix, double
   const std::vector<Snapshot> snapshots = {{{{.bulk = 1e9, .shear = 1e8}}, 0.0}, {{{.bulk = 1e9, .shear = 1e3}}, 0.0}};
   for (const auto& [load, composite] : {std::pair{Load::shear, test::LinearComposite{0.0, in_shear, 0.0}},
                                         std::pair{Load::bulk, test::LinearComposite{0.0, in_shear / 3.0, 1.0}}}) {
-    stored.entries.push_back({12, test::one_vector_response(load, Boundary::traction, composite, snapshots)});
+    stored.entries.push_back({TestGrid(12), test::one_vector_response(load, Boundary::traction, composite, snapshots)});
   }
   return stored;
 }

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "breccia/error.hpp"
+#include "breccia/microstructure/grain_locator.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 
 #include "brute_force_tessellation.hpp"
@@ -209,6 +210,17 @@ TEST(Tessellation, FilmOfAFraction) {
   EXPECT_EQ(grain_fraction(plane, 1e-3), 0.0);
   const Tessellation<3> space(random_sites<3>({1e-3, Walls::hard, diameters_of_ratio(60, 5.0), 5, 1, 1e-6}));
   EXPECT_NEAR(grain_fraction(space, film_thickness(space, 0.9)), 0.9, 1e-13);
+}
+
+TEST(Tessellation, WallsWithoutAFilmCutGrainsAndFilms) {
+  auto sites = two_bands(Walls::hard);
+  sites.wall_film = WallFilm::none;
+  const Tessellation<2> bands(sites);
+  EXPECT_NEAR(grain_fraction(bands, 0.4), 1.0 - 0.4 / 4.0, 1e-14) << "one film across the box, none along its sides";
+  EXPECT_NEAR(film_thickness(bands, 0.9), 0.4, 1e-12);
+  const GrainLocator<2> locator(bands, 0.4);
+  EXPECT_TRUE(locator.at({0.01, 0.01}).is_in_grain());
+  EXPECT_FALSE(locator.at({2.2, 0.01}).is_in_grain());
 }
 
 TEST(Tessellation, BadArguments) {

@@ -1,9 +1,11 @@
-"""The resistance of a bend: how much longer a film seems where it flows into the junction of three films.
+"""The resistance of the bends: how much longer films seem where they flow into the junction of three of them.
 
-Stokes flow through three channels of width 1 that meet at 120 degrees around a triangle of side 1, the corners of three
-grains. Extra dissipation over that of parabolic flow up to the sides of the triangle, 12 alpha (w1^2 + w2^2 + w3^2) for
-mean flows w1 + w2 + w3 = 0 and a viscosity of 1: by symmetry one alpha serves for every such flow (docs/theory.md,
-Eq. 63). Taylor-Hood triangles, N across each channel. Nothing here uses Breccia. Debian 12: python3-scipy.
+Stokes flow of viscosity 1 through three channels of width 1 that meet under given angles around a triangle, the corners
+of three grains. What it dissipates more than parabolic flow up to the sides of the triangle is
+12 (alpha_1 w1^2 + alpha_2 w2^2 + alpha_3 w3^2) for mean flows w1 + w2 + w3 = 0 (docs/theory.md, Eq. 63): a quadratic form of
+two variables has three coefficients, so that three flows give the three alphas. Taylor-Hood triangles, N across each
+channel. Prints alpha at 120 degrees for several N, then a polynomial in the two angles beside a film that fits the
+alphas of many junctions, and the largest difference. Nothing here uses Breccia. Debian 12: python3-scipy. Minutes.
 
     /usr/bin/python3 film_end.py
 """
@@ -14,8 +16,15 @@ from scipy.sparse.linalg import spsolve
 ARM = 2.5  # length of the channels, after which the flow is parabolic to five digits
 
 
-def mesh(n):
-    """Places of the vertices, and triangles counter-clockwise."""
+def left(direction):
+    return np.array([-direction[1], direction[0]])
+
+
+def mesh(n, angles):
+    """Places of the vertices, and triangles counter-clockwise; corners of the grains and directions of the channels.
+
+    angles: from channel 1 to 2 and from 2 to 3 [degrees]. Channel k is between the corners k and k + 1.
+    """
     numbers, places, triangles = {}, [], []
 
     def vertex(place):
@@ -25,26 +34,35 @@ def mesh(n):
             places.append(np.array(place))
         return numbers[key]
 
-    corners = [np.array([np.cos(a), np.sin(a)]) / np.sqrt(3) for a in np.pi * np.array([1 / 2, 7 / 6, 11 / 6])]
+    turns = np.radians([0.0, angles[0], angles[0] + angles[1]])
+    directions = [np.array([np.cos(a), np.sin(a)]) for a in turns]
+    # The corner of the grain between two channels is half a width to the left of one and to the right of the other.
+    corners = [np.linalg.solve([left(directions[k - 1]), left(directions[k])], [0.5, -0.5]) for k in range(3)]
     for i in range(n):
         for j in range(n - i):
             at = lambda a, b: vertex(corners[0] + (corners[1] - corners[0]) * a / n + (corners[2] - corners[0]) * b / n)
             triangles.append([at(i, j), at(i + 1, j), at(i, j + 1)])
             if i + j + 1 < n:
                 triangles.append([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)])
-    columns = np.concatenate([np.linspace(0, 1, 2 * n + 1), np.linspace(1, ARM, n + 1)[1:]])
-    for k in range(3):
+    columns = np.concatenate([np.linspace(0, 1, 2 * n + 1), np.linspace(1, ARM, n + 1)[1:]]) / ARM
+    for k, out in enumerate(directions):
         a, b = corners[k], corners[(k + 1) % 3]
-        outward = np.array([(b - a)[1], -(b - a)[0]])
-        at = lambda i, j: vertex(a + (b - a) * j / n + outward * columns[i])
+        end = (a + b) / 2 @ out + ARM
+
+        def at(i, j):
+            place = a + (b - a) * j / n
+            along = place @ out
+            return vertex(out * (along + (end - along) * columns[i]) + left(out) * (place @ left(out)))
+
         for i in range(len(columns) - 1):
             for j in range(n):
                 triangles += [[at(i, j), at(i + 1, j), at(i + 1, j + 1)], [at(i, j), at(i + 1, j + 1), at(i, j + 1)]]
-    return np.array(places), np.array(triangles), corners
+    return np.array(places), np.array(triangles), corners, directions
 
 
-def extra_length(n, flows):
-    vertices, triangles, corners = mesh(n)
+def lengths(n, angles):
+    """alpha of the three channels."""
+    vertices, triangles, corners, directions = mesh(n, angles)
     middles, places, elements, uses = {}, list(vertices), [], {}
     for t in triangles:
         element = list(t)
@@ -89,23 +107,47 @@ def extra_length(n, flows):
     for (i, j), count in uses.items():
         if count == 1:
             fixed[[i, j, middles[(i, j)]]] = True
-    velocity = np.zeros((nodes, 2))
-    for k, flow in enumerate(flows):
-        p, q = corners[k], corners[(k + 1) % 3]
-        outward = np.array([(q - p)[1], -(q - p)[0]])
-        along, across = (places - p) @ outward, (places - p) @ (q - p)
-        end = np.abs(along - ARM) < 1e-9
-        velocity[end] = flow * np.outer(6 * across * (1 - across), outward)[end]
     free = np.flatnonzero(np.repeat(~fixed, 2))
-    u = velocity.ravel()
     # One pressure is held: the flows balance.
     system = sparse.bmat([[a[free][:, free], b[1:][:, free].T], [b[1:][:, free], None]], format="csc")
-    right = -np.concatenate([a[free] @ u, b[1:] @ u])
-    u[free] += spsolve(system, right)[: len(free)]
-    squares = np.dot(flows, flows)
-    return (u @ (a @ u) - 12 * ARM * squares) / (12 * squares)
+    flows = np.array([[1, -1, 0], [0, 1, -1], [-1, 0, 1]], float)
+    velocities = []
+    for flow in flows:
+        velocity = np.zeros((nodes, 2))
+        for k, out in enumerate(directions):
+            p, q = corners[k], corners[(k + 1) % 3]
+            along, across = places @ out, places @ left(out) + 0.5
+            end = (np.abs(along - (p + q) / 2 @ out - ARM) < 1e-7) & (across > -1e-7) & (across < 1 + 1e-7)
+            velocity[end] = flow[k] * np.outer(6 * across * (1 - across), out)[end]
+        velocities.append(velocity.ravel())
+    u = np.array(velocities).T
+    u[free] += spsolve(system, -np.concatenate([a[free] @ u, b[1:] @ u]))[: len(free)]
+    sums = (np.einsum("ik,ik->k", u, a @ u) - 24 * ARM) / 12  # of two alphas each
+    return np.linalg.solve(flows**2, sums)
+
+
+def monomials(beside):
+    """Of the two angles beside a film, in units of 120 degrees: symmetric in both."""
+    mean, apart = np.mean(beside) / 120 - 1, (beside[0] - beside[1]) / 120
+    return [1, mean, mean**2, apart**2, mean**3, mean * apart**2]
 
 
 if __name__ == "__main__":
     for count in (4, 8, 12, 16):
-        print(count, *(f"{extra_length(count, np.array(f)):.5f}" for f in ((1, -1, 0), (2, -1, -1))))
+        print(count, *(f"{alpha:.5f}" for alpha in lengths(count, (120, 120))))
+    N, ANGLES = 8, range(75, 170, 7)
+    scale = lengths(16, (120, 120))[0] / lengths(N, (120, 120))[0]  # of the mesh
+    rows, alphas, means = [], [], []
+    for first in ANGLES:
+        for second in ANGLES:
+            third = 360 - first - second
+            if not (second >= first and third >= second and third <= 170):
+                continue
+            found = scale * lengths(N, (first, second))
+            print(first, second, third, *(f"{alpha:.4f}" for alpha in found), flush=True)
+            for k, beside in enumerate(((third, first), (first, second), (second, third))):
+                rows.append(monomials(beside))
+                alphas.append(found[k])
+    rows, alphas = np.array(rows), np.array(alphas)
+    fit = np.linalg.lstsq(rows, alphas, rcond=None)[0]
+    print("fit", *(f"{c:.4f}" for c in fit), "largest difference", f"{np.abs(rows @ fit - alphas).max():.4f}")

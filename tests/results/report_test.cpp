@@ -69,7 +69,7 @@ class Report : public testing::Test {
     responses.side = 6e-3;
     responses.times = {1e-3, 1e-2};
     responses.deck_hash = hash;
-    responses.entries = {{12, test::one_vector_response(Load::shear, Boundary::traction, {3.0, 2.0, 0.5},
+    responses.entries = {{TestGrid(12), test::one_vector_response(Load::shear, Boundary::traction, {3.0, 2.0, 0.5},
                                                         {{{{.bulk = 1e9, .shear = 1e6}}, 0.0}})}};
     write_responses(directory.path() / "fine", responses);
   }

@@ -61,6 +61,8 @@ class ConvexCell {
   void trim();
   /// The places whose distance from all faces is at least `distance` [m].
   [[nodiscard]] ConvexCell eroded(double distance) const;
+  /// The same, but faces for which `recedes` is false stay where they are.
+  [[nodiscard]] ConvexCell eroded(double distance, bool (*recedes)(const HalfSpace<dim>&)) const;
 
  private:
   std::vector<Corner> corners_;

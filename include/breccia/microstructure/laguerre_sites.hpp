@@ -15,6 +15,12 @@ struct Site {
   double weight = 0.0;     ///< the larger, the larger is the grain [m^2]
 };
 
+/// What runs along hard walls.
+enum class WallFilm {
+  half,  ///< half a film: the grains keep off the walls
+  none   ///< nothing: the walls cut grains and films, as the sides of a window in a larger body do
+};
+
 /// The sites of a Laguerre tessellation (power diagram) of the box [0, side]^dim: a place x belongs to the site with
 /// the least |x - position|^2 - weight (theory, Eq. 48). In a periodic box all images of a site count; hard walls cut
 /// the cells. A number that is added to all weights changes nothing.
@@ -23,6 +29,7 @@ struct LaguerreSites {
   double side = 0.0;  ///< [m]
   Walls walls = Walls::periodic;
   std::vector<Site<dim>> sites;
+  WallFilm wall_film = WallFilm::half;  ///< without a meaning in a periodic box
 };
 
 /// What is wrong with one site.

@@ -14,7 +14,8 @@ namespace breccia {
 
 /// A Laguerre tessellation: convex cells that fill a box, one for each site. A film of uniform thickness t between the
 /// cells leaves of each of them a grain, the places whose distance from all faces of the cell is at least t/2; so
-/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 49).
+/// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 49). Where the walls have no film,
+/// their faces do not count.
 template <int dim>
 class Tessellation {
  public:
@@ -28,9 +29,13 @@ class Tessellation {
   /// The cell of a site, seen from its position; in a periodic box it may reach beyond the sides.
   [[nodiscard]] const ConvexCell<dim>& cell(std::size_t site) const { return cells_[site]; }
   /// The cell without its share of the film, seen in the same way. Empty if the film leaves nothing.
-  [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const { return cells_[site].eroded(0.5 * film); }
+  [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const;
   /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
   [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
+  /// Whether a film makes grains recede from this face: from all but walls without one.
+  [[nodiscard]] bool recedes(const HalfSpace<dim>& face) const noexcept {
+    return sites_.wall_film == WallFilm::half || neighbour(face).has_value();
+  }
   /// By how many sides of the box the image of that site beyond the face is displaced along each axis: -1, 0 or 1. Zero
   /// beyond a wall.
   [[nodiscard]] static Index<dim> image(const HalfSpace<dim>& face) noexcept;

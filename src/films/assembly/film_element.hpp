@@ -14,9 +14,6 @@ struct FilmStretch {
   double thickness;
 };
 
-/// The resistance of the bend at an end of a film, as a length of film in units of the thickness (theory, Eq. 63).
-inline constexpr double end_length = 0.23;
-
 /// What a stretch of film adds to the matrices (theory, Eqs. 60 and 61). Its unknowns are the displacements of six
 /// nodes, two components each: begin, middle and end of the first side, then of the second; then the flow at its begin
 /// and at its end. Its pressures are those at begin, middle and end.

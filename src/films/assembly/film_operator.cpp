@@ -6,6 +6,7 @@
 #include "breccia/error.hpp"
 
 #include "assembly/film_element.hpp"
+#include "assembly/film_end.hpp"
 #include "assembly/grain_stiffness.hpp"
 #include "assembly/junction_element.hpp"
 
@@ -63,9 +64,10 @@ class FilmOperator::Assembly {
   }
 
   void add_films() {
+    const auto lengths = end_lengths(network_);
     for (std::size_t f = 0; f < network_.films.size(); ++f) {
       for (int element = 0; element < network_.films[f].segments; ++element) add_stretch(f, element);
-      for (int end = 0; end < 2; ++end) add_end(f, end);
+      for (int end = 0; end < 2; ++end) add_end(f, end, lengths[f][static_cast<std::size_t>(end)]);
     }
   }
 
@@ -204,7 +206,7 @@ class FilmOperator::Assembly {
   }
 
   /// Where a film flows into a junction, the flow has to turn; at a wall without displacements it flows out freely.
-  void add_end(std::size_t f, int end) {
+  void add_end(std::size_t f, int end, double end_length) {
     const auto& film = network_.films[f];
     const auto number = film.junctions[static_cast<std::size_t>(end)];
     const auto& junction = network_.junctions[number];

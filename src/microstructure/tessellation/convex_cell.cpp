@@ -179,8 +179,14 @@ void ConvexCell<dim>::trim() {
 
 template <int dim>
 ConvexCell<dim> ConvexCell<dim>::eroded(double distance) const {
+  return eroded(distance, [](const HalfSpace<dim>&) { return true; });
+}
+
+template <int dim>
+ConvexCell<dim> ConvexCell<dim>::eroded(double distance, bool (*recedes)(const HalfSpace<dim>&)) const {
   ConvexCell result = *this;
   for (HalfSpace<dim> half_space : half_spaces_) {
+    if (!recedes(half_space)) continue;
     half_space.offset -= distance;
     result.cut(half_space);
   }

@@ -22,7 +22,9 @@ GrainLocator<dim>::GrainLocator(const Tessellation<dim>& tessellation, double fi
   }
   first_face_.push_back(0);
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
-    for (const auto& face : tessellation.cell(site).half_spaces()) faces_.push_back({face.normal, face.offset});
+    for (const auto& face : tessellation.cell(site).half_spaces()) {
+      if (tessellation.recedes(face)) faces_.push_back({face.normal, face.offset});
+    }
     first_face_.push_back(faces_.size());
   }
 }

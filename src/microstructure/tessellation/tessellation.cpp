@@ -22,7 +22,7 @@ struct Filling {
   double slope = 0.0;
 };
 
-/// Each face of a grain recedes by half of what the film grows.
+/// Each face of a grain that recedes does so by half of what the film grows.
 template <int dim>
 Filling filling(const Tessellation<dim>& tessellation, double film) {
   const double box = times_power<dim>(1.0, tessellation.side());
@@ -31,7 +31,9 @@ Filling filling(const Tessellation<dim>& tessellation, double film) {
     const auto grain = tessellation.grain(site, film);
     const auto faces = face_measures(grain);
     result.fraction += volume(grain) / box;
-    result.slope -= 0.5 * std::accumulate(faces.begin(), faces.end(), 0.0) / box;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      if (tessellation.recedes(grain.half_spaces()[face])) result.slope -= 0.5 * faces[face] / box;
+    }
   }
   return result;
 }
@@ -43,6 +45,12 @@ Tessellation<dim>::Tessellation(LaguerreSites<dim> sites) : sites_(std::move(sit
   require_none(mistakes_of_numbers(sites_));
   cells_ = CellBuilder<dim>(sites_).cells();
   require_none(empty_cells(sites_, cells_));
+}
+
+template <int dim>
+ConvexCell<dim> Tessellation<dim>::grain(std::size_t site, double film) const {
+  if (sites_.wall_film == WallFilm::half) return cells_[site].eroded(0.5 * film);
+  return cells_[site].eroded(0.5 * film, [](const HalfSpace<dim>& face) { return neighbour(face).has_value(); });
 }
 
 template <int dim>

@@ -78,10 +78,13 @@ TessellationStatistics statistics(const Tessellation<dim>& tessellation, double 
   result.diameter = spread(grains, &Geometry::diameter);
   result.aspect_ratio = spread(grains, &Geometry::aspect_ratio);
   for (std::size_t site = 0; site < grains.size(); ++site) {
-    const auto faces = face_measures(tessellation.cell(site));
+    const auto& cell = tessellation.cell(site);
+    const auto faces = face_measures(cell);
     if (grains[site].grain_volume == 0.0) ++result.vanished;
     result.fraction += grains[site].grain_volume / box;
-    result.film_surface += 0.5 * std::accumulate(faces.begin(), faces.end(), 0.0) / box;
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      if (tessellation.recedes(cell.half_spaces()[face])) result.film_surface += 0.5 * faces[face] / box;
+    }
     result.mean_faces += static_cast<double>(grains[site].faces) / static_cast<double>(grains.size());
   }
   return result;
