@@ -56,11 +56,14 @@ std::vector<Method> read_methods(const Section& section) {
   return methods;
 }
 
-QuasistaticOptions read_quasistatic(const Section& section) {
-  // Two parameters and more take many times the snapshots of one, and serve for moduli that are not known well.
-  constexpr double tolerance_with_varied_materials = 1e-4;
-  QuasistaticOptions options;
-  if (section.has("vary")) options.sampling.tolerance = tolerance_with_varied_materials;
+/// Of the sampling, for studies that need no more. Two parameters and more take many times the snapshots of one, and
+/// serve for moduli that are not known well. The model of films errs by far more, and in boxes of many grains of all
+/// sizes rounding is not far below the default.
+constexpr double coarse_tolerance = 1e-4;
+
+/// Reads what a deck gives of these options.
+QuasistaticOptions read_quasistatic(const Section& section, QuasistaticOptions options) {
+  if (section.has("vary")) options.sampling.tolerance = coarse_tolerance;
   options.sampling.tolerance =
       section.optional_number("tolerance", allowed::accuracy).value_or(options.sampling.tolerance);
   if (section.has("range")) {
@@ -128,6 +131,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
   Tests tests;
   tests.model = model;
   if (model == Model::films) {
+    tests.quasistatic.sampling.tolerance = coarse_tolerance;
     if (const auto films = section.optional_section("films")) {
       tests.films.face_share =
           films->optional_number("face_share", allowed::face_share).value_or(tests.films.face_share);
@@ -157,7 +161,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
       static_cast<int>(section.optional_integer("points_per_decade", allowed::points_per_decade).value_or(20));
   tests.fit_tolerance = section.optional_number("fit_tolerance", allowed::fit_tolerance).value_or(tests.fit_tolerance);
   if (const auto quasistatic = section.optional_section("quasistatic")) {
-    tests.quasistatic = read_quasistatic(*quasistatic);
+    tests.quasistatic = read_quasistatic(*quasistatic, tests.quasistatic);
     tests.varied = read_varied_materials(*quasistatic, stages);
   }
   if (const auto dynamic = section.optional_section("dynamic")) tests.dynamic = read_dynamic(*dynamic);

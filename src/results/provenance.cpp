@@ -18,6 +18,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/identity.hpp"
+#include "breccia/study/test_rules.hpp"
 
 namespace breccia {
 namespace {
@@ -174,6 +175,12 @@ Json json_of(const TestResult& test, const Study& study, const StageRecord& reco
   return json;
 }
 
+/// Cells per side of all grids, or "films".
+Json names_of_grids(const Tests& tests, const Stage& stage) {
+  if (model_of(tests, stage) == Model::films) return Json::array({name_of(TestGrid::films())});
+  return stage.grids();
+}
+
 Json json_of(const std::optional<double>& number) {
   return number ? Json(*number) : Json();
 }
@@ -308,7 +315,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                {"filler", name_of_fillers(stage)},
                {"fillers", json_of(stage, packing.fillers)},
                {"box_m", stage.side},
-               {"cells", stage.grids()},
+               {"cells", names_of_grids(study.tests, stage)},
                {"points", result.points},
                {"filler_point_fraction", result.point_fraction},
                {"microstructure", std::move(microstructure)},

@@ -66,6 +66,7 @@ TEST_F(DeckTests, GrainsComputedWithFilmsNeedNoCells) {
   const auto study = directory.study(deck_of(grains, "model = \"films\"\nfilms = { face_share = 0.1 }\n"));
   EXPECT_EQ(study.tests.model, Model::films);
   EXPECT_EQ(study.tests.films.face_share, 0.1);
+  EXPECT_EQ(study.tests.quasistatic.sampling.tolerance, 1e-4);
   EXPECT_EQ(study.stages.front().cells, 512) << "of the labels";
   EXPECT_THAT(directory.mistakes(deck_of(grains, "")), HasSubstr("cells"));
   EXPECT_THAT(directory.mistakes(deck_of(grains, "model = \"film\"\n")), HasSubstr("\"films\""));

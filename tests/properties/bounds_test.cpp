@@ -109,7 +109,7 @@ TEST(RandomComposites, MayExceedTheMeanModulusInTime) {
        {"filler", 1000.0, PronySeries(3e6), PronySeries(1e6)}}};
   const auto test = quasistatic_test(composite, Boundary::displacement);
   const auto series = run_quasistatic_test(test).responses[0].series;
-  const auto fractions = test.discretisation.fractions(2);
+  const auto fractions = std::get<Discretisation<2>>(test.composite).fractions(2);
   constexpr double late = 0.1;
   double mean = 0.0;
   for (std::size_t m = 0; m < fractions.size(); ++m) mean += fractions[m] * test.materials[m].shear.at(late);

@@ -15,8 +15,9 @@ export const quantities = [
 ];
 
 /// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the result of all grids (the
-/// limit of vanishing cells with points, the finest grid with mixed cells, and the band of both).
+/// limit of vanishing cells with points, the finest grid with mixed cells, and the band of both); "films" has none.
 export function gridName(cells) {
+  if (cells === "films") return cells;
   return cells === "extrapolated" ? "all grids" : `${cells} cells`;
 }
 

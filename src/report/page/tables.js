@@ -8,13 +8,18 @@ import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {table} from "./table.js";
 
+/// Whether a stage was computed by the model of grains and films, without cells.
+function hasFilms(stage) {
+  return stage.cells[0] === "films";
+}
+
 /// Shows the title, and what was computed of which stages.
 export function showSummary() {
   document.getElementById("title").textContent = study.title;
   const tests = study.stages.flatMap((stage) => stage.tests);
   const sentences = study.stages.map((stage, i) => {
     const earlier = study.stages.slice(0, i).some((one) => one.name === stage.matrix);
-    const cells = `${listed(stage.cells.map(String))} cells a side`;
+    const cells = hasFilms(stage) ? "computed as grains and films" : `${listed(stage.cells.map(String))} cells a side`;
     return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the stage before" : ""}; ${cells}.`;
   });
   const list = sentences.length > 1 ? element("ol", {}, ...sentences.map((text) => element("li", {}, text)))
@@ -136,5 +141,5 @@ export function showProvenance() {
   const secondsOf = (test) => test.wall_time_s ?? test.time_domains?.reduce((sum, one) => sum + one.wall_time_s, 0);
   place.append(table(["stage", "load", "bound", "method", "cells", "volume strain", "solver", "wall time"],
     tests.filter(({test}) => secondsOf(test) !== undefined).map(({stage, test}) => [...nameOfTest(stage, test),
-      String(test.cells), test.volumetric, test.solver ?? test.formulation, duration(secondsOf(test))])));
+      String(test.cells), test.volumetric ?? "", test.solver ?? test.formulation, duration(secondsOf(test))])));
 }
