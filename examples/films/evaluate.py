@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Prints the tables of "Grains and films" in docs/pbx9501-grains.md.
+"""Prints the tables of docs/pbx9501-films.md and draws its figure, by gnuplot.
 
-    examples/films/evaluate.py RESULTS
+    examples/films/evaluate.py RESULTS [FIGURE]
 
 RESULTS holds what examples/films/run.sh has computed, a directory for each case."""
 
+import subprocess
 import sys
 from pathlib import Path
 from statistics import mean, stdev
@@ -16,7 +17,8 @@ from evaluate import MPA, Case, head, over_measured, row  # noqa: E402
 
 def curves(results, pattern, boundary="periodic"):
     """The curves [Pa] of all seeds."""
-    return [Case(directory).curve(boundary) for directory in sorted(results.glob(pattern))]
+    done = (directory for directory in sorted(results.glob(pattern)) if (directory / "prony.csv").exists())
+    return [Case(directory).curve(boundary) for directory in done]
 
 
 def mean_of(curves):
@@ -28,7 +30,44 @@ def spread_of(curves):
     return [100.0 * stdev(values) / mean(values) for values in zip(*curves)]
 
 
+def figure(found, path):
+    """Moduli over the number of grains under the three boundaries, with the standard deviation of a single box."""
+    names = {"displacement": "displacement (upper bound)", "periodic": "periodic", "traction": "traction (lower bound)"}
+    colours = {"displacement": "#c44e52", "periodic": "#222222", "traction": "#4c72b0"}
+    data, plots = "", []
+    for boundary, name in names.items():
+        for time, label in ((2, "1 µs"), (6, "10 ms")):
+            block = f"${boundary}_{time}"
+            data += f"{block} << EOD\n"
+            for (count, of_boundary), values in found.items():
+                if of_boundary != boundary:
+                    continue
+                moduli = [curve[time] / MPA for curve in values]
+                data += f"{count} {mean(moduli)} {stdev(moduli)}\n"
+            data += "EOD\n"
+            style = f'with errorlines lc rgb "{colours[boundary]}" lw 1.5 pt 7 ps 0.6'
+            title = f'title "{name}"' if time == 2 else "notitle"
+            plots.append(f"{block} using 1:2:3 {style} {title}")
+    script = f"""set terminal svg size 720,460 font "sans,13" background "white"
+set logscale xy
+set xlabel "number of grains in the box"
+set ylabel "G / MPa"
+set xrange [18:1500]
+set yrange [300:5000]
+set ytics (400, 600, 1000, 2000, 4000)
+set xtics (25, 100, 400, 1000)
+set key bottom right
+set label "1 µs" at 1060, 3110
+set label "10 ms" at 1060, 880
+{data}plot {", ".join(plots)}
+"""
+    with open(path, "w") as file:
+        subprocess.run(["gnuplot"], input=script, text=True, stdout=file, check=True)
+
+
 def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
     results = Path(sys.argv[1])
     head("G [MPa], mean of both shears and of the seeds")
     counts = [(count, boundary) for count in (25, 100, 400, 1000) for boundary in ("displacement", "periodic", "traction")]
@@ -40,6 +79,7 @@ def main():
     head("standard deviation of one box [%]")
     for count, boundary in counts:
         row(f"{count} grains, {boundary}", spread_of(found[count, boundary]), "{:.1f}")
+    row("50 to 500 µm, periodic", spread_of(curves(results, "sizes-50-*")), "{:.1f}")
 
     head("halved elements over the default ones [%]")
     for name, coarse in (("mesh-400", "periodic-400-seed1"), ("mesh-sizes", "sizes-50-seed1")):
@@ -61,6 +101,8 @@ def main():
             row(name, over_measured(mean_of(of_case)))
     faster = [Case(directory).curve(faster=10.0) for directory in sorted(results.glob("periodic-1000-*"))]
     row("1000 grains, binder ten times faster", over_measured(mean_of(faster)))
+    if len(sys.argv) == 3:
+        figure(found, sys.argv[2])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
 #include "varied_materials.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace breccia {
@@ -9,9 +11,9 @@ namespace {
 std::optional<ModulusInterval> read_interval(const Section& material, const std::string& key) {
   if (!material.has(key)) return std::nullopt;
   const auto moduli = material.quantities(key, Dimension::pressure, Range::positive());
-  if (moduli.empty()) return std::nullopt;
   // An invalid modulus has been reported already and is NaN here.
-  if (moduli.size() == 2 && !(moduli[0] >= moduli[1])) return ModulusInterval{moduli[0], moduli[1]};
+  if (moduli.empty() || std::ranges::any_of(moduli, [](double one) { return std::isnan(one); })) return std::nullopt;
+  if (moduli.size() == 2 && moduli[0] < moduli[1]) return ModulusInterval{moduli[0], moduli[1]};
   material.report(key, R"(expected two rising moduli, such as ["10 MPa", "1 GPa"])");
   return std::nullopt;
 }

@@ -61,9 +61,11 @@ std::string remedy_for(const StoredResponses& stored) {
 std::string describe(const PhaseCoverage& found, const Material& material, const TimeWindow& window) {
   const auto* name = found.is_shear_covered ? "bulk" : "shear";
   const auto of = found.is_shear_covered ? &Moduli::bulk : &Moduli::shear;
-  return fmt::format("from {} to {} {} shows a {} modulus from {} to {}; the study has sampled {} to {}",
-                     seconds(window.begin), seconds(window.end), material.name, name, pascals(found.shown.least.*of),
-                     pascals(found.shown.most.*of), pascals(found.sampled.least.*of), pascals(found.sampled.most.*of));
+  const auto least = pascals(found.shown.least.*of), most = pascals(found.shown.most.*of);
+  return fmt::format("from {} to {} {} shows a {} modulus {}; the study answers {} to {}", seconds(window.begin),
+                     seconds(window.end), material.name, name,
+                     least == most ? "of " + least : fmt::format("from {} to {}", least, most),
+                     pascals(found.sampled.least.*of), pascals(found.sampled.most.*of));
 }
 
 }  // namespace

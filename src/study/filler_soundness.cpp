@@ -199,14 +199,14 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
 
 void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   const auto& [file, discs, walls, fillers, particles] = *stage.listed();
-  if (discs.empty() && particles.empty()) mistakes.add(part, "expected at least one disc");
+  if (discs.empty() && particles.empty()) mistakes.add(part, "expected at least one particle");
   if (!discs.empty() && !particles.empty()) {
     mistakes.add(part, "expected discs, or particles of other shapes and none");
     return;
   }
   const auto count = std::max(discs.size(), particles.size());
   if (!fillers.empty() && fillers.size() != count) {
-    mistakes.add(part, fmt::format("expected the filler of each of {} discs, got {}", count, fillers.size()));
+    mistakes.add(part, fmt::format("expected the filler of each of {} particles, got {}", count, fillers.size()));
     return;
   }
   if (fillers.empty() && stage.fillers.size() > 1) {
@@ -214,7 +214,7 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
   }
   const auto is_unknown = [&](std::size_t filler) { return filler >= stage.fillers.size(); };
   if (const auto unknown = std::ranges::find_if(fillers, is_unknown); unknown != fillers.end()) {
-    mistakes.add(part, fmt::format("a disc is of filler {}, counted from 0, but there are only {}", *unknown,
+    mistakes.add(part, fmt::format("a particle is of filler {}, counted from 0, but there are only {}", *unknown,
                                    stage.fillers.size()));
     return;
   }

@@ -57,6 +57,7 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
     lacks(is_periodic ? R"(expected the boundary "periodic", or packing.walls = "cut")"
                       : R"(expected the boundaries "displacement" and "traction", or packing.walls = false)");
   }
+  if (tests.lists_field_times) lacks("expected no times of fields, which only cells have");
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
   return mistakes;
 }
@@ -83,6 +84,16 @@ std::vector<std::string> lacking_in_films(const Study& study) {
   return mistakes;
 }
 
+/// Only a reduced basis samples over moduli.
+std::optional<std::string> vary_without_samples(const Tests& tests) {
+  if (tests.varied.empty()) return std::nullopt;
+  if (!uses(tests, Method::quasistatic)) {
+    return R"(quasistatic.vary is for method "quasistatic"; the dynamic method takes one value of each modulus)";
+  }
+  if (tests.quasistatic.solver == Solver::reduced) return std::nullopt;
+  return R"(quasistatic.vary is for solver "reduced"; "stepping" takes one value of each modulus)";
+}
+
 /// Mixed cells have averaged volumetric strains.
 std::optional<std::string> mixing_of_points(const Tests& tests) {
   if (tests.mixing == Mixing::points || !has_standard_points(tests)) return std::nullopt;
@@ -90,11 +101,14 @@ std::optional<std::string> mixing_of_points(const Tests& tests) {
                      name_of(Mixing::series), name_of(Volumetric::averaged), name_of(Mixing::points));
 }
 
-/// Reports too few times for fitted series. All series are fits, except those of the reduced solver on a single grid.
+/// Whether series are fits, for which there may be too few times: all are, except those of the reduced solver on a
+/// single grid or in mixed cells, where the finest grid gives the result.
 bool has_fits(const Study& study) {
+  const bool is_extrapolated = study.tests.mixing == Mixing::points;
   return uses(study.tests, Method::dynamic) || study.tests.quasistatic.solver == Solver::stepping ||
-         std::ranges::any_of(study.stages, [](const Stage& stage) {
-           return !stage.coarser_cells.empty() || std::holds_alternative<EarlierStage>(stage.matrix);
+         std::ranges::any_of(study.stages, [is_extrapolated](const Stage& stage) {
+           return (is_extrapolated && !stage.coarser_cells.empty()) ||
+                  std::holds_alternative<EarlierStage>(stage.matrix);
          });
 }
 
@@ -145,6 +159,7 @@ std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
+  if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));
   return mistakes;
 }

@@ -178,7 +178,7 @@ shear   = { terms = [{ time = "1 us", modulus = "10 GPa" }] }
   const auto refused = respond(wide);
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_THAT(refused.errors, HasSubstr("from 1 us to 100 us stiff shows a shear modulus from 99 MPa to 5 GPa; the "
-                                        "study has sampled"));
+                                        "study answers"));
   EXPECT_THAT(refused.errors, HasSubstr("a new study with this material as its matrix covers all of it"));
   EXPECT_THAT(refused.errors, HasSubstr("covered from 8.7 us to 100 us: --times \"8.7 us\" \"100 us\""));
   EXPECT_FALSE(std::filesystem::exists(study->path() / "stiff"));

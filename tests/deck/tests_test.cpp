@@ -217,6 +217,13 @@ TEST_F(DeckTests, MistakesInMaterialsThatVary) {
   EXPECT_THAT(with("hmx = { shear = [\"1 GPa\", \"10 m\"] }"), HasSubstr("vary.hmx.shear: expected a pressure"));
   EXPECT_THAT(with("hmx = { shear = \"1 GPa\" }"), HasSubstr("vary.hmx.shear: expected an array"));
   EXPECT_THAT(with("hmx = [\"1 GPa\", \"10 GPa\"]"), HasSubstr("vary.hmx: expected a table"));
+  const auto of_zero = with("hmx = { shear = [\"0 MPa\", \"10 GPa\"] }");
+  EXPECT_THAT(of_zero, HasSubstr("vary.hmx.shear: expected a positive pressure"));
+  EXPECT_THAT(of_zero, testing::Not(HasSubstr("rising"))) << "one mistake, one line";
+  EXPECT_THAT(mistakes(test::join(times,
+                                  "method = \"dynamic\"\n[tests.quasistatic]\nvary = { hmx = { shear = "
+                                  "[\"1 GPa\", \"10 GPa\"] } }\n")),
+              HasSubstr("quasistatic.vary is for method \"quasistatic\""));
   EXPECT_THAT(with("hmx = { young = [\"1 GPa\", \"10 GPa\"] }"), HasSubstr("unknown key \"young\""));
   EXPECT_THAT(with("hmx = { shear = [\"1 GPa\", \"2 GPa\"] }"),
               HasSubstr("vary.hmx: the shear modulus of the material, 5.84 GPa, is not among 1 GPa to 2 GPa"));

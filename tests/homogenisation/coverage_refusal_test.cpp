@@ -46,12 +46,11 @@ MatrixUnder everywhere(const Material& material) {
 // 105 MPa at 8.52 s and 0.95 MPa at 1051.6 s. The times are looked at with 48 to a decade, and rounded inwards.
 TEST(CoverageRefusal, TellsWhatIsShownWhatWasSampledAndWhatIsCovered) {
   const auto gel = maxwell();
-  EXPECT_EQ(
-      test::message_of<InputError>([&] { static_cast<void>(respond(stored(), gel)); }),
-      "stage A: from 1 ms to 1 Ms gel shows a shear modulus from 1 kPa to 999 MPa; the study has sampled 950 kPa to "
-      "105 MPa\n"
-      "a new study with this material as its matrix covers all of it\n"
-      "covered from 8.7 s to 1 ks");
+  EXPECT_EQ(test::message_of<InputError>([&] { static_cast<void>(respond(stored(), gel)); }),
+            "stage A: from 1 ms to 1 Ms gel shows a shear modulus from 1 kPa to 999 MPa; the study answers 950 kPa to "
+            "105 MPa\n"
+            "a new study with this material as its matrix covers all of it\n"
+            "covered from 8.7 s to 1 ks");
 }
 
 TEST(CoverageRefusal, NamesTimesThatAreAnswered) {
@@ -74,8 +73,8 @@ TEST(CoverageRefusal, IsOfTheBulkModulusWhereTheShearModulusIsCovered) {
   for (const double bulk : {1.79e9, 2.21e9}) {
     material.bulk = PronySeries(bulk);
     const auto refusal = [&] { require_coverage(stored(), everywhere(material), {1.0, 10.0}); };
-    EXPECT_THAT(test::message_of<NotCovered>(refusal), AllOf(HasSubstr("gel shows a bulk modulus from "),
-                                                             HasSubstr("the study has sampled 1.8 GPa to 2.2 GPa")));
+    EXPECT_THAT(test::message_of<NotCovered>(refusal),
+                AllOf(HasSubstr("gel shows a bulk modulus from "), HasSubstr("the study answers 1.8 GPa to 2.2 GPa")));
   }
 }
 

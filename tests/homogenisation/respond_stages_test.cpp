@@ -135,7 +135,7 @@ TEST(RespondWithSeveralPhases, RefusesACoatingBeyondWhatWasSampled) {
   EXPECT_EQ(test::message_of<NotCovered>([&] {
               static_cast<void>(respond(std::vector{coated_stage()}, {{"binder", test::binder}, {"interphase", hard}}));
             }),
-            "stage fine: from 1 ms to 50 ms hard shows a shear modulus from 1 MPa to 1 MPa; the study has sampled 9.5 "
+            "stage fine: from 1 ms to 50 ms hard shows a shear modulus of 1 MPa; the study answers 9.5 "
             "kPa to 105 kPa\na new study with these materials covers all of them; moduli of elastic materials between "
             "two ends are sampled with tests.quasistatic.vary");
   auto incomplete = coated_stage();

@@ -70,7 +70,7 @@ class Report : public testing::Test {
     responses.times = {1e-3, 1e-2};
     responses.deck_hash = hash;
     responses.entries = {{TestGrid(12), test::one_vector_response(Load::shear, Boundary::traction, {3.0, 2.0, 0.5},
-                                                        {{{{.bulk = 1e9, .shear = 1e6}}, 0.0}})}};
+                                                                  {{{{.bulk = 1e9, .shear = 1e6}}, 0.0}})}};
     write_responses(directory.path() / "fine", responses);
   }
   [[nodiscard]] json data() const { return json::parse(study_page_data(directory.path()).json); }

@@ -224,7 +224,7 @@ TEST(RequireSound, NamesEachMistakeOfSeveralFillersAndCoatings) {
           for (auto& filler : study.stages[0].fillers) filler = {.material = filler.material};
           study.stages[0].packing = ExplicitPacking{"", {{{2e-3, 2e-3}, 1e-3}}, Walls::hard, {2}};
         },
-        "fine, packing: a disc is of filler 2, counted from 0, but there are only 2"}},
+        "fine, packing: a particle is of filler 2, counted from 0, but there are only 2"}},
       sound);
 }
 
@@ -275,7 +275,7 @@ TEST(RequireSound, NamesEachMistakeOfFillersInExplicitPackings) {
   const auto with_discs = [](const std::vector<Disc>& discs) {
     return [discs](Study& study) { std::get<ExplicitPacking>(study.stages[0].packing).discs = discs; };
   };
-  expect_each({{with_discs({}), "fine, filler: expected at least one disc"},
+  expect_each({{with_discs({}), "fine, filler: expected at least one particle"},
                {[](Study& study) { filler_of(study).sizes = SingleSize{1e-3}; },
                 "fine, filler: expected neither sizes nor a fraction"}},
               sound);
