@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -87,11 +88,12 @@ std::vector<std::string> lacking_in_films(const Study& study) {
 /// Only a reduced basis samples over moduli.
 std::optional<std::string> vary_without_samples(const Tests& tests) {
   if (tests.varied.empty()) return std::nullopt;
-  if (!uses(tests, Method::quasistatic)) {
-    return R"(quasistatic.vary is for method "quasistatic"; the dynamic method takes one value of each modulus)";
-  }
+  const auto takes_one_value = [](std::string_view wanted, std::string_view present) {
+    return fmt::format("quasistatic.vary is for {}; \"{}\" takes one value of each modulus", wanted, present);
+  };
+  if (!uses(tests, Method::quasistatic)) return takes_one_value("method \"quasistatic\"", name_of(Method::dynamic));
   if (tests.quasistatic.solver == Solver::reduced) return std::nullopt;
-  return R"(quasistatic.vary is for solver "reduced"; "stepping" takes one value of each modulus)";
+  return takes_one_value("solver \"reduced\"", name_of(Solver::stepping));
 }
 
 /// Mixed cells have averaged volumetric strains.

@@ -74,7 +74,7 @@ TEST(CoverageRefusal, IsOfTheBulkModulusWhereTheShearModulusIsCovered) {
     material.bulk = PronySeries(bulk);
     const auto refusal = [&] { require_coverage(stored(), everywhere(material), {1.0, 10.0}); };
     EXPECT_THAT(test::message_of<NotCovered>(refusal),
-                AllOf(HasSubstr("gel shows a bulk modulus from "), HasSubstr("the study answers 1.8 GPa to 2.2 GPa")));
+                AllOf(HasSubstr("gel shows a bulk modulus of "), HasSubstr("the study answers 1.8 GPa to 2.2 GPa")));
   }
 }
 
