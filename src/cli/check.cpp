@@ -51,7 +51,7 @@ std::string memory(double bytes) {
 Plan dynamic_plan(const Stage& stage, const DynamicTest& test, int cells) {
   const auto plan = plan_dynamic_test(test, static_cast<double>(cells) / test.discretisation.grid().columns());
   const double speed = trial_speed(test);
-  const auto points = point_count(cells);
+  const auto points = point_count(stage, cells);
   const auto bytes = static_cast<double>(plan.bytes);
   std::int64_t steps = 0;
   auto text = fmt::format("  {} {}, {}, dynamic: {} points, about {}\n", stage.name, name_of(test.load),
@@ -86,10 +86,10 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
 }
 
 Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
-  const double unknowns = quasistatic_unknowns(cells);
+  const double unknowns = quasistatic_unknowns(stage, cells);
   const double bytes = quasistatic_memory(study, stage, cells), seconds = quasistatic_time(study, stage, unknowns);
-  return {fmt::format("  {} {}, quasi-static: {} x {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
-                      bound_of(boundary), cells, cells, unknowns, memory(bytes), display_duration(seconds, 1)),
+  return {fmt::format("  {} {}, quasi-static: {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
+                      bound_of(boundary), cells_in_words(stage, cells), unknowns, memory(bytes), display_duration(seconds, 1)),
           seconds, bytes};
 }
 
@@ -102,7 +102,8 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
     }
     // A finer grid is planned by this one: its points would take long, and memory that may not be there.
     constexpr int most_planned = 1000;
-    const auto discretisation = discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing);
+    const auto discretisation =
+        std::get<Discretisation<2>>(discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing));
     const auto matrix = expected_matrix(study, stage);
     for (const auto load : loads_of(study, stage)) {
       plan.add(dynamic_plan(stage, make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0), cells));

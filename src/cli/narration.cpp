@@ -94,7 +94,7 @@ RunObserver narrate(Progress& progress) {
     if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
   };
   observer.domain_finished = [&progress](const Stage& stage, const TestId& test, const TimeDomain& domain) {
-    const auto points = point_count(test.grid.cells().value());
+    const auto points = point_count(stage, test.grid.cells().value());
     progress.print(
         fmt::format("{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
                     "points x steps/s",

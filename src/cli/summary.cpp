@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/campaign/run.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/study/filler_shapes.hpp"
@@ -92,9 +93,13 @@ struct DescribePacking {
   std::string operator()(const RegularPacking& packing) const {
     return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
   }
+  std::string operator()(const LatticePacking& packing) const {
+    return fmt::format("cubic lattice \"{}\", {} repeats, periodic", name_of(packing.lattice), packing.repeats);
+  }
   std::string operator()(const ExplicitPacking& packing) const {
-    const auto particles = packing.particles.empty() ? fmt::format("{} discs", packing.discs.size())
-                                                     : fmt::format("{} particles", packing.particles.size());
+    auto particles = fmt::format("{} discs", packing.discs.size());
+    if (!packing.particles.empty()) particles = fmt::format("{} particles", packing.particles.size());
+    if (!packing.spheres.empty()) particles = fmt::format("{} spheres", packing.spheres.size());
     return fmt::format("{}, {}{}", packing.file.string(), particles,
                        packing.walls == Walls::periodic ? ", periodic" : "");
   }
@@ -138,12 +143,11 @@ std::string describe_grid(const Stage& stage, Model model) {
   if (model == Model::films) {
     return fmt::format("    model    grains and films; {} x {} cells for labels alone\n", stage.cells, stage.cells);
   }
-  const auto points = 4LL * stage.cells * stage.cells;
   const auto grids = stage.coarser_cells.empty() ? ""
                                                  : fmt::format("             and one of {} cells per side\n",
                                                                fmt::join(stage.coarser_cells, " and "));
-  return fmt::format("    grid     {} x {} cells of {}, {} material points\n{}", stage.cells, stage.cells,
-                     length(stage.cell_size()), points, grids);
+  return fmt::format("    grid     {} cells of {}, {} material points\n{}", cells_in_words(stage, stage.cells),
+                     length(stage.cell_size()), point_count(stage, stage.cells), grids);
 }
 
 std::string describe(const Stage& stage, Model model) {

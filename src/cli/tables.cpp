@@ -27,10 +27,17 @@ std::vector<const TestResult*> shown_tests(const StageResult& stage) {
   return shown;
 }
 
+/// The modulus that a load gives: "G", "G, xx-yy", "K + G/3".
+std::string modulus_in_words(Load load, int dimensions) {
+  if (load == Load::bulk) return dimensions == 3 ? "K" : "K + G/3";
+  if (load == Load::shear) return "G";
+  constexpr std::string_view shear = "shear-";
+  return "G, " + name_of(load).substr(shear.size());
+}
+
 /// The three header lines of a test's column: modulus, boundary, method.
-std::array<std::string, 3> heading(const TestResult& test) {
-  return {test.id.load == Load::bulk ? "K + G/3" : (test.id.load == Load::shear ? "G" : "G, xx-yy"),
-          bound_of(test.id.boundary), name_of(test.id.method)};
+std::array<std::string, 3> heading(const TestResult& test, int dimensions) {
+  return {modulus_in_words(test.id.load, dimensions), bound_of(test.id.boundary), name_of(test.id.method)};
 }
 
 std::string table_of(const StageResult& stage, const TimeWindow& times) {
@@ -39,7 +46,7 @@ std::string table_of(const StageResult& stage, const TimeWindow& times) {
   auto text = "\n" + stage.name;
   for (std::size_t line = 0; line < 3; ++line) {
     text += fmt::format("\n{:>12}", line == 2 ? "time" : "");
-    for (const auto* test : shown) text += fmt::format("  {:>12}", heading(*test)[line]);
+    for (const auto* test : shown) text += fmt::format("  {:>12}", heading(*test, stage.dimensions)[line]);
   }
   for (const double t : logarithmic_times(times, 1)) {
     text += fmt::format("\n{:>12}", display_time(t));

@@ -102,7 +102,7 @@ void read_amount(const Section& section, const PackingMethod& packing, Filler& f
   }
   filler.sizes = read_sizes(section);
   read_cuts(section, filler);
-  if (std::holds_alternative<RegularPacking>(packing)) {
+  if (std::holds_alternative<RegularPacking>(packing) || std::holds_alternative<LatticePacking>(packing)) {
     section.refuse({"fraction"}, "a regular packing has the fraction that follows from its diameter");
     if (filler.sizes && !std::holds_alternative<SingleSize>(*filler.sizes)) {
       section.report("sizes", "a regular packing takes { diameter = ... }");
@@ -148,7 +148,9 @@ void check_together(const Section& section, const Stage& stage) {
     section.report("filler",
                    fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
   }
-  if (std::holds_alternative<RegularPacking>(stage.packing) && stage.fillers.size() > 1) {
+  const bool is_regular = std::holds_alternative<RegularPacking>(stage.packing) ||
+                          std::holds_alternative<LatticePacking>(stage.packing);
+  if (is_regular && stage.fillers.size() > 1) {
     section.report("filler", fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
   }
   if (stage.grains() != nullptr && stage.fillers.size() > 1) {
@@ -170,7 +172,7 @@ void read_fillers(const Section& section, const std::vector<Material>& materials
     section.refuse({"packing"}, "there is no filler to pack; method = \"image\" alone needs none");
     return;
   }
-  auto packing = read_packing(section, stage.side, tables.size());
+  auto packing = read_packing(section, stage, tables.size());
   if (!packing) {
     for (const auto& table : tables) {
       static_cast<void>(read_material_reference(table, "material", materials));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
@@ -32,26 +33,41 @@ constexpr std::string_view random_method = "lubachevsky-stillinger", sequential_
 
 enum class MethodName { lubachevsky_stillinger, regular, listed, laguerre, image, sequential };
 
-std::vector<Disc> read_discs(const MeasuredTable& table, double side, FileMistakes& mistakes) {
+/// The columns with the coordinates of a place.
+std::vector<const MeasuredColumn*> coordinate_columns(const MeasuredTable& table, std::size_t dimensions) {
+  constexpr std::array<Quantity, 3> axes = {Quantity::x, Quantity::y, Quantity::z};
+  std::vector<const MeasuredColumn*> columns;
+  for (std::size_t axis = 0; axis < dimensions; ++axis) columns.push_back(&table.column(axes[axis]));
+  return columns;
+}
+
+template <int dim>
+std::vector<Ball<dim>> read_balls(const MeasuredTable& table, double side, FileMistakes& mistakes) {
+  if constexpr (dim == 3) table.require({Quantity::x, Quantity::y, Quantity::z, Quantity::diameter});
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
-  const auto& x = table.column(Quantity::x);
-  const auto& y = table.column(Quantity::y);
+  const auto columns = coordinate_columns(table, dim);
   const auto& diameters = table.column(Quantity::diameter);
   // An unknown side is not a number here, and every centre is accepted.
   const auto is_outside = [side](double coordinate) { return coordinate < 0.0 || coordinate > side; };
-  std::vector<Disc> discs;
+  std::vector<Ball<dim>> balls;
   for (std::size_t row = 0; row < table.rows(); ++row) {
+    Vector<dim> centre{};
+    std::vector<double> written;
+    for (std::size_t axis = 0; axis < centre.size(); ++axis) {
+      centre[axis] = columns[axis]->values[row];
+      written.push_back(columns[axis]->written[row]);
+    }
     if (!(diameters.values[row] > 0.0) || !std::isfinite(diameters.values[row])) {
       mistakes.add(table.place(row), "expected a positive diameter", fmt::format("{}", diameters.written[row]));
-    } else if (is_outside(x.values[row]) || is_outside(y.values[row])) {
+    } else if (std::ranges::any_of(centre, is_outside)) {
       mistakes.add(table.place(row),
                    fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
-                   fmt::format("({}, {})", x.written[row], y.written[row]));
+                   fmt::format("({})", fmt::join(written, ", ")));
     }
-    discs.push_back({{x.values[row], y.values[row]}, diameters.values[row]});
+    balls.push_back({centre, diameters.values[row]});
   }
-  if (discs.empty()) mistakes.add("", "expected at least one disc");
-  return discs;
+  if (balls.empty()) mistakes.add("", fmt::format("expected at least one {}", dim == 2 ? "disc" : "sphere"));
+  return balls;
 }
 
 Walls read_walls(const Section& packing, bool by_default = true) {
@@ -66,7 +82,14 @@ Packing read_random(const Section& packing) {
   return {walls, static_cast<std::uint64_t>(seed)};
 }
 
+LatticePacking read_lattice(const Section& packing) {
+  packing.refuse({"columns", "rows"}, R"(a box of three dimensions has lattice = "sc", "bcc" or "fcc", and repeats)");
+  return {packing.choice<Lattice>("lattice").value_or(Lattice::simple),
+          static_cast<int>(packing.optional_integer("repeats", allowed::repeats).value_or(1))};
+}
+
 RegularPacking read_regular(const Section& packing) {
+  packing.refuse({"lattice", "repeats"}, "it belongs to dimensions = 3; here it is columns and rows");
   return {static_cast<int>(packing.integer("columns", allowed::rows)),
           static_cast<int>(packing.integer("rows", allowed::rows))};
 }
@@ -93,7 +116,7 @@ void read_particle_table(const std::filesystem::path& file, double side, std::si
   if (lists_ellipses(table)) {
     listed.particles = read_ellipses(table, side, mistakes);
   } else {
-    listed.discs = read_discs(table, side, mistakes);
+    listed.discs = read_balls<2>(table, side, mistakes);
   }
   listed.fillers = read_filler_numbers(table, fillers, mistakes);
   mistakes.refuse();
@@ -107,6 +130,23 @@ void add_polygons(ListedPolygons polygons, ExplicitPacking& listed) {
   listed.discs.clear();
   std::ranges::move(polygons.particles, std::back_inserter(listed.particles));
   std::ranges::move(polygons.fillers, std::back_inserter(listed.fillers));
+}
+
+/// Reads the spheres of a box of three dimensions.
+ExplicitPacking read_spheres(const Section& packing, double side, std::size_t fillers) {
+  packing.refuse({"discs", "polygons"}, "they are particles of a box of two dimensions");
+  ExplicitPacking listed{packing.file("particles"), {}, read_walls(packing), {}};
+  if (listed.file.empty()) return listed;
+  packing.report_errors_of("particles", [&] {
+    const auto table = read_measured_table(listed.file);
+    FileMistakes mistakes(listed.file);
+    auto spheres = read_balls<3>(table, side, mistakes);
+    auto numbers = read_filler_numbers(table, fillers, mistakes);
+    mistakes.refuse();
+    listed.spheres = std::move(spheres);
+    listed.fillers = std::move(numbers);
+  });
+  return listed;
 }
 
 ExplicitPacking read_explicit(const Section& packing, double side, std::size_t fillers) {
@@ -194,20 +234,41 @@ bool takes_seed(const Section& packing) {
 }
 
 void require_room(const Stage& stage, const ExplicitPacking& listed) {
-  if (listed.discs.empty() && listed.particles.empty()) return;  // a mistake that has been reported
+  if (listed.discs.empty() && listed.particles.empty() && listed.spheres.empty()) return;  // which has been reported
   try {
     if (!listed.particles.empty()) {
       require_valid(particle_box(stage, listed));
+    } else if (stage.dimensions == 3) {
+      require_valid(with_coatings<3>(stage, {stage.side, listed.walls, listed.spheres, listed.fillers}));
     } else {
-      require_valid<2>(with_coatings(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
+      require_valid<2>(with_coatings<2>(stage, {stage.side, listed.walls, listed.discs, listed.fillers}));
     }
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", listed.file.string(), error.what()));
   }
 }
 
-std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers) {
-  const auto packing = stage.section("packing");
+namespace {
+
+/// The packings of a box of three dimensions.
+std::optional<PackingMethod> read_packing_in_space(const Section& packing, double side, std::size_t fillers) {
+  const auto method = packing.choice<MethodName>("method", {{random_method, MethodName::lubachevsky_stillinger},
+                                                            {"regular", MethodName::regular},
+                                                            {"explicit", MethodName::listed}});
+  if (!method) {
+    packing.accept_all_keys();
+    return std::nullopt;
+  }
+  if (*method == MethodName::regular) return read_lattice(packing);
+  if (*method == MethodName::listed) return read_spheres(packing, side, fillers);
+  return read_random<LubachevskyStillingerPacking>(packing);
+}
+
+}  // namespace
+
+std::optional<PackingMethod> read_packing(const Section& section, const Stage& stage, std::size_t fillers) {
+  const auto packing = section.section("packing");
+  if (stage.dimensions == 3) return read_packing_in_space(packing, stage.side, fillers);
   if (asks_for_other_shapes(packing)) {
     packing.report("method", shapes_elsewhere);
     packing.accept_all_keys();
@@ -230,9 +291,9 @@ std::optional<PackingMethod> read_packing(const Section& stage, double side, std
     case MethodName::regular:
       return read_regular(packing);
     case MethodName::listed:
-      return read_explicit(packing, side, fillers);
+      return read_explicit(packing, stage.side, fillers);
     case MethodName::laguerre:
-      return read_laguerre(packing, side);
+      return read_laguerre(packing, stage.side);
     case MethodName::image:
       return std::nullopt;  // read_image() reads it
     case MethodName::sequential:

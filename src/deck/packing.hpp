@@ -18,8 +18,8 @@ inline constexpr auto image_elsewhere =
     "an image is a packing without a filler: packing = { method = \"image\", file = \"...\", pixel = \"...\", labels = "
     "[{ value = ..., material = \"...\" }, ...] } (docs/decks.md)";
 
-/// Reads `packing` of a stage with a box of the given side [m] and so many fillers.
-std::optional<PackingMethod> read_packing(const Section& stage, double side, std::size_t fillers);
+/// Reads `packing` of a stage whose box is known, with so many fillers, from its section.
+std::optional<PackingMethod> read_packing(const Section& section, const Stage& stage, std::size_t fillers);
 
 /// Throws InputError where listed particles of a stage, with their coatings, overlap or cross a wall.
 void require_room(const Stage& stage, const ExplicitPacking& listed);

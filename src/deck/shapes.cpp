@@ -27,6 +27,7 @@ struct ReasonAgainstShapes {
   Reason operator()(const RegularPacking&) const {
     return "a regular packing has discs alone; packing.method = \"random-sequential\" packs other shapes";
   }
+  Reason operator()(const LatticePacking&) const { return "a lattice has balls alone"; }
   Reason operator()(const ExplicitPacking&) const {
     return "the shapes of an explicit packing are all listed in its files";
   }

@@ -101,9 +101,12 @@ std::optional<std::string> warning_of_gap_on_grids(const Stage& stage) {
 }  // namespace
 
 std::vector<Stage> read_stages(const Section& deck, const std::vector<Material>& materials, Model model) {
+  const auto dimensions =
+      static_cast<int>(deck.optional_integer("dimensions", allowed::dimensions).value_or(Stage().dimensions));
   std::vector<Stage> stages;
   for (const auto& section : deck.sections("stages")) {
     Stage stage;
+    stage.dimensions = dimensions;
     stage.name = read_name(section, stages, materials);
     stage.matrix = read_matrix(section, stages, materials);
     const bool is_image = has_image(section);

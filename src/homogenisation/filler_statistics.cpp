@@ -8,16 +8,18 @@ namespace breccia {
 namespace {
 
 /// The particles of one filler alone.
-Microstructure<2> particles_of(const Microstructure<2>& microstructure, std::size_t filler) {
-  Microstructure<2> own = {microstructure.side, microstructure.walls, {}};
+template <int dim>
+Microstructure<dim> particles_of(const Microstructure<dim>& microstructure, std::size_t filler) {
+  Microstructure<dim> own = {microstructure.side, microstructure.walls, {}};
   for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
     if (microstructure.filler_of(particle) == filler) own.particles.push_back(microstructure.particles[particle]);
   }
   return own;
 }
 
-/// Area fraction of the coatings of these particles [-].
-double coating_fraction(Microstructure<2> microstructure, double thickness) {
+/// Share of the box that the coatings of these particles fill [-].
+template <int dim>
+double coating_fraction(Microstructure<dim> microstructure, double thickness) {
   if (thickness == 0.0) return 0.0;
   const double bare = volume_fraction(microstructure);
   for (auto& particle : microstructure.particles) particle.diameter += 2.0 * thickness;
@@ -26,7 +28,8 @@ double coating_fraction(Microstructure<2> microstructure, double thickness) {
 
 }  // namespace
 
-std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Microstructure<2>& microstructure) {
+template <int dim>
+std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Microstructure<dim>& microstructure) {
   std::vector<FillerStatistics> all;
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto own = particles_of(microstructure, number);
@@ -35,11 +38,14 @@ std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Micros
     statistics.fraction = volume_fraction(own);
     statistics.coating_fraction = coating_fraction(own, stage.fillers[number].coating_thickness());
     if (own.particles.empty()) continue;
-    const auto [smallest, largest] = std::ranges::minmax(own.particles, {}, &Disc::diameter);
+    const auto [smallest, largest] = std::ranges::minmax(own.particles, {}, &Ball<dim>::diameter);
     statistics.smallest_diameter = smallest.diameter;
     statistics.largest_diameter = largest.diameter;
   }
   return all;
 }
+
+template std::vector<FillerStatistics> filler_statistics(const Stage&, const Microstructure<2>&);
+template std::vector<FillerStatistics> filler_statistics(const Stage&, const Microstructure<3>&);
 
 }  // namespace breccia

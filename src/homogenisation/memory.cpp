@@ -30,7 +30,7 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Neither the positions of the particles matter nor the grid on which the time domains are planned.
   constexpr int few = 2;
   const auto discretisation =
-      discretise(stage, Microstructure<2>{stage.side, Walls::hard, {}}, few, study.tests.mixing);
+      discretise<2>(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
   const double refinement = static_cast<double>(cells) / few;
   double most = 0.0;
   try {
@@ -48,12 +48,14 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
 }
 
 /// Largest share of the cells of side h [m] that interfaces of a filler cross: a disc of diameter d crosses about
-/// 4 d / h cells, and discs of the smallest diameter have the longest interface. A coating has two interfaces.
+/// 4 d / h cells, a sphere about 3/2 pi (d / h)^2, and particles of the smallest diameter have the largest interface. A
+/// coating has two interfaces.
 double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) {
   const auto sizes = stage.listed() != nullptr ? diameters_of(stage) : diameters_of(filler);
   if (!sizes) return 1.0;
   const double interfaces = filler.coating ? 2.0 : 1.0;
-  return interfaces * 16.0 / std::numbers::pi * filler.fraction.value_or(1.0) * h / sizes->smallest;
+  const double crossed = stage.dimensions == 3 ? 9.0 : 16.0 / std::numbers::pi;
+  return interfaces * crossed * filler.fraction.value_or(1.0) * h / sizes->smallest;
 }
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
@@ -66,15 +68,16 @@ double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
 
 }  // namespace
 
-double quasistatic_unknowns(int cells) {
-  constexpr int dim = 2;  // displacements of a node; there are about as many nodes as cells
-  return dim * static_cast<double>(Grid<dim>{.cells = {cells, cells}}.cell_count());
+double quasistatic_unknowns(const Stage& stage, int cells) {
+  // Displacements of a node; there are about as many nodes as cells.
+  return stage.dimensions * std::pow(static_cast<double>(cells), stage.dimensions);
 }
 
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
-  const double unknowns = quasistatic_unknowns(cells);
-  // Strains of the second phase of mixed cells beside the two displacements a cell of each nodal vector.
-  const double vectors = 1.0 + 0.5 * CellShape<2>::modes * share_of_mixed_cells(study, stage, cells);
+  const double unknowns = quasistatic_unknowns(stage, cells);
+  // Strains of the second phase of mixed cells beside the displacements a cell of each nodal vector.
+  const int modes = stage.dimensions == 3 ? CellShape<3>::modes : CellShape<2>::modes;
+  const double vectors = 1.0 + modes / static_cast<double>(stage.dimensions) * share_of_mixed_cells(study, stage, cells);
   constexpr double dozen = 12.0 * sizeof(double);
   constexpr double vector = sizeof(double);
   // The residual of a reduced basis takes a nodal vector for each modulus that varies, among the dozen for the matrix.
@@ -122,9 +125,9 @@ std::vector<std::string> lacking_memory(const Study& study, double available) {
           method == Method::quasistatic ? quasistatic_memory(study, stage, cells) : dynamic_memory(study, stage, cells);
       const double left = std::max(0.0, available);
       if (bytes <= left) continue;
-      const int fitting = static_cast<int>(cells * std::sqrt(left / bytes));
-      lines.push_back(fmt::format("{}: {} x {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{}",
-                                  stage.name, cells, cells, bytes / 1e9,
+      const int fitting = static_cast<int>(cells * std::pow(left / bytes, 1.0 / stage.dimensions));
+      lines.push_back(fmt::format("{}: {} cells take about {:.3g} GB by the {} method, and {:.3g} GB are left{}",
+                                  stage.name, cells_in_words(stage, cells), bytes / 1e9,
                                   method == Method::quasistatic ? "quasi-static" : "dynamic", left / 1e9,
                                   fitting > 1 ? fmt::format("; cells = {} would fit", fitting) : ""));
     }

@@ -93,6 +93,24 @@ void measure_image(const Stage& stage, const LabelImage<2>& image, StageMicrostr
 
 }  // namespace
 
+namespace {
+
+template <int dim>
+void measure_balls(const Stage& stage, const Microstructure<dim>& balls, StageMicrostructure& result) {
+  const auto coated = with_coatings(stage, balls);
+  result.fraction = volume_fraction(balls);
+  result.interface_per_area = specific_surface(balls);
+  result.gap = smallest_gap(coated);
+  result.wall_gap = smallest_wall_gap(coated);
+  auto fillers = filler_statistics(stage, balls);
+  for (std::size_t number = 0; number < std::min(fillers.size(), result.fillers.size()); ++number) {
+    fillers[number].size_deviation = result.fillers[number].size_deviation;
+  }
+  result.fillers = std::move(fillers);
+}
+
+}  // namespace
+
 void measure(const Stage& stage, StageMicrostructure& result) {
   if (const auto* image = stage.image()) {
     measure_image(stage, *image, result);
@@ -106,16 +124,11 @@ void measure(const Stage& stage, StageMicrostructure& result) {
     measure_shaped(stage, result);
     return;
   }
-  const auto coated = with_coatings(stage, result.microstructure);
-  result.fraction = volume_fraction(result.microstructure);
-  result.interface_per_area = specific_surface(result.microstructure);
-  result.gap = smallest_gap(coated);
-  result.wall_gap = smallest_wall_gap(coated);
-  auto fillers = filler_statistics(stage, result.microstructure);
-  for (std::size_t number = 0; number < std::min(fillers.size(), result.fillers.size()); ++number) {
-    fillers[number].size_deviation = result.fillers[number].size_deviation;
+  if (result.spheres) {
+    measure_balls(stage, *result.spheres, result);
+  } else {
+    measure_balls(stage, result.microstructure, result);
   }
-  result.fillers = std::move(fillers);
 }
 
 }  // namespace breccia

@@ -13,6 +13,7 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
   StageResult result;
   result.name = stage.name;
   result.cells = stage.cells;
+  result.dimensions = stage.dimensions;
   result.microstructure = std::move(microstructure);
   result.warnings = warnings_on(study, stage, result.microstructure);
   if (model_of(study.tests, stage) == Model::films) {
@@ -20,12 +21,12 @@ StageResult packed_stage(const Study& study, const Stage& stage, StageMicrostruc
     return result;
   }
   const auto discretisation = discretise(stage, result.microstructure, stage.cells, study.tests.mixing);
-  result.points = discretisation.points();
   const auto phases = phases_of(stage);
-  const auto fractions = discretisation.fractions(phases.size());
+  result.points = point_count(stage, stage.cells);
+  const auto shares = fractions(discretisation, phases.size());
   std::set<PhaseIndex> of_fillers;
   for (const auto& filler : stage.fillers) of_fillers.insert(phases.index_of(phase_of(stage, filler.material)));
-  for (const auto phase : of_fillers) result.point_fraction += fractions[phase];
+  for (const auto phase : of_fillers) result.point_fraction += shares[phase];
   return result;
 }
 

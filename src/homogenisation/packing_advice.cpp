@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -20,19 +19,29 @@ PackingRequest with_gap(const Stage& stage, PackingRequest request, double gap) 
   return request;
 }
 
-/// Root mean square of (diameter + gap) over the side of the box [-].
-double relative_size(const PackingRequest& request) {
-  const auto count = static_cast<double>(request.diameters.size());
-  return std::sqrt(4.0 / std::numbers::pi * inflated_fraction<2>(request) / count);
+double inflated_fraction_of(const Stage& stage, const PackingRequest& request) {
+  return stage.dimensions == 3 ? inflated_fraction<3>(request) : inflated_fraction<2>(request);
 }
 
-/// The area fraction of particles, each with half the gap around it, that can be packed with near certainty: after a
-/// jam slightly less than the jammed fraction; otherwise an empirical fraction for random discs (from jams of 4 to 128
-/// discs), which is smaller in a small box because of its walls.
-double safe_fraction(const PackingRequest& request, const PackingError& error) {
+/// Area of a disc, or volume of a sphere, of diameter 1.
+double unit_ball(const Stage& stage) {
+  return stage.dimensions == 3 ? ball_volume<3>(1.0) : ball_volume<2>(1.0);
+}
+
+/// Mean (diameter + gap) over the side of the box, that of the mean area or volume [-].
+double relative_size(const Stage& stage, const PackingRequest& request) {
+  const auto count = static_cast<double>(request.diameters.size());
+  return std::pow(inflated_fraction_of(stage, request) / (unit_ball(stage) * count), 1.0 / stage.dimensions);
+}
+
+/// The fraction of particles, each with half the gap around it, that can be packed with near certainty: after a jam
+/// slightly less than the jammed fraction; otherwise an empirical fraction for random discs (from jams of 4 to 128
+/// discs) or spheres, which is smaller in a small box because of its walls.
+double safe_fraction(const Stage& stage, const PackingRequest& request, const PackingError& error) {
   if (request.diameters.size() == 1) return 1.0;  // a single particle packs if it fits into the box
   if (error.obstacle() == PackingObstacle::jam) return 0.96 * error.attainable_fraction();
-  return std::max(0.0, 0.82 - 0.4 * relative_size(request));
+  const double in_large_box = stage.dimensions == 3 ? 0.62 : 0.82;
+  return std::max(0.0, in_large_box - 0.4 * relative_size(stage, request));
 }
 
 bool has_coatings(const Stage& stage) {
@@ -45,7 +54,7 @@ std::optional<double> widest_gap(const Stage& stage, const PackingRequest& reque
   const double largest = std::ranges::max(request.diameters) + 2.0 * stage.fillers.front().coating_thickness();
   const auto fits = [&](double gap) {
     const auto other = with_gap(stage, request, gap);
-    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction<2>(other) <= fraction;
+    return largest + gap <= (1.0 - roundoff) * other.side && inflated_fraction_of(stage, other) <= fraction;
   };
   double low = 0.0, high = std::min(request.minimum_gap, stage.side);
   if (!fits(low)) return std::nullopt;
@@ -63,12 +72,12 @@ std::optional<int> cells_for(const Stage& stage, double gap) {
   return cells <= most ? std::optional(static_cast<int>(cells)) : std::nullopt;
 }
 
-/// The area fraction at which the particles with the requested gap fill no more than the safe fraction. The drawn sizes
+/// The fraction at which the particles with the requested gap fill no more than the safe fraction. The drawn sizes
 /// meet a fraction to within half a particle.
 std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
   const double largest = std::ranges::max(request.diameters) / stage.side;
-  const double half_a_particle = std::numbers::pi / 8.0 * largest * largest;
-  const double fraction = *stage.fillers.front().fraction * safe / inflated_fraction<2>(request) - half_a_particle;
+  const double half_a_particle = 0.5 * unit_ball(stage) * std::pow(largest, stage.dimensions);
+  const double fraction = *stage.fillers.front().fraction * safe / inflated_fraction_of(stage, request) - half_a_particle;
   return fraction > 0.0 ? std::optional(rounded_down_to_two_digits(fraction)) : std::nullopt;
 }
 
@@ -116,7 +125,7 @@ PackingAdvice packing_advice(const Stage& stage, const PackingRequest& request, 
   // With several fillers there is no one gap and no one fraction to change.
   if (stage.fillers.size() > 1) return advice;
   const auto& filler = stage.fillers.front();
-  const double safe = safe_fraction(request, error);
+  const double safe = safe_fraction(stage, request, error);
   advice.gap = widest_gap(stage, request, safe);
   if (advice.gap && filler.gap_source == GapSource::points) advice.cells = cells_for(stage, *advice.gap);
   const bool has_fraction = filler.fraction && error.obstacle() != PackingObstacle::size;
@@ -138,12 +147,12 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
   const bool has_gap = request.minimum_gap > 0.0;
   const auto gap = has_gap ? fmt::format("a gap of {}", gaps_in_words(stage)) : "no gap between them";
   const auto how = fmt::format("{}they would fill {:.1f} % of {}", shells_in_words(stage, has_gap),
-                               100.0 * inflated_fraction<2>(request),
+                               100.0 * inflated_fraction_of(stage, request),
                                request.walls == Walls::hard ? "the room between the walls" : "the box");
   const double attainable = 100.0 * error.attainable_fraction();
   const bool jams = error.obstacle() == PackingObstacle::jam;
   return fmt::format("{} with {} {}: {}, and {} {:.1f} %; {}", particles_of(stage, request), gap,
-                     jams ? "jam" : "cannot be packed", how, jams ? "are stuck at" : "such discs fill at most",
+                     jams ? "jam" : "cannot be packed", how, jams ? "are stuck at" : stage.dimensions == 3 ? "such spheres fill at most" : "such discs fill at most",
                      attainable, advice);
 }
 

@@ -5,8 +5,10 @@
 
 namespace breccia {
 
-/// Writes an unfinished packing to a state, and restores it.
-void save(StateWriter& state, const PackingState<2>& packing);
-PackingState<2> read_packing_state(const StateReader& state);
+/// Writes an unfinished packing to a state, and restores it. Instantiated for 2 and 3 dimensions.
+template <int dim>
+void save(StateWriter& state, const PackingState<dim>& packing);
+template <int dim>
+PackingState<dim> read_packing_state(const StateReader& state);
 
 }  // namespace breccia

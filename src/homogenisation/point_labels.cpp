@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <variant>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
@@ -14,47 +15,53 @@ namespace {
 
 constexpr std::int32_t no_particle = -1;
 
-std::vector<PhaseIndex> phases_of_points(const Discretisation<2>& discretisation) {
+template <int dim>
+std::vector<PhaseIndex> phases_of_points(const Discretisation<dim>& discretisation) {
   const auto& grid = discretisation.grid();
   std::vector<PhaseIndex> phases(discretisation.points());
-  grid.for_each_cell([&](const Index<2>& cell) {
+  grid.for_each_cell([&](const Index<dim>& cell) {
     const auto& of_cell = discretisation.cell(cell);
-    for (int point = 0; point < Discretisation<2>::points_per_cell; ++point) {
+    for (int point = 0; point < Discretisation<dim>::points_per_cell; ++point) {
       phases[grid.point_index(cell, point)] = of_cell[static_cast<std::size_t>(point)];
     }
   });
   return phases;
 }
 
-/// Calls action(index in the list of points) for the points in a disc. `along` is the number of points along each side
+/// Calls action(index in the list of points) for the points in a ball. `along` is the number of points along each side
 /// of the box, which are `spacing` [m] apart.
-template <class Action>
-void for_each_point_in(const Disc& disc, int along, double spacing, Action&& action) {
-  const double radius = 0.5 * disc.diameter;
+template <int dim, class Action>
+void for_each_point_in(const Ball<dim>& ball, int along, double spacing, Action&& action) {
+  const double radius = 0.5 * ball.diameter;
   const auto point_at = [&](double x) {
     return static_cast<int>(std::clamp(std::floor(x / spacing), 0.0, static_cast<double>(along)));
   };
-  Index<2> begin{}, end{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    begin[axis] = point_at(disc.centre[axis] - radius);
-    end[axis] = std::min(point_at(disc.centre[axis] + radius) + 1, along);
+  Index<dim> begin{}, end{};
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+    begin[axis] = point_at(ball.centre[axis] - radius);
+    end[axis] = std::min(point_at(ball.centre[axis] + radius) + 1, along);
   }
-  for_each_index(begin, end, [&](const Index<2>& point) {
-    const double x = (point[0] + 0.5) * spacing - disc.centre[0], y = (point[1] + 0.5) * spacing - disc.centre[1];
-    if (x * x + y * y <= radius * radius) {
-      action(static_cast<std::size_t>(point[1]) * static_cast<std::size_t>(along) + static_cast<std::size_t>(point[0]));
+  for_each_index(begin, end, [&](const Index<dim>& point) {
+    double squared_distance = 0.0;
+    std::size_t place = 0;
+    for (std::size_t axis = point.size(); axis-- > 0;) {
+      const double x = (point[axis] + 0.5) * spacing - ball.centre[axis];
+      squared_distance += x * x;
+      place = place * static_cast<std::size_t>(along) + static_cast<std::size_t>(point[axis]);
     }
+    if (squared_distance <= radius * radius) action(place);
   });
 }
 
 /// The particle of every point that is not of the matrix.
-std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstructure<2>& microstructure, int cells,
+template <int dim>
+std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstructure<dim>& microstructure, int cells,
                                               const std::vector<PhaseIndex>& phases) {
   const auto matrix = phases_of(stage).index_of(name_of_matrix_phase);
   std::vector<std::int32_t> particles(phases.size(), no_particle);
   const int along = 2 * cells;
-  for_each_image(with_coatings(stage, microstructure), [&](std::size_t particle, const Disc& disc) {
-    for_each_point_in(disc, along, stage.side / along, [&](std::size_t point) {
+  for_each_image(with_coatings(stage, microstructure), [&](std::size_t particle, const Ball<dim>& ball) {
+    for_each_point_in(ball, along, stage.side / along, [&](std::size_t point) {
       if (phases[point] != matrix) particles[point] = static_cast<std::int32_t>(particle);
     });
   });
@@ -100,7 +107,14 @@ PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int 
 
 PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, int cells) {
   if (packed.grains) return labels_of_grains(stage, *packed.grains, cells);
-  PointLabels labels = {.phases = phases_of_points(discretise(stage, packed, cells, Mixing::points)), .particles = {}};
+  const auto discretisation = discretise(stage, packed, cells, Mixing::points);
+  PointLabels labels = {
+      .phases = std::visit([](const auto& points) { return phases_of_points(points); }, discretisation),
+      .particles = {}};
+  if (packed.spheres) {
+    labels.particles = particles_of_points(stage, *packed.spheres, cells, labels.phases);
+    return labels;
+  }
   if (packed.shaped) {
     labels.particles = particles_of_points(*packed.shaped, cells);
   } else if (stage.image() == nullptr) {

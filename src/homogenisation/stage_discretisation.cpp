@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -50,7 +51,9 @@ std::vector<ParticlePhases> phases_of_fillers(const Stage& stage, const Phases& 
 
 }  // namespace
 
-Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing) {
+template <int dim>
+Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells,
+                               Mixing mixing) {
   const auto phases = phases_of(stage);
   const auto of_fillers = phases_of_fillers(stage, phases);
   std::vector<ParticlePhases> of_particles;
@@ -67,6 +70,9 @@ Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& micros
   return mixing == Mixing::points ? discretise(microstructure, cells, matrix, particles)
                                   : discretise_mixed(microstructure, cells, matrix, particles, phases.size());
 }
+
+template Discretisation<2> discretise(const Stage&, const Microstructure<2>&, int, Mixing);
+template Discretisation<3> discretise(const Stage&, const Microstructure<3>&, int, Mixing);
 
 namespace {
 
@@ -113,7 +119,8 @@ Discretisation<2> discretise_image(const Stage& stage, const LabelImage<2>& imag
 
 }  // namespace
 
-Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
+StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
+  if (packed.spheres) return discretise(stage, *packed.spheres, cells, mixing);
   if (const auto* image = stage.image()) return discretise_image(stage, *image, cells, mixing);
   if (!packed.grains && !packed.shaped) return discretise(stage, packed.microstructure, cells, mixing);
   const auto phases = phases_of(stage);
@@ -122,7 +129,18 @@ Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& pack
   return mixing == Mixing::points ? discretise<2>(grid, labelling) : discretise_mixed(grid, labelling, phases.size());
 }
 
-std::size_t point_count(int cells) {
+std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases) {
+  return std::visit([phases](const auto& points) { return points.fractions(phases); }, discretisation);
+}
+
+int cells_along(const StageDiscretisation& discretisation) {
+  return std::visit([](const auto& points) { return points.grid().cells[0]; }, discretisation);
+}
+
+std::size_t point_count(const Stage& stage, int cells) {
+  if (stage.dimensions == 3) {
+    return Grid<3>{.cells = {cells, cells, cells}}.cell_count() * Discretisation<3>::points_per_cell;
+  }
   return Grid<2>{.cells = {cells, cells}}.cell_count() * Discretisation<2>::points_per_cell;
 }
 

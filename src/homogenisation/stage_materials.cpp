@@ -24,7 +24,7 @@ void require_good_fit(const Study& study, const Stage& stage, const StageMateria
   // A NaN fails this comparison, too.
   const auto& result = fitted.result;
   if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
-  if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse("K(t) + G(t)/3", result.bulk_error);
+  if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse(stage.dimensions == 3 ? "K(t)" : "K(t) + G(t)/3", result.bulk_error);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ std::vector<StageMaterial> materials_from(const Study& study, const Stage& stage
       const double density = density_with(inclusions_of(stage, result.microstructure.fillers), matrix.density);
       materials.push_back({boundary, method,
                            homogenised_material(stage.name, density, curve(Load::shear), curve(Load::bulk),
-                                                study.tests.fit_tolerance)});
+                                                study.tests.fit_tolerance, stage.dimensions)});
       require_good_fit(study, stage, materials.back());
     }
   }

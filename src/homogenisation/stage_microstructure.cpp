@@ -11,6 +11,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/microstructure/cubic_lattice.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/random_sites.hpp"
@@ -49,8 +50,9 @@ class StagePacking {
         earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
         seconds_before_(earlier_ != nullptr ? earlier_->number(packing_seconds_name) : 0.0) {}
 
-  Packing<2> run(const PackingRequest& request) {
-    auto packing = earlier_ != nullptr ? go_on(request) : PackingRun<2>(request);
+  template <int dim>
+  Packing<dim> run(const PackingRequest& request) {
+    auto packing = earlier_ != nullptr ? go_on<dim>(request) : PackingRun<dim>(request);
     while (!packing.is_done()) {
       packing.advance();
       if (follow_) follow_(packing.progress());
@@ -79,9 +81,10 @@ class StagePacking {
   }
 
  private:
-  [[nodiscard]] PackingRun<2> go_on(const PackingRequest& request) const {
+  template <int dim>
+  [[nodiscard]] PackingRun<dim> go_on(const PackingRequest& request) const {
     try {
-      return {request, read_packing_state(*earlier_)};
+      return {request, read_packing_state<dim>(*earlier_)};
     } catch (const InputError& error) {
       throw FileError(fmt::format("{}: {}; start anew instead of resuming", earlier_->path(), error.what()));
     }
@@ -95,7 +98,7 @@ class StagePacking {
 };
 
 template <class Pack>
-Packing<2> in_words_of_the_deck(const Stage& stage, const PackingRequest& request, const Pack& pack) {
+auto in_words_of_the_deck(const Stage& stage, const PackingRequest& request, const Pack& pack) {
   try {
     return pack();
   } catch (const PackingError& error) {
@@ -115,8 +118,9 @@ std::vector<double> shells_of(const Stage& stage, const DrawnParticles& drawn, d
   return has_any ? shells : std::vector<double>();
 }
 
-Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method, StagePacking& packing,
-                                 StageMicrostructure& result) {
+template <int dim>
+Microstructure<dim> pack_at_random(const Stage& stage, const LubachevskyStillingerPacking& method,
+                                   StagePacking& packing, StageMicrostructure& result) {
   const auto drawn = draw_particles(stage);
   const double gap = std::ranges::min(stage.fillers, {}, &Filler::gap).gap;
   PackingRequest request;
@@ -129,7 +133,7 @@ Microstructure<2> pack_at_random(const Stage& stage, const LubachevskyStillinger
   request.diameters = drawn.diameters;
   request.shells = shells_of(stage, drawn, gap);
   for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
-  auto packed = in_words_of_the_deck(stage, request, [&] { return packing.run(request); });
+  auto packed = in_words_of_the_deck(stage, request, [&] { return packing.run<dim>(request); });
   result.events = packed.events;
   for (auto& ball : packed.balls) {
     for (auto& coordinate : ball.centre) coordinate += inset;
@@ -199,7 +203,12 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
   if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
   return std::visit(
       Overloaded{
-          [&](const LubachevskyStillingerPacking& method) { return pack_at_random(stage, method, packing, result); },
+          [&](const LubachevskyStillingerPacking& method) {
+            return pack_at_random<2>(stage, method, packing, result);
+          },
+          [&](const LatticePacking&) -> Microstructure<2> {
+            throw InputError("a cubic lattice is for three dimensions");
+          },
           [&](const RegularPacking& array) {
             const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
             return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
@@ -225,10 +234,36 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
       stage.packing);
 }
 
+Microstructure<3> place_spheres(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+  if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
+  if (const auto* method = std::get_if<LubachevskyStillingerPacking>(&stage.packing)) {
+    return pack_at_random<3>(stage, *method, packing, result);
+  }
+  if (const auto* cubic = std::get_if<LatticePacking>(&stage.packing)) {
+    const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
+    return cubic_array(stage.side, cubic->lattice, cubic->repeats, size.diameter);
+  }
+  const auto* listed = stage.listed();
+  if (listed == nullptr) throw InputError("three dimensions: expected spheres");
+  Microstructure<3> spheres = {stage.side, listed->walls, listed->spheres, listed->fillers};
+  require_valid(with_coatings(stage, spheres));
+  return spheres;
+}
+
+void place(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+  if (stage.dimensions == 2) {
+    result.microstructure = place_particles(stage, packing, result);
+    return;
+  }
+  result.spheres = place_spheres(stage, packing, result);
+  result.microstructure = {stage.side, result.spheres->walls, {}};
+}
+
 }  // namespace
 
 std::size_t StageMicrostructure::particles() const {
   if (grains) return grains->count;
+  if (spheres) return spheres->particles.size();
   return shaped ? shaped->particles.size() : microstructure.particles.size();
 }
 
@@ -243,7 +278,7 @@ StageMicrostructure make_microstructure(const Stage& stage, const PackingFollowe
     return read_stage_microstructure(*checkpoint->earlier(), stage);
   StageMicrostructure result;
   StagePacking packing(follow, checkpoint);
-  result.microstructure = name_errors(stage.name, [&] { return place_particles(stage, packing, result); });
+  name_errors(stage.name, [&] { place(stage, packing, result); });
   result.seconds = packing.seconds();
   if (checkpoint != nullptr) checkpoint->finish([&](StateWriter& state) { save(state, result); });
   measure(stage, result);

@@ -1,6 +1,7 @@
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -70,22 +71,58 @@ ParticleBox read_box(const StateReader& state, const Stage& stage, double side, 
   return box;
 }
 
+constexpr std::array names_of_axes = {"/x_m", "/y_m", "/z_m"};
+
+template <int dim>
+void save_balls(StateWriter& state, const Microstructure<dim>& microstructure) {
+  const auto& [side, walls, balls, fillers] = microstructure;
+  state.write("/side_m", side);
+  state.write("/walls", static_cast<std::int64_t>(walls));
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    std::vector<double> along;
+    for (const auto& ball : balls) along.push_back(ball.centre[axis]);
+    state.write(names_of_axes[axis], along);
+  }
+  std::vector<double> diameters;
+  for (const auto& ball : balls) diameters.push_back(ball.diameter);
+  state.write("/diameter_m", diameters);
+  if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
+}
+
+template <int dim>
+Microstructure<dim> read_balls(const StateReader& state, const Stage& stage) {
+  Microstructure<dim> microstructure;
+  auto& [side, walls, balls, fillers] = microstructure;
+  side = state.number("/side_m");
+  walls = static_cast<Walls>(state.integer("/walls"));
+  const auto diameters = state.numbers("/diameter_m");
+  for (const double diameter : diameters) balls.push_back({{}, diameter});
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    const auto along = state.numbers(names_of_axes[axis], balls.size());
+    for (std::size_t i = 0; i < balls.size(); ++i) balls[i].centre[axis] = along[i];
+  }
+  const auto is_in_box = [side = side](const Ball<dim>& ball) {
+    const auto is_within = [side](double value) { return value >= 0.0 && value <= side; };
+    return std::ranges::all_of(ball.centre, is_within) && is_within(ball.diameter) && ball.diameter > 0.0;
+  };
+  const bool has_walls = walls == Walls::hard || walls == Walls::periodic;
+  if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(balls, is_in_box)) {
+    throw FileError(fmt::format("a checkpoint of a packing: expected {} in a box", dim == 2 ? "discs" : "spheres"));
+  }
+  if (state.has("/filler") && !has_particles(state)) {
+    fillers = filler_numbers(state.numbers("/filler", balls.size()), stage.fillers.size());
+  }
+  return microstructure;
+}
+
 }  // namespace
 
 void save(StateWriter& state, const StageMicrostructure& microstructure) {
-  const auto& [side, walls, discs, fillers] = microstructure.microstructure;
-  std::vector<double> x, y, diameters;
-  for (const auto& disc : discs) {
-    x.push_back(disc.centre[0]);
-    y.push_back(disc.centre[1]);
-    diameters.push_back(disc.diameter);
+  if (microstructure.spheres) {
+    save_balls(state, *microstructure.spheres);
+  } else {
+    save_balls(state, microstructure.microstructure);
   }
-  state.write("/side_m", side);
-  state.write("/walls", static_cast<std::int64_t>(walls));
-  state.write("/x_m", x);
-  state.write("/y_m", y);
-  state.write("/diameter_m", diameters);
-  if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
   if (microstructure.grains) save_grains(state, *microstructure.grains);
   if (microstructure.shaped) {
     save_particles(state, microstructure.shaped->particles);
@@ -102,25 +139,15 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
 
 StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage) {
   StageMicrostructure result;
-  auto& [side, walls, discs, fillers] = result.microstructure;
-  side = state.number("/side_m");
-  walls = static_cast<Walls>(state.integer("/walls"));
-  const auto x = state.numbers("/x_m");
-  const auto y = state.numbers("/y_m", x.size());
-  const auto diameters = state.numbers("/diameter_m", x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) discs.push_back({{x[i], y[i]}, diameters[i]});
-  const auto is_in_box = [side = side](const Disc& disc) {
-    const auto is_within = [side](double value) { return value >= 0.0 && value <= side; };
-    return is_within(disc.centre[0]) && is_within(disc.centre[1]) && is_within(disc.diameter) && disc.diameter > 0.0;
-  };
-  const bool has_walls = walls == Walls::hard || walls == Walls::periodic;
-  if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(discs, is_in_box)) {
-    throw FileError("a checkpoint of a packing: expected discs in a box");
+  if (stage.dimensions == 3) {
+    result.spheres = read_balls<3>(state, stage);
+    result.microstructure = {result.spheres->side, result.spheres->walls, {}};
+  } else {
+    result.microstructure = read_balls<2>(state, stage);
   }
+  const auto side = result.microstructure.side;
+  const auto walls = result.microstructure.walls;
   if (has_particles(state)) result.shaped = read_box(state, stage, side, walls);
-  if (state.has("/filler") && !result.shaped) {
-    fillers = filler_numbers(state.numbers("/filler", x.size()), stage.fillers.size());
-  }
   if (state.has(name_of_film)) {
     const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
     result.grains = read_grains(state, side, walls, wall_film);

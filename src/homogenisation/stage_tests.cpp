@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ namespace breccia {
 namespace {
 
 TestGrid grid_of(const StageGrid& grid) {
-  return TestGrid(grid.discretisation.grid().columns());
+  return TestGrid(cells_along(grid.discretisation));
 }
 
 /// Gives the fields of a test, which are large, to the sink, and leaves the state of the finished test. The sink of an
@@ -33,7 +34,8 @@ void hand_over_fields(const StageGrid& grid, Result& found, Checkpoint* checkpoi
   }
   result.fields = std::exchange(found.fields, {});
   std::vector<double> times_taken;
-  if (sink.take_fields(*grid.stage, result.id, grid.discretisation, result.fields)) {
+  const auto* flat = std::get_if<Discretisation<2>>(&grid.discretisation);
+  if (flat != nullptr && sink.take_fields(*grid.stage, result.id, *flat, result.fields)) {
     for (const auto& [time, fields] : result.fields) times_taken.push_back(time);
     result.fields.clear();
   }
@@ -144,7 +146,8 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
     sink.domain_finished(stage, result.id, ++number, domain);
     if (observer.domain_finished) observer.domain_finished(stage, result.id, domain);
   };
-  const auto test = make_dynamic_test(*grid.study, stage, matrix, grid.discretisation, boundary, load, grid.threads);
+  const auto test = make_dynamic_test(*grid.study, stage, matrix, std::get<Discretisation<2>>(grid.discretisation),
+                                      boundary, load, grid.threads);
   const auto checkpoint = sink.test_checkpoint(stage, result.id);
   auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
                            [&] { return run_dynamic_test(test, follow, checkpoint.get()); });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/study_observer.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
@@ -15,7 +16,7 @@ namespace breccia {
 struct StageGrid {
   const Study* study = nullptr;
   const Stage* stage = nullptr;
-  Discretisation<2> discretisation;
+  StageDiscretisation discretisation;
   int threads = 0;  ///< 0: all cores
 };
 
@@ -38,7 +39,7 @@ std::vector<TestResult> run_films(const StageFilms& films, const Material& matri
                                   std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                   const StudyObserver& observer, StudySink& sink);
 
-/// Runs one load under one boundary by the dynamic method.
+/// Runs one load under one boundary by the dynamic method, in two dimensions.
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
                        const StudyObserver& observer, StudySink& sink);
 

@@ -16,9 +16,8 @@ namespace breccia {
 namespace {
 
 /// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
-std::vector<double> field_times_of(const Study& study, const Stage& stage, const Discretisation<2>& discretisation,
-                                   Load load) {
-  const bool has_fields = load == study.tests.loads.front() && discretisation.grid().columns() == stage.cells;
+std::vector<double> field_times_of(const Study& study, const Stage& stage, int cells, Load load) {
+  const bool has_fields = load == study.tests.loads.front() && cells == stage.cells && stage.dimensions == 2;
   return has_fields ? study.tests.field_times : std::vector<double>();
 }
 
@@ -57,8 +56,7 @@ std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::ve
 }
 
 QuasistaticTest test_without_fields(const Study& study, const Stage& stage, const Material& matrix,
-                                    std::variant<Discretisation<2>, FilmProblem> composite, Boundary boundary,
-                                    int threads) {
+                                    decltype(QuasistaticTest::composite) composite, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
   // Over every further modulus the basis takes up to three times as many snapshots.
@@ -86,15 +84,17 @@ DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Mate
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
-          .field_times = field_times_of(study, stage, discretisation, load),
+          .field_times = field_times_of(study, stage, discretisation.grid().columns(), load),
           .options = study.tests.dynamic,
           .threads = threads};
 }
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation<2>& discretisation, Boundary boundary, int threads) {
-  auto test = test_without_fields(study, stage, matrix, discretisation, boundary, threads);
-  test.field_times = field_times_of(study, stage, discretisation, study.tests.loads.front());
+                                      const StageDiscretisation& discretisation, Boundary boundary, int threads) {
+  auto test = std::visit(
+      [&](const auto& points) { return test_without_fields(study, stage, matrix, points, boundary, threads); },
+      discretisation);
+  test.field_times = field_times_of(study, stage, cells_along(discretisation), study.tests.loads.front());
   return test;
 }
 
@@ -117,8 +117,10 @@ Material expected_matrix(const Study& study, const Stage& stage) {
   if (earlier.fillers.empty()) return matrix;
   const double fraction = fraction_asked_of(earlier).value_or(0.5);
   const auto [density, bulk_compliance, shear] = expected_filler(earlier);
-  // Shear: rigid discs in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of mixtures).
-  const double stiffening = std::min((1.0 + fraction) / (1.0 - fraction), shear / matrix.shear.unrelaxed());
+  // Shear: rigid discs, or spheres, in an incompressible matrix (Hashin's lower bound); bulk: uniform pressure (rule of
+  // mixtures).
+  const double rigid = stage.dimensions == 3 ? 1.0 + 2.5 * fraction / (1.0 - fraction) : (1.0 + fraction) / (1.0 - fraction);
+  const double stiffening = std::min(rigid, shear / matrix.shear.unrelaxed());
   const double bulk = 1.0 / mixed(1.0 / matrix.bulk.unrelaxed(), bulk_compliance, fraction);
   return {name, mixed(matrix.density, density, fraction), PronySeries(bulk), matrix.shear.scaled(stiffening)};
 }

@@ -42,22 +42,24 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
   return found;
 }
 
-/// Moduli [Pa] of a stage as an isotropic material in the plane (theory, Eq. 32) along a path of moduli of its phases
-/// that vary, as long as they fall and are positive.
-std::vector<Moduli> moduli_of_stage(const ResponsesOnGrids& in_shear, const ResponsesOnGrids& in_bulk,
-                                    const std::vector<std::vector<Moduli>>& path) {
+/// Moduli [Pa] of a stage as an isotropic material (theory, Eq. 32) along a path of moduli of its phases that vary, as
+/// long as they fall and are positive.
+std::vector<Moduli> moduli_of_stage(const Stage& stage, const ResponsesOnGrids& in_shear,
+                                    const ResponsesOnGrids& in_bulk, const std::vector<std::vector<Moduli>>& path) {
   constexpr double rounding = 1e-6;
   std::vector<Moduli> moduli;
+  // The bulk test has equal strains along all axes of the box.
+  const double share_of_shear = stage.dimensions == 3 ? 0.0 : 1.0 / 3.0;
   double last_shear = 0.0, last_bulk = 0.0;
   for (const auto& of_phases : path) {
-    const double shear = in_shear.modulus(of_phases), plane_bulk = in_bulk.modulus(of_phases);
-    const double bulk = plane_bulk - shear / 3.0;
+    const double shear = in_shear.modulus(of_phases), tested = in_bulk.modulus(of_phases);
+    const double bulk = tested - share_of_shear * shear;
     const bool falls =
-        moduli.empty() || (shear <= (1.0 + rounding) * last_shear && plane_bulk <= (1.0 + rounding) * last_bulk);
+        moduli.empty() || (shear <= (1.0 + rounding) * last_shear && tested <= (1.0 + rounding) * last_bulk);
     if (!(shear > 0.0) || !(bulk > 0.0) || !falls) break;
     moduli.push_back({bulk, shear});
     last_shear = shear;
-    last_bulk = plane_bulk;
+    last_bulk = tested;
   }
   return moduli;
 }
@@ -116,7 +118,7 @@ class ChainOfStages {
     const auto in_shear = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::shear, boundary_);
     const auto in_bulk = responses_on_grids(*made_by, *made, study_.tests.mixing, Load::bulk, boundary_);
     if (in_shear.responses.empty() || in_bulk.responses.empty()) return {};
-    return moduli_of_stage(in_shear, in_bulk, moduli(*made_by, laplace_variables));
+    return moduli_of_stage(*made_by, in_shear, in_bulk, moduli(*made_by, laplace_variables));
   }
 
   const Study& study_;

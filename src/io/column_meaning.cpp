@@ -55,13 +55,14 @@ constexpr std::array<Stem, 25> stems{{
 }};
 
 /// Symbols of quantities, which are case-sensitive.
-constexpr std::array<Stem, 18> symbols{{
+constexpr std::array<Stem, 19> symbols{{
     {"t", time},
     {"T", temperature},
     {"f", angular_frequency, ModulusKind::unspecified, true},
     {"ω", angular_frequency},
     {"x", x},
     {"y", y},
+    {"z", z},
     {"G", modulus, ModulusKind::shear},
     {"E", modulus, ModulusKind::young},
     {"K", modulus, ModulusKind::bulk},

@@ -99,6 +99,7 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
     case Quantity::diameter:
     case Quantity::x:
     case Quantity::y:
+    case Quantity::z:
       return "um";
     case Quantity::axis_1:
     case Quantity::axis_2:
@@ -140,6 +141,7 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::diameter:
     case Quantity::x:
     case Quantity::y:
+    case Quantity::z:
     case Quantity::axis_1:
     case Quantity::axis_2:
       return by_unit(unit, Dimension::length);

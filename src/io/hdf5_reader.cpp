@@ -56,6 +56,11 @@ bool Hdf5Reader::has(const std::string& name) const {
   return object_handle(H5Oopen(file_.id(), name.c_str(), H5P_DEFAULT)).id() >= 0;
 }
 
+bool Hdf5Reader::has_attribute(const std::string& object, const std::string& attribute) const {
+  const Hdf5Silence silence;
+  return H5Aexists_by_name(file_.id(), object.c_str(), attribute.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
   const Hdf5Silence silence;
   const auto handle = group_handle(H5Gopen2(file_.id(), group.c_str(), H5P_DEFAULT));

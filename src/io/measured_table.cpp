@@ -37,6 +37,8 @@ std::string_view example_of(Quantity quantity) {
       return "called x, such as x_um";
     case Quantity::y:
       return "called y, such as y_um";
+    case Quantity::z:
+      return "called z, such as z_um";
     case Quantity::cumulative_volume_fraction:
       return "called cumulative_volume_fraction";
     case Quantity::weight:

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +64,56 @@ std::vector<DrawnDisc> visible_discs(const Microstructure<2>& microstructure, co
   return visible;
 }
 
+/// The disc of a sphere in a plane at this distance from its centre [m]; nothing where the plane does not cut it.
+std::optional<double> diameter_of_cut(double diameter, double distance) {
+  const double squared = diameter * diameter - 4.0 * distance * distance;
+  if (!(squared > 0.0)) return std::nullopt;
+  return std::sqrt(squared);
+}
+
+/// Adds the discs of the spheres, and of their coatings, that the middle plane cuts.
+std::vector<DrawnDisc> cut_discs(const Microstructure<3>& microstructure, const std::vector<DrawnFiller>& fillers,
+                                 std::size_t normal) {
+  const std::size_t across = (normal + 1) % 3, up = (normal + 2) % 3;
+  std::vector<DrawnDisc> discs;
+  for_each_image(microstructure, [&](std::size_t particle, const Ball<3>& sphere) {
+    const auto& filler = fillers[microstructure.filler_of(particle)];
+    const double distance = sphere.centre[normal] - 0.5 * microstructure.side;
+    const auto add = [&](double diameter, std::size_t colour) {
+      const auto cut = diameter_of_cut(diameter, distance);
+      if (!cut) return;
+      const Disc disc = {{sphere.centre[across], sphere.centre[up]}, *cut};
+      if (shows_in_box(disc, microstructure.side)) discs.push_back({disc, colour});
+    };
+    if (filler.coating_thickness > 0.0) add(sphere.diameter + 2.0 * filler.coating_thickness, filler.coating_colour);
+    add(sphere.diameter, filler.colour);
+  });
+  return discs;
+}
+
+void require_fillers(std::span<const std::size_t> of_particles, std::size_t particles, std::size_t fillers) {
+  const auto is_unknown = [&](std::size_t filler) { return filler >= fillers; };
+  const bool needs_one = of_particles.empty() && particles > 0;
+  if ((needs_one && fillers == 0) || std::ranges::any_of(of_particles, is_unknown)) {
+    throw InputError("picture of a microstructure: a particle belongs to no filler");
+  }
+}
+
+std::string circles(const std::vector<DrawnDisc>& discs, double side) {
+  std::string shapes;
+  const auto out = std::back_inserter(shapes);
+  const double scale = picture_scale(side);
+  for (const auto& [disc, colour] : discs) {
+    fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"", disc.centre[0] * scale,
+                   drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);
+    if (colour != 1) fmt::format_to(out, " fill=\"{}\"", colour_of_phase(colour));
+    fmt::format_to(out, "/>\n");
+  }
+  return shapes;
+}
+
+constexpr auto style_of_particles = R"(fill="#5b7f95" stroke="#2f4858" stroke-width="1")";
+
 }  // namespace
 
 std::string_view colour_of_phase(std::size_t number) {
@@ -71,23 +123,19 @@ std::string_view colour_of_phase(std::size_t number) {
 }
 
 std::string microstructure_picture(const Microstructure<2>& microstructure, const std::vector<DrawnFiller>& fillers) {
-  const double side = microstructure.side;
-  const auto is_unknown = [&](std::size_t filler) { return filler >= fillers.size(); };
-  const bool needs_one = microstructure.fillers.empty() && !microstructure.particles.empty();
-  if ((needs_one && fillers.empty()) || std::ranges::any_of(microstructure.fillers, is_unknown)) {
-    throw InputError("picture of a microstructure: a particle belongs to no filler");
-  }
-  std::string shapes;
-  const auto out = std::back_inserter(shapes);
-  const double scale = picture_scale(side);
-  for (const auto& [disc, colour] : visible_discs(microstructure, fillers)) {
-    fmt::format_to(out, "<circle cx=\"{:.6g}\" cy=\"{:.6g}\" r=\"{:.4g}\"", disc.centre[0] * scale,
-                   drawn_side - disc.centre[1] * scale, disc.diameter / 2.0 * scale);
-    if (colour != 1) fmt::format_to(out, " fill=\"{}\"", colour_of_phase(colour));
-    fmt::format_to(out, "/>\n");
-  }
-  constexpr auto style = R"(fill="#5b7f95" stroke="#2f4858" stroke-width="1")";
-  return framed_picture(side, fmt::format("{} particles", microstructure.particles.size()), style, shapes);
+  require_fillers(microstructure.fillers, microstructure.particles.size(), fillers.size());
+  return framed_picture(microstructure.side, fmt::format("{} particles", microstructure.particles.size()),
+                        style_of_particles, circles(visible_discs(microstructure, fillers), microstructure.side));
+}
+
+std::string cut_picture(const Microstructure<3>& microstructure, Axis normal, const std::vector<DrawnFiller>& fillers) {
+  require_fillers(microstructure.fillers, microstructure.particles.size(), fillers.size());
+  constexpr std::array names = {"x", "y", "z"};
+  const auto axis = static_cast<std::size_t>(normal);
+  return framed_picture(microstructure.side,
+                        fmt::format("cut through the middle of {} particles, seen along {}",
+                                    microstructure.particles.size(), names[axis]),
+                        style_of_particles, circles(cut_discs(microstructure, fillers, axis), microstructure.side));
 }
 
 }  // namespace breccia

@@ -1,6 +1,5 @@
 #include "breccia/results/label_files.hpp"
 
-#include <array>
 #include <vector>
 
 #include "breccia/homogenisation/point_labels.hpp"
@@ -12,10 +11,10 @@ namespace breccia {
 
 void write_labels(const std::filesystem::path& directory, const Stage& stage,
                   const StageMicrostructure& microstructure) {
-  if (point_count(stage.cells) > most_labelled_points) return;
+  if (point_count(stage, stage.cells) > most_labelled_points) return;
   const auto labels = point_labels(stage, microstructure, stage.cells);
   const auto along = 2 * static_cast<std::size_t>(stage.cells);
-  const std::array extents = {along, along};
+  const std::vector<std::size_t> extents(static_cast<std::size_t>(stage.dimensions), along);
   write_npy(directory / "labels.npy", extents, labels.phases);
   std::vector<VtiArray> arrays = {{"phase", labels.phases}};
   if (!labels.particles.empty()) {

@@ -1,5 +1,7 @@
 #include "breccia/results/microstructure_files.hpp"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include <fmt/format.h>
@@ -68,6 +70,32 @@ void write_image(const std::filesystem::path& directory, const Stage& stage, con
   write_text(directory / "microstructure.svg", image_picture(image, colours));
 }
 
+template <int dim>
+void write_balls(const std::filesystem::path& directory, const Stage& stage, const Microstructure<dim>& box) {
+  constexpr std::array names = {"x_m", "y_m", "z_m"};
+  std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
+  std::vector<double> diameters;
+  for (const auto& [centre, diameter] : box.particles) {
+    for (std::size_t axis = 0; axis < centre.size(); ++axis) coordinates[axis].push_back(centre[axis]);
+    diameters.push_back(diameter);
+  }
+  std::vector<CsvColumn> columns;
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) columns.push_back({names[axis], coordinates[axis]});
+  columns.push_back({"diameter_m", diameters});
+  const std::vector<double> fillers(box.fillers.begin(), box.fillers.end());
+  if (!fillers.empty()) columns.push_back({"filler", fillers});
+  write_csv(directory / "microstructure.csv", columns,
+            fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
+}
+
+/// The middle planes of a box of three dimensions; the one seen along z stands for the microstructure.
+void write_cuts(const std::filesystem::path& directory, const Stage& stage, const Microstructure<3>& box) {
+  const auto fillers = drawn_fillers(stage);
+  write_text(directory / "microstructure.svg", cut_picture(box, Axis::z, fillers));
+  write_text(directory / "cut-x.svg", cut_picture(box, Axis::x, fillers));
+  write_text(directory / "cut-y.svg", cut_picture(box, Axis::y, fillers));
+}
+
 }  // namespace
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
@@ -86,17 +114,12 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
     write_text(directory / "microstructure.svg", particle_picture(*microstructure.shaped, drawn_fillers(stage)));
     return;
   }
-  std::vector<double> x, y, diameters;
-  for (const auto& [centre, diameter] : microstructure.microstructure.particles) {
-    x.push_back(centre[0]);
-    y.push_back(centre[1]);
-    diameters.push_back(diameter);
+  if (microstructure.spheres) {
+    write_balls(directory, stage, *microstructure.spheres);
+    write_cuts(directory, stage, *microstructure.spheres);
+    return;
   }
-  std::vector<CsvColumn> columns = {{"x_m", x}, {"y_m", y}, {"diameter_m", diameters}};
-  const auto& fillers = microstructure.microstructure.fillers;
-  if (!fillers.empty()) columns.push_back({"filler", std::vector<double>(fillers.begin(), fillers.end())});
-  write_csv(directory / "microstructure.csv", columns,
-            fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
+  write_balls(directory, stage, microstructure.microstructure);
   write_text(directory / "microstructure.svg",
              microstructure_picture(microstructure.microstructure, drawn_fillers(stage)));
 }

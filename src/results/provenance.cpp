@@ -160,9 +160,9 @@ struct DescribeRecord {
   Json operator()(const ExtrapolationRecord& record) const { return {{"from_cells", record.cells}}; }
 };
 
-Json json_of(const TestResult& test, const Study& study, const StageRecord& record) {
+Json json_of(const TestResult& test, const Study& study, const Stage& stage, const StageRecord& record) {
   const auto cells = test.id.grid.cells();
-  const auto points = cells ? point_count(*cells) : 0;
+  const auto points = cells ? point_count(stage, *cells) : 0;
   Json json = {{"load", name_of(test.id.load)},
                {"boundary", name_of(test.id.boundary)},
                {"method", name_of(test.id.method)},
@@ -252,20 +252,28 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
   return fillers;
 }
 
+template <int dim>
+void add_diameters(const std::vector<Ball<dim>>& balls, Json& microstructure) {
+  if (balls.empty()) return;
+  const auto [smallest, largest] = std::ranges::minmax(balls, {}, &Ball<dim>::diameter);
+  microstructure["smallest_diameter_m"] = smallest.diameter;
+  microstructure["largest_diameter_m"] = largest.diameter;
+}
+
 Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
   const auto& packing = result.microstructure;
   Json microstructure = {{"particles", packing.particles()},
                          {"fraction", packing.fraction},
-                         {"interface_per_area_1_per_m", packing.interface_per_area},
+                         {stage.dimensions == 3 ? "interface_per_volume_1_per_m" : "interface_per_area_1_per_m",
+                          packing.interface_per_area},
                          {"smallest_gap_m", finite_or_null(packing.gap)},
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
-  if (!packing.microstructure.particles.empty()) {
-    const auto [smallest, largest] = std::ranges::minmax(packing.microstructure.particles, {},
-                                                         [](const auto& particle) { return particle.diameter; });
-    microstructure["smallest_diameter_m"] = smallest.diameter;
-    microstructure["largest_diameter_m"] = largest.diameter;
+  if (packing.spheres) {
+    add_diameters(packing.spheres->particles, microstructure);
+  } else {
+    add_diameters(packing.microstructure.particles, microstructure);
   }
   if (packing.shaped) {
     const auto [smallest, largest] = std::ranges::minmax(
@@ -309,11 +317,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                            {"worst", json_of(comparison.worst())}});
   }
   Json tests = Json::array();
-  for (const auto& test : result.tests) tests.push_back(json_of(test, study, record));
+  for (const auto& test : result.tests) tests.push_back(json_of(test, study, stage, record));
   Json json = {{"name", stage.name},
                {"matrix", name_of(stage.matrix)},
                {"filler", name_of_fillers(stage)},
                {"fillers", json_of(stage, packing.fillers)},
+               {"dimensions", stage.dimensions},
                {"box_m", stage.side},
                {"cells", names_of_grids(study.tests, stage)},
                {"points", result.points},

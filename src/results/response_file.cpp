@@ -239,6 +239,12 @@ StoredResponses read_stage(const Group& root) {
   stored.filler_fraction = number("filler_fraction");
   stored.side = number("box_m");
   root.require(stored.side > 0.0 && std::isfinite(stored.side), "the side of a box");
+  // Files from before there were three have no such number.
+  if (root.file.has_attribute("/", "dimensions")) {
+    const auto dimensions = root.file.attribute<std::int64_t>("/", "dimensions");
+    root.require(dimensions == 2 || dimensions == 3, "2 or 3 dimensions");
+    stored.dimensions = static_cast<int>(dimensions);
+  }
   stored.deck_hash = text("deck_hash");
   const auto range = value_named<SampledRange>(text("sampled_range"));
   root.require(range.has_value(), "a range that was sampled, matrix or times");
@@ -272,6 +278,7 @@ void write_responses(const std::filesystem::path& directory, const StoredRespons
   file.write_attribute("/", "filler_density_kg_per_m3", responses.filler_density);
   file.write_attribute("/", "filler_fraction", responses.filler_fraction);
   file.write_attribute("/", "box_m", responses.side);
+  file.write_attribute("/", "dimensions", std::int64_t{responses.dimensions});
   file.write_attribute("/", "times_s", std::vector<double>{responses.times.begin, responses.times.end});
   file.write_attribute("/", "sampled_range", name_of(responses.range));
   file.write_attribute("/", "mixing", name_of(responses.mixing));

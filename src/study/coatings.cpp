@@ -4,11 +4,8 @@
 
 namespace breccia {
 
-const Filler& filler_of(const Stage& stage, const Microstructure<2>& microstructure, std::size_t particle) {
-  return stage.fillers.at(microstructure.filler_of(particle));
-}
-
-Microstructure<2> with_coatings(const Stage& stage, Microstructure<2> microstructure) {
+template <int dim>
+Microstructure<dim> with_coatings(const Stage& stage, Microstructure<dim> microstructure) {
   for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
     // A thickness that is not positive is a mistake of the coating, which is reported as such.
     const double thickness = std::max(0.0, filler_of(stage, microstructure, particle).coating_thickness());
@@ -16,6 +13,9 @@ Microstructure<2> with_coatings(const Stage& stage, Microstructure<2> microstruc
   }
   return microstructure;
 }
+
+template Microstructure<2> with_coatings(const Stage&, Microstructure<2>);
+template Microstructure<3> with_coatings(const Stage&, Microstructure<3>);
 
 std::optional<double> thinnest_coating(const Stage& stage) {
   std::optional<double> thinnest;

@@ -55,6 +55,7 @@ std::optional<DiameterRange> diameters_of(const Stage& stage) {
   if (const auto* listed = stage.listed()) {
     std::vector<double> diameters;
     for (const auto& disc : listed->discs) diameters.push_back(disc.diameter);
+    for (const auto& sphere : listed->spheres) diameters.push_back(sphere.diameter);
     for (const auto& particle : listed->particles) diameters.push_back(equivalent_diameter(particle.shape));
     if (diameters.empty()) return std::nullopt;
     const auto [smallest, largest] = std::ranges::minmax(diameters);

@@ -57,7 +57,7 @@ void check_cuts(const Filler& filler, const std::string& part, StudyMistakes& mi
 /// Which of sizes and fraction go with a packing that draws or arranges particles.
 void check_amount(const Filler& filler, const PackingMethod& packing, const std::string& part,
                   StudyMistakes& mistakes) {
-  if (std::holds_alternative<RegularPacking>(packing)) {
+  if (std::holds_alternative<RegularPacking>(packing) || std::holds_alternative<LatticePacking>(packing)) {
     if (!std::holds_alternative<SingleSize>(*filler.sizes)) {
       mistakes.add(part, "expected a single size for a regular packing");
     }
@@ -198,13 +198,17 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
 }
 
 void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto& [file, discs, walls, fillers, particles] = *stage.listed();
-  if (discs.empty() && particles.empty()) mistakes.add(part, "expected at least one particle");
-  if (!discs.empty() && !particles.empty()) {
-    mistakes.add(part, "expected discs, or particles of other shapes and none");
+  const auto& [file, discs, walls, fillers, particles, spheres] = *stage.listed();
+  const auto count = discs.size() + particles.size() + spheres.size();
+  if (count == 0) mistakes.add(part, "expected at least one particle");
+  if (std::max({discs.size(), particles.size(), spheres.size()}) < count) {
+    mistakes.add(part, "expected discs, or particles of other shapes, or spheres, and nothing beside them");
     return;
   }
-  const auto count = std::max(discs.size(), particles.size());
+  if (!spheres.empty() != (stage.dimensions == 3) && count > 0) {
+    mistakes.add(part, "expected spheres in a box of three dimensions, and none in one of two");
+    return;
+  }
   if (!fillers.empty() && fillers.size() != count) {
     mistakes.add(part, fmt::format("expected the filler of each of {} particles, got {}", count, fillers.size()));
     return;
@@ -219,11 +223,14 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
     return;
   }
   if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
-  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles] {
-    if (!particles.empty()) {
+  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles,
+                               &spheres = spheres] {
+    if (!spheres.empty()) {
+      require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
+    } else if (!particles.empty()) {
       require_valid(particle_box(stage, *stage.listed()));
     } else {
-      require_valid<2>(with_coatings(stage, {stage.side, walls, discs, fillers}));
+      require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
     }
   });
 }
@@ -246,9 +253,14 @@ void check_fillers(const Stage& stage, const std::string& part, StudyMistakes& m
   const auto packing = part + (are_several ? ", packing" : ", filler");
   if (stage.listed() != nullptr) check_listed_particles(stage, packing, mistakes);
   if (stage.grains() != nullptr) check_sites(stage, packing, mistakes);
-  if (const auto* regular = std::get_if<RegularPacking>(&stage.packing)) {
+  const auto* regular = std::get_if<RegularPacking>(&stage.packing);
+  const auto* cubic = std::get_if<LatticePacking>(&stage.packing);
+  if (regular != nullptr) {
     mistakes.check_integer(packing, "columns", regular->columns, allowed::rows);
     mistakes.check_integer(packing, "rows", regular->rows, allowed::rows);
+  }
+  if (cubic != nullptr) mistakes.check_integer(packing, "repeats", cubic->repeats, allowed::repeats);
+  if (regular != nullptr || cubic != nullptr) {
     if (are_several) {
       mistakes.add(packing, fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
     }

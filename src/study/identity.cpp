@@ -105,8 +105,10 @@ class Content {
     add(name);
   }
   void add(const Stage& stage) {
-    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings] = stage;
+    const auto& [name, matrix, side, cells, coarser_cells, fillers, packing, warnings, dimensions] = stage;
     add_all(name, matrix, side, cells, coarser_cells, fillers, packing);
+    // A study in two dimensions keeps the content that it had before there were three.
+    if (dimensions != 2) add_all(std::string("dimensions"), dimensions);
     static_cast<void>(warnings);
   }
   void add(const Filler& filler) {
@@ -148,10 +150,15 @@ class Content {
     const auto& [columns, rows] = packing;
     add_all(columns, rows);
   }
+  void add(const LatticePacking& packing) {
+    const auto& [lattice, repeats] = packing;
+    add_all(lattice, repeats);
+  }
   void add(const ExplicitPacking& packing) {
-    const auto& [file, discs, walls, fillers, particles] = packing;
+    const auto& [file, discs, walls, fillers, particles, spheres] = packing;
     add_all(discs, walls, fillers);
     if (!particles.empty()) add(particles);
+    if (!spheres.empty()) add(spheres);
     static_cast<void>(file);
   }
   void add(const LaguerrePacking& packing) {
@@ -209,8 +216,9 @@ class Content {
     for (const double coordinate : position) add(coordinate);
     add(weight);
   }
-  void add(const Disc& disc) {
-    const auto& [centre, diameter] = disc;
+  template <int dim>
+  void add(const Ball<dim>& ball) {
+    const auto& [centre, diameter] = ball;
     for (const double coordinate : centre) add(coordinate);
     add(diameter);
   }

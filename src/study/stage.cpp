@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 namespace breccia {
 
 const std::string& name_of(const StageMatrix& matrix) {
@@ -19,12 +21,14 @@ struct SeedOf {
     return packing.is_random() ? Answer(packing.seed) : std::nullopt;
   }
   Answer operator()(const RegularPacking&) const { return std::nullopt; }
+  Answer operator()(const LatticePacking&) const { return std::nullopt; }
   Answer operator()(const ExplicitPacking&) const { return std::nullopt; }
   Answer operator()(const ImagePacking&) const { return std::nullopt; }
 };
 
 struct WallsOf {
   Walls operator()(const RegularPacking&) const { return Walls::hard; }
+  Walls operator()(const LatticePacking&) const { return Walls::periodic; }
   Walls operator()(const ImagePacking& packing) const { return packing.image ? packing.image->walls : Walls::hard; }
   template <class Packing>
   Walls operator()(const Packing& packing) const {
@@ -46,6 +50,10 @@ std::vector<int> Stage::grids() const {
   auto grids = coarser_cells;
   grids.push_back(cells);
   return grids;
+}
+
+std::string cells_in_words(const Stage& stage, int cells) {
+  return stage.dimensions == 3 ? fmt::format("{0} x {0} x {0}", cells) : fmt::format("{0} x {0}", cells);
 }
 
 std::vector<Material> named_materials(const Stage& stage) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,17 @@ double largest_known_diameter(const Filler& filler) {
     for (const double diameter : listed->diameters) largest = std::max(largest, diameter);
   }
   return largest;
+}
+
+/// Distance of nearest particles of a regular packing [m]; nothing for any other.
+std::optional<double> spacing_of(const PackingMethod& packing, double side) {
+  if (const auto* regular = std::get_if<RegularPacking>(&packing)) {
+    return side / std::max({1, regular->columns, regular->rows});
+  }
+  if (const auto* cubic = std::get_if<LatticePacking>(&packing)) {
+    return nearest_distance(cubic->lattice) * side / std::max(1, cubic->repeats);
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -70,12 +82,11 @@ std::vector<std::string> mistakes_of_diameters(const Filler& filler, const Packi
     mistakes.push_back(fmt::format("a particle of {}{} does not fit into a box of {}",
                                    readable(diameter, Dimension::length), coated, readable(side, Dimension::length)));
   }
-  const auto* const regular = std::get_if<RegularPacking>(&packing);
-  const double spacing = regular == nullptr ? side : side / std::max({1, regular->columns, regular->rows});
-  if (regular != nullptr && diameter > 0.0 && diameter >= spacing) {
+  const auto spacing = spacing_of(packing, side);
+  if (spacing && diameter > 0.0 && diameter >= *spacing) {
     mistakes.push_back(fmt::format("particles of {}{} touch at a regular spacing of {}",
                                    readable(diameter, Dimension::length), coated,
-                                   readable(spacing, Dimension::length)));
+                                   readable(*spacing, Dimension::length)));
   }
   return mistakes;
 }
@@ -99,6 +110,19 @@ std::vector<std::string> mistakes_of_phases(const Stage& stage) {
         *name));
   }
   return mistakes;
+}
+
+std::vector<std::string> mistakes_of_packing(const Stage& stage) {
+  if (stage.fillers.empty() && stage.image() == nullptr) return {};
+  const bool is_cubic = std::holds_alternative<LatticePacking>(stage.packing);
+  if (stage.dimensions == 2) {
+    if (!is_cubic) return {};
+    return {"a cubic lattice is for three dimensions"};
+  }
+  const bool has_spheres = is_cubic || std::holds_alternative<LubachevskyStillingerPacking>(stage.packing) ||
+                           stage.listed() != nullptr;
+  if (has_spheres) return {};
+  return {"three dimensions: expected spheres packed at random, on a cubic lattice or from a list"};
 }
 
 bool can_be_extrapolated(const std::vector<int>& grids) {

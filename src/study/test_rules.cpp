@@ -85,6 +85,16 @@ std::vector<std::string> lacking_in_films(const Study& study) {
   return mistakes;
 }
 
+/// What tests in three dimensions do not have.
+std::vector<std::string> lacking_in_space(const Study& study) {
+  if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
+  std::vector<std::string> mistakes;
+  const auto& tests = study.tests;
+  if (uses(tests, Method::dynamic)) mistakes.emplace_back(R"(three dimensions: expected method "quasistatic")");
+  if (tests.lists_field_times) mistakes.emplace_back("three dimensions: expected no times of fields");
+  return mistakes;
+}
+
 /// Only a reduced basis samples over moduli.
 std::optional<std::string> vary_without_samples(const Tests& tests) {
   if (tests.varied.empty()) return std::nullopt;
@@ -160,6 +170,7 @@ bool has_standard_points(const Tests& tests) {
 std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
+  std::ranges::move(lacking_in_space(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));

@@ -12,25 +12,25 @@
 namespace breccia {
 namespace {
 
-/// The two moduli of a composite in the plane at the times that both of its curves have.
-struct PlaneModuli {
+/// The two moduli of a composite at the times that both of its curves have.
+struct CommonModuli {
   std::vector<double> times;  ///< [s]
   std::vector<double> shear;  ///< G [Pa]
-  std::vector<double> bulk;   ///< K + G/3 [Pa]
+  std::vector<double> bulk;   ///< K, in plane strain K + G/3 [Pa]
 };
 
 /// Prony series fitted to both moduli, from the same candidate relaxation times.
-struct PlaneFit {
+struct CommonFit {
   RelaxationFit shear;
   RelaxationFit bulk;
 };
 
-PlaneModuli common_samples(const std::string& name, const Curve& shear, const Curve& plane_strain_bulk) {
-  PlaneModuli moduli;
-  auto in_bulk = plane_strain_bulk.begin();
+CommonModuli common_samples(const std::string& name, const Curve& shear, const Curve& bulk) {
+  CommonModuli moduli;
+  auto in_bulk = bulk.begin();
   for (const auto& [time, modulus] : shear) {
-    while (in_bulk != plane_strain_bulk.end() && in_bulk->time < time) ++in_bulk;
-    if (in_bulk == plane_strain_bulk.end()) break;
+    while (in_bulk != bulk.end() && in_bulk->time < time) ++in_bulk;
+    if (in_bulk == bulk.end()) break;
     if (in_bulk->time > time) continue;
     moduli.times.push_back(time);
     moduli.shear.push_back(modulus);
@@ -44,12 +44,12 @@ PlaneModuli common_samples(const std::string& name, const Curve& shear, const Cu
   return moduli;
 }
 
-PlaneFit fit(const PlaneModuli& moduli, const FitOptions& options = {}) {
+CommonFit fit(const CommonModuli& moduli, const FitOptions& options = {}) {
   return {fit_relaxation(moduli.times, moduli.shear, options), fit_relaxation(moduli.times, moduli.bulk, options)};
 }
 
 /// The fit with the widest spacing of relaxation times that the tolerance allows (theory, Eq. 33a).
-PlaneFit fit_with_few_terms(const PlaneModuli& moduli, double tolerance) {
+CommonFit fit_with_few_terms(const CommonModuli& moduli, double tolerance) {
   constexpr double share_of_tolerance = 1.0 / 30.0;
   constexpr std::array times_per_decade = {1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0};
   auto finest = fit(moduli);
@@ -67,11 +67,13 @@ PlaneFit fit_with_few_terms(const PlaneModuli& moduli, double tolerance) {
 }  // namespace
 
 HomogenisedMaterial homogenised_material(const std::string& name, double density, const Curve& shear,
-                                         const Curve& plane_strain_bulk, double tolerance) {
-  const auto moduli = common_samples(name, shear, plane_strain_bulk);
+                                         const Curve& bulk_curve, double tolerance, int dimensions) {
+  const auto moduli = common_samples(name, shear, bulk_curve);
   const auto fits = fit_with_few_terms(moduli, tolerance);
   // With the same candidate times the terms of the two moduli can be merged.
-  const auto bulk = PronySeries::difference(fits.bulk.series, fits.shear.series.scaled(1.0 / 3.0));
+  const auto bulk = dimensions == 3
+                        ? fits.bulk.series
+                        : PronySeries::difference(fits.bulk.series, fits.shear.series.scaled(1.0 / 3.0));
   return {.material = {.name = name, .density = density, .bulk = bulk, .shear = fits.shear.series},
           .fitted = {moduli.times.front(), moduli.times.back()},
           .shear_error = fits.shear.quality.worst_error,

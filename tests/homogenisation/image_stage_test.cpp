@@ -57,8 +57,8 @@ TEST(ImageStage, HasThePhasesOfItsFillers) {
   const auto stage = layered_image(Walls::hard);
   const auto packed = make_microstructure(stage);
   EXPECT_THAT(phases_of(stage).names(), ElementsAre("matrix", "flint", "iron"));
-  EXPECT_THAT(discretise(stage, packed, 4, Mixing::points).fractions(3), ElementsAre(0.5, 0.25, 0.25));
-  const auto mixed = discretise(stage, packed, 2, Mixing::series);
+  EXPECT_THAT(fractions(discretise(stage, packed, 4, Mixing::points), 3), ElementsAre(0.5, 0.25, 0.25));
+  const auto mixed = std::get<Discretisation<2>>(discretise(stage, packed, 2, Mixing::series));
   EXPECT_THAT(mixed.fractions(3), ElementsAre(0.5, 0.25, 0.25));
   EXPECT_EQ(mixed.mixtures().size(), 2U) << "matrix and iron, flint and matrix";
 }

@@ -113,7 +113,7 @@ TEST(Shapes, TurningABoxByAQuarterSwapsItsAxes) {
 
 /// The apparent moduli of a microstructure on a periodic grid.
 std::vector<double> periodic_moduli(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
-  QuasistaticProblem problem{.discretisation = discretise(stage, packed, stage.cells, mixing),
+  QuasistaticProblem problem{.discretisation = std::get<Discretisation<2>>(discretise(stage, packed, stage.cells, mixing)),
                              .materials = {soft_host, stiff_grain},
                              .boundary = Boundary::periodic};
   problem.linear.tolerance = 1e-13;
@@ -178,8 +178,8 @@ TEST(Shapes, ArePackedWithTheirGapsAndMeasured) {
 TEST(Shapes, AreInTheCellsAsInTheBox) {
   const auto stage = ellipse_stage(0.5, Walls::periodic);
   const auto packed = make_microstructure(stage);
-  EXPECT_NEAR(discretise(stage, packed, 100, Mixing::series).fractions(2)[1], packed.fraction, 1e-3);
-  EXPECT_NEAR(discretise(stage, packed, 400, Mixing::points).fractions(2)[1], packed.fraction, 1e-3);
+  EXPECT_NEAR(fractions(discretise(stage, packed, 100, Mixing::series), 2)[1], packed.fraction, 1e-3);
+  EXPECT_NEAR(fractions(discretise(stage, packed, 400, Mixing::points), 2)[1], packed.fraction, 1e-3);
 }
 
 TEST(Shapes, CoatingsAreInTheCellsAsInTheBox) {
@@ -188,7 +188,7 @@ TEST(Shapes, CoatingsAreInTheCellsAsInTheBox) {
   const auto packed = make_microstructure(stage);
   const auto& own = packed.fillers.front();
   EXPECT_GE(packed.gap, 0.02e-3) << "between coatings";
-  const auto fractions = discretise(stage, packed, 200, Mixing::series).fractions(3);
+  const auto fractions = breccia::fractions(discretise(stage, packed, 200, Mixing::series), 3);
   EXPECT_NEAR(fractions[1], own.fraction, 1e-3);
   EXPECT_NEAR(fractions[2], own.coating_fraction, 1e-3);
 }

@@ -60,8 +60,8 @@ TEST(StageDiscretisation, RefusesParticlesOfAStageWithoutFiller) {
 }
 
 TEST(StageDiscretisation, CountsItsPointsWithoutBeingMade) {
-  EXPECT_EQ(point_count(60), discretise(four_discs, discs_of(four_discs), 60, Mixing::points).points());
-  EXPECT_EQ(point_count(60), 14400U);
+  EXPECT_EQ(point_count(four_discs, 60), discretise(four_discs, discs_of(four_discs), 60, Mixing::points).points());
+  EXPECT_EQ(point_count(four_discs, 60), 14400U);
 }
 
 TEST(PackedStage, KnowsTheShareOfThePointsThatAreFiller) {

@@ -241,8 +241,8 @@ TEST(Grains, OfOneSeedAreTheSame) {
 TEST(Grains, AreInTheCellsAsInTheBox) {
   const auto stage = box(grains(2e-3, 0.93));
   const auto packed = make_microstructure(stage);
-  EXPECT_NEAR(discretise(stage, packed, 100, Mixing::series).fractions(2)[1], 0.93, 2e-4);
-  EXPECT_NEAR(discretise(stage, packed, 400, Mixing::points).fractions(2)[1], 0.93, 2e-3);
+  EXPECT_NEAR(fractions(discretise(stage, packed, 100, Mixing::series), 2)[1], 0.93, 2e-4);
+  EXPECT_NEAR(fractions(discretise(stage, packed, 400, Mixing::points), 2)[1], 0.93, 2e-3);
 }
 
 TEST(Grains, AreReadFromTheirState) {

@@ -12,14 +12,16 @@ namespace breccia {
 /// What the particles of one filler are in the box of a stage.
 struct FillerStatistics {
   std::size_t particles = 0;
-  double fraction = 0.0;                                ///< area of the particles per area of the box [-]
-  double coating_fraction = 0.0;                        ///< area of their coatings per area of the box [-]
+  double fraction = 0.0;          ///< area of the particles per area of the box, or volume per volume [-]
+  double coating_fraction = 0.0;  ///< the same of their coatings [-]
   std::optional<double> smallest_diameter = {};         ///< without the coating [m]; nothing without particles
   std::optional<double> largest_diameter = {};          ///< without the coating [m]; nothing without particles
   std::optional<double> size_deviation = std::nullopt;  ///< of the drawn and the wanted size distribution [-]
 };
 
-/// The statistics of each filler of a stage, in their order, without size deviations.
-std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Microstructure<2>& microstructure);
+/// The statistics of each filler of a stage, in their order, without size deviations. Instantiated for 2 and 3
+/// dimensions.
+template <int dim>
+std::vector<FillerStatistics> filler_statistics(const Stage& stage, const Microstructure<dim>& microstructure);
 
 }  // namespace breccia

@@ -15,7 +15,7 @@ class LackingMemory : public InputError {
 };
 
 /// Approximate number of unknown displacements of a quasi-static test on a grid with `cells` cells per side.
-double quasistatic_unknowns(int cells);
+double quasistatic_unknowns(const Stage& stage, int cells);
 
 /// Approximate memory [B] of a quasi-static test of a stage on a grid with `cells` cells per side; an empirical
 /// formula.

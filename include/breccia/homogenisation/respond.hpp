@@ -28,6 +28,7 @@ struct StoredResponses {
   double filler_density = 0.0;                ///< mean of fillers and coatings by volume [kg/m^3]; unused (0) without
   double filler_fraction = 0.0;               ///< of fillers and coatings [-]
   double side = 0.0;                          ///< side of the box [m]
+  int dimensions = 2;                         ///< of the box
   std::string deck_hash;                      ///< of the study that left it (provenance_of)
   double fit_tolerance = 0.0;                 ///< of the study [-]
   TimeWindow times;                           ///< of the study [s]

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
@@ -20,15 +21,25 @@ Phases phases_of(const Stage& stage);
 /// earlier stage.
 std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 
+/// The material points of a stage, in the dimensions of its box.
+using StageDiscretisation = std::variant<Discretisation<2>, Discretisation<3>>;
+
 /// The material points of a stage with these particles, on `cells` cells along each side of its box. The points have
 /// the phases of the stage (phases_of), and those of cells that an interface crosses are as `mixing` says. Throws
-/// InputError when a particle belongs to no filler of the stage.
-Discretisation<2> discretise(const Stage& stage, const Microstructure<2>& microstructure, int cells, Mixing mixing);
+/// InputError when a particle belongs to no filler of the stage. Instantiated for 2 and 3 dimensions.
+template <int dim>
+Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells, Mixing mixing);
 
 /// The same for the particles, the grains or the pixels that the stage has.
-Discretisation<2> discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing);
+StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing);
 
-/// Material points of such a discretisation.
-std::size_t point_count(int cells);
+/// Share of each of so many phases [-].
+std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases);
+
+/// Cells along each side.
+int cells_along(const StageDiscretisation& discretisation);
+
+/// Material points of a stage on `cells` cells along each side of its box.
+std::size_t point_count(const Stage& stage, int cells);
 
 }  // namespace breccia

@@ -35,12 +35,13 @@ struct StageGrains {
 
 /// The particles or grains of a stage with their statistics. Pixels are those of its image (Stage::image).
 struct StageMicrostructure {
-  /// Without particles where there are grains, pixels or other shapes than discs.
+  /// Without particles where there are grains, pixels, spheres or other shapes than discs.
   Microstructure<2> microstructure;
+  std::optional<Microstructure<3>> spheres = {};  ///< in a box of three dimensions
   std::optional<StageGrains> grains = {};  ///< in place of particles
   std::optional<ParticleBox> shaped = {};  ///< particles of which not all are discs, with their coatings
-  double fraction = 0.0;                   ///< area of the particles per area of the box [-]
-  double interface_per_area = 0.0;         ///< length of the interface per area of the box, S/A [1/m]
+  double fraction = 0.0;            ///< area of the particles per area of the box, or volume per volume [-]
+  double interface_per_area = 0.0;  ///< length of the interface per area of the box, or area per volume [1/m]
   double wall_gap = 0.0;  ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
   double gap = 0.0;       ///< smallest gap between two coated particles, or film between grains [m]; infinite
                           ///< without two particles

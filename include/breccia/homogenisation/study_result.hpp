@@ -76,8 +76,9 @@ struct Comparison {
 struct StageResult {
   std::string name;
   int cells = 0;
+  int dimensions = 2;           ///< of the box
   std::size_t points = 0;       ///< material points of the finest grid; none where films are computed without cells
-  double point_fraction = 0.0;  ///< share of the material points, or of the area, that is filler [-]
+  double point_fraction = 0.0;  ///< share of the material points, or of the box, that is filler [-]
   StageMicrostructure microstructure;
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages

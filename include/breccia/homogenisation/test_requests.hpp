@@ -1,6 +1,7 @@
 #pragma once
 
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/study.hpp"
 #include "breccia/virtual_test/dynamic_test.hpp"
@@ -8,12 +9,12 @@
 
 namespace breccia {
 
-/// The dynamic test of a stage on a grid, under one boundary and load, with its matrix as a material.
+/// The dynamic test of a stage of two dimensions on a grid, under one boundary and load, with its matrix as a material.
 DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
                               const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads);
 /// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
-                                      const Discretisation<2>& discretisation, Boundary boundary, int threads);
+                                      const StageDiscretisation& discretisation, Boundary boundary, int threads);
 /// The same for the grains of a stage and the films between them.
 QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
                                const StageGrains& grains, Boundary boundary, int threads);

@@ -82,6 +82,7 @@ class Hdf5Reader {
   explicit Hdf5Reader(const std::filesystem::path& path);
 
   [[nodiscard]] bool has(const std::string& name) const;
+  [[nodiscard]] bool has_attribute(const std::string& object, const std::string& attribute) const;
   /// The names of the objects in a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
   [[nodiscard]] Hdf5Shape shape(const std::string& name) const;

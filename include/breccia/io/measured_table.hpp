@@ -23,6 +23,7 @@ enum class Quantity {
   diameter,                    ///< [m]
   x,                           ///< [m]
   y,                           ///< [m]
+  z,                           ///< [m]
   cumulative_volume_fraction,  ///< from 0 to 1
   weight,                      ///< of a site of a tessellation [m^2]
   filler,                      ///< number of the filler of a particle; known beside sizes or corners alone

@@ -26,4 +26,11 @@ std::string_view colour_of_phase(std::size_t number);
 std::string microstructure_picture(const Microstructure<2>& microstructure,
                                    const std::vector<DrawnFiller>& fillers = {{}});
 
+enum class Axis { x, y, z };
+
+/// SVG picture of the plane through the middle of a box of three dimensions with this normal; the axis that follows
+/// the normal (x, y, z, x ...) goes to the right, the next one upwards. Throws as microstructure_picture() does.
+std::string cut_picture(const Microstructure<3>& microstructure, Axis normal,
+                        const std::vector<DrawnFiller>& fillers = {{}});
+
 }  // namespace breccia

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/microstructure/cubic_lattice.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/microstructure/particle.hpp"
@@ -73,14 +74,21 @@ struct RegularPacking {
   int rows = 1;
 };
 
+/// Balls of one size on a cubic lattice, periodic: particles may cross the sides of the box.
+struct LatticePacking {
+  Lattice lattice = Lattice::simple;
+  int repeats = 1;  ///< conventional cells of the lattice along each side
+};
+
 /// Particles as listed in a file.
 struct ExplicitPacking {
   std::filesystem::path file;
   std::vector<Disc> discs;
   Walls walls = Walls::hard;
-  /// The number of the filler of each disc, or of each of `particles`; empty where all are of the first.
+  /// The number of the filler of each disc, sphere or other particle; empty where all are of the first.
   std::vector<std::size_t> fillers = {};
   std::vector<Particle> particles = {};  ///< of other shapes, in place of discs
+  std::vector<Ball<3>> spheres = {};     ///< of a box of three dimensions, in place of discs
 };
 
 /// Particles of any shape placed at random one after the other, the largest first, and grown by a Monte Carlo
@@ -103,7 +111,7 @@ struct LaguerrePacking {
 };
 
 using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking,
-                                   ImagePacking, RandomSequentialPacking>;
+                                   ImagePacking, RandomSequentialPacking, LatticePacking>;
 
 /// The form in which a deck gives the gap between particles.
 enum class GapSource {
@@ -123,7 +131,8 @@ struct Coating {
 /// for a random packing has a fraction.
 struct Filler {
   Material material;
-  std::optional<double> fraction = {};  ///< area fraction of the particles in the box, without their coatings [-]
+  /// Share of the area of the box, or of its volume, that the particles fill without their coatings [-].
+  std::optional<double> fraction = {};
   std::optional<double> smallest = {};  ///< sizes are cut below this diameter [m]
   std::optional<double> largest = {};   ///< sizes are cut above this diameter [m]
   std::optional<Sizes> sizes = {};

@@ -8,11 +8,13 @@
 namespace breccia::allowed {
 
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};                ///< of a box [m]
+inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};             ///< of a box
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};           ///< per side
 inline constexpr std::size_t most_grids = 3;                                 ///< of a stage
 inline constexpr std::size_t most_fillers = 100;                             ///< of a stage
 inline constexpr Range fraction = Range::between(0.0, 1.0);                  ///< of a random packing [-]
 inline constexpr Range aspect = {.lower = 0.05, .upper = 20.0};              ///< of ellipses [-]
+inline constexpr Range repeats = {.lower = 1.0, .upper = 100.0};             ///< of a cubic lattice
 inline constexpr Range rows = {.lower = 1.0, .upper = 1e4};                  ///< and columns, of a regular packing
 inline constexpr Range points_per_decade = {.lower = 1.0, .upper = 1000.0};  ///< of the curves
 inline constexpr Range fit_tolerance = Range::above_and_up_to(0.0, 1.0);     ///< [-]

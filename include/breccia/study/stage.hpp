@@ -26,12 +26,13 @@ const std::string& name_of(const StageMatrix& matrix);
 struct Stage {
   std::string name;  ///< name of the stage and of its directory
   StageMatrix matrix;
-  double side = 0.0;                       ///< side of the square box [m]
+  double side = 0.0;                       ///< side of the square or cubic box [m]
   int cells = 0;                           ///< cells per side of the finest grid
   std::vector<int> coarser_cells = {};     ///< cells per side of the coarser grids, rising, for extrapolation
   std::vector<Filler> fillers = {};        ///< the kinds of particles in the box
   PackingMethod packing = {};              ///< of the particles of all fillers together; unused without a filler
   std::vector<std::string> warnings = {};  ///< warnings about the deck, without the name of the stage
+  int dimensions = 2;                      ///< of the box: 2 (plane strain) or 3; the same for all stages of a study
 
   /// Side of a cell of the finest grid [m].
   [[nodiscard]] double cell_size() const { return side / cells; }
@@ -58,6 +59,9 @@ struct Stage {
   /// Cells per side of all grids, rising.
   [[nodiscard]] std::vector<int> grids() const;
 };
+
+/// "100 x 100", or "100 x 100 x 100" in three dimensions.
+std::string cells_in_words(const Stage& stage, int cells);
 
 /// The materials that a stage names, each once: its matrix, unless that is an earlier stage, then its fillers and their
 /// coatings.

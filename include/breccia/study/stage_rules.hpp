@@ -30,6 +30,9 @@ std::vector<std::string> mistakes_of_fractions(const Stage& stage);
 /// (phase_names), so that no such material may have the name of another phase.
 std::vector<std::string> mistakes_of_phases(const Stage& stage);
 
+/// A packing must be one that places particles in a box of so many dimensions.
+std::vector<std::string> mistakes_of_packing(const Stage& stage);
+
 /// Two or three grids, with rising numbers of cells per side, are needed for an extrapolation.
 bool can_be_extrapolated(const std::vector<int>& grids);
 

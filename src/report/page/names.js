@@ -8,7 +8,7 @@ export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 /// The quantities that a figure can show, in the order in which the page offers them.
 export const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
-  {name: "bulk", title: "Plane-strain bulk modulus K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "bulk", title: "Bulk modulus K(t), in plane strain K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
   {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},

@@ -120,7 +120,7 @@ function jointRefusal(responses, variables, phases, window) {
 
 /// Predicts G(t) of every stage under every boundary.
 ///
-/// study: {times_s, stages: [{name, matrix}]}, as in study.json
+/// study: {times_s, stages: [{name, matrix, dimensions}]}, as in study.json
 /// responses: the stored responses of each stage by its name, as in the data of the page
 /// materials: {shear, bulk} of each material by its name, both Prony series
 ///
@@ -142,7 +142,8 @@ export function respond(study, responses, materials) {
       const {phases: others = []} = ofStage[0];
       const phases = [{material: stage.matrix, moduli: matrix.moduli}, ...others.map((phase) => ({
         material: phase.material, moduli: materialAsMatrix(own(materials, phase.material), variables).moduli}))];
-      const {composite, result} = respondOfStage(ofStage.filter((one) => one.boundary === boundary), matrix, phases);
+      const {composite, result} = respondOfStage(
+        ofStage.filter((one) => one.boundary === boundary), matrix, phases, stage.dimensions);
       if (composite !== undefined) composites.set(`${stage.name}|${boundary}`, composite);
       if (result !== undefined) results.push({stage: stage.name, boundary, matrix: stage.matrix, ...result});
     }
@@ -152,17 +153,17 @@ export function respond(study, responses, materials) {
 
 /// The answer of one stage under one boundary: {composite, result}. `composite` is the stage as the matrix of another
 /// one, which takes both loads; `result` has G(t).
-function respondOfStage(responses, {variables, window: known}, phases) {
+function respondOfStage(responses, {variables, window: known}, phases, dimensions) {
   const {window: covered, refusal: ofOne} = timesInRange(responses, variables, phases, known);
   const ofAll = jointRefusal(responses, variables, phases, covered);
   const window = ofAll === undefined ? covered : [covered[0], covered[0]];
   const shear = moduliOnGrids(responses, "shear", variables, phases);
-  const planeStrainBulk = moduliOnGrids(responses, "bulk", variables, phases);
+  const bulk = moduliOnGrids(responses, "bulk", variables, phases);
   if (shear.length === 0) return {};
   const modulus = modulusInTime(variables, shear);
-  const composite = planeStrainBulk.length === 0 ? undefined : stageAsMatrix(variables, window,
+  const composite = bulk.length === 0 ? undefined : stageAsMatrix(variables, window, dimensions,
     matrixModulus(variables, shear, modulus, window),
-    matrixModulus(variables, planeStrainBulk, modulusInTime(variables, planeStrainBulk), window));
+    matrixModulus(variables, bulk, modulusInTime(variables, bulk), window));
   return {composite, result: {window, refusal: ofOne ?? ofAll, modulus}};
 }
 
@@ -201,10 +202,11 @@ function seriesOfSolid(times, modulus) {
 }
 
 /// A stage as the matrix of another one: {variables, window, moduli}.
-function stageAsMatrix(variables, [begin, end], shear, planeStrainBulk) {
+function stageAsMatrix(variables, [begin, end], dimensions, shear, bulk) {
   return {
-    variables, window: [begin, Math.min(end, shear.last, planeStrainBulk.last)],
-    moduli: {shear: shear.carson, bulk: planeStrainBulk.carson.map((value, j) => bulkModulus(value, shear.carson[j]))},
+    variables, window: [begin, Math.min(end, shear.last, bulk.last)],
+    moduli: {shear: shear.carson,
+      bulk: bulk.carson.map((value, j) => bulkModulus(value, shear.carson[j], dimensions))},
   };
 }
 

@@ -52,10 +52,11 @@ export function decadesOfShift(law, temperature) {
   return (-law.c1 * excess) / (law.c2_K + excess);
 }
 
-/// The bulk modulus K of a solid with the plane-strain bulk modulus K + G/3 and the shear modulus G, all in [Pa]. It
-/// holds for elastic moduli, and so for Carson moduli at one Laplace variable.
-export function bulkModulus(planeStrainBulk, shear) {
-  return planeStrainBulk - shear / 3;
+/// The bulk modulus K of a solid with the shear modulus G from its modulus of equal strains along all axes of the box,
+/// K + G/3 in two dimensions (plane strain) and K in three, all in [Pa]. It holds for elastic moduli, and so for Carson
+/// moduli at one Laplace variable.
+export function bulkModulus(tested, shear, dimensions) {
+  return dimensions === 3 ? tested : tested - shear / 3;
 }
 
 /// The series with the given Carson moduli [Pa] at rising Laplace variables [1/s]: a least-squares fit of the relative
