@@ -39,8 +39,8 @@ int main() {
   const breccia::ShearModulusBounds hashin(discretisation, materials);
 
   const auto moduli_under = [&](Boundary boundary) {
-    return breccia::apparent_moduli({.discretisation = discretisation, .materials = materials, .boundary = boundary},
-                                    std::array{Load::shear, Load::bulk});
+    return breccia::apparent_moduli<2>({.discretisation = discretisation, .materials = materials, .boundary = boundary},
+                                       std::array{Load::shear, Load::bulk});
   };
   const auto kubc = moduli_under(Boundary::displacement);
   const auto periodic = moduli_under(Boundary::periodic);

@@ -68,7 +68,7 @@ int main() {
   const auto discretisation = discretise(box, done.microstructure.microstructure, box.cells, study.tests.mixing);
   for (const double s : {1e-3, 1.0, 1e3}) {
     const Material transformed = {"binder at s", 1000.0, PronySeries(2e9), PronySeries(carson_of_law(s))};
-    const double elastic = apparent_moduli(
+    const double elastic = apparent_moduli<2>(
         {.discretisation = discretisation, .materials = materials_of(box, transformed)}, std::array{Load::shear})[0];
     fmt::print("{:8}  {:13.4f}  {:16.4f}\n", s, carson_of_series(composite, s) / 1e6, elastic / 1e6);
     worst = std::max(worst, std::abs(carson_of_series(composite, s) / elastic - 1.0));

@@ -56,6 +56,8 @@ std::vector<TimedFields<dim>> read_fields(const StateReader& state, const std::s
 }
 
 template void save(StateWriter&, const std::string&, const std::vector<TimedFields<2>>&);
+template void save(StateWriter&, const std::string&, const std::vector<TimedFields<3>>&);
 template std::vector<TimedFields<2>> read_fields(const StateReader&, const std::string&, const Discretisation<2>&);
+template std::vector<TimedFields<3>> read_fields(const StateReader&, const std::string&, const Discretisation<3>&);
 
 }  // namespace breccia

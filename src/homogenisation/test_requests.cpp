@@ -56,7 +56,7 @@ std::vector<std::vector<Material>> variants_of(const Tests& tests, const std::ve
 }
 
 QuasistaticTest test_without_fields(const Study& study, const Stage& stage, const Material& matrix,
-                                    decltype(QuasistaticTest::composite) composite, Boundary boundary, int threads) {
+                                    QuasistaticComposite composite, Boundary boundary, int threads) {
   auto options = study.tests.quasistatic;
   options.linear.threads = threads;
   // Over every further modulus the basis takes up to three times as many snapshots.

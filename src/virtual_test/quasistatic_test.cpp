@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -23,7 +25,8 @@
 namespace breccia {
 namespace {
 
-QuasistaticProblem problem_of(const QuasistaticTest& test, const Discretisation<2>& discretisation) {
+template <int dim>
+QuasistaticProblem<dim> problem_of(const QuasistaticTest& test, const Discretisation<dim>& discretisation) {
   return {.discretisation = discretisation,
           .materials = test.materials,
           .volumetric = test.options.volumetric,
@@ -78,23 +81,39 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   return path;
 }
 
-/// Samples the reduced responses of cells, or of grains and films, by load, and takes the fields of cells.
-std::vector<ReducedResponse> sample(const QuasistaticTest& test, const std::vector<Material>& materials,
-                                    const TrainingPath& path,
-                                    const std::function<void(const SamplingProgress&)>& follow, Checkpoint* checkpoint,
+std::vector<TimedFields<2>>& fields_of(QuasistaticTestResult& result, const Discretisation<2>& /*composite*/) {
+  return result.fields;
+}
+std::vector<TimedFields<3>>& fields_of(QuasistaticTestResult& result, const Discretisation<3>& /*composite*/) {
+  return result.volume_fields;
+}
+
+using SamplingObserver = std::function<void(const SamplingProgress&)>;
+
+/// Samples the reduced responses of grains and films by load.
+std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticTest& test,
+                                    const std::vector<Material>& /*materials*/, const TrainingPath& path,
+                                    const SamplingObserver& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
-  if (const auto* films = std::get_if<FilmProblem>(&test.composite)) {
-    auto problem = *films;
-    problem.boundary = test.boundary;
-    std::vector<Moduli> of_binder;
-    for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
-    auto sampled = sample_film_responses(problem, test.loads, of_binder, test.options.sampling, follow, checkpoint);
-    result.effort = sampled.effort;
-    return std::move(sampled.responses);
-  }
-  const auto problem = problem_of(test, std::get<Discretisation<2>>(test.composite));
+  auto problem = films;
+  problem.boundary = test.boundary;
+  std::vector<Moduli> of_binder;
+  for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
+  auto sampled = sample_film_responses(problem, test.loads, of_binder, test.options.sampling, follow, checkpoint);
+  result.effort = sampled.effort;
+  return std::move(sampled.responses);
+}
+
+/// Samples the reduced responses of cells by load, and takes their fields.
+template <int dim>
+std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
+                                    const std::vector<Material>& materials, const TrainingPath& path,
+                                    const SamplingObserver& follow, Checkpoint* checkpoint,
+                                    QuasistaticTestResult& result) {
+  const auto problem = problem_of(test, discretisation);
   auto sampled = sample_responses(problem, test.loads, path, test.options.sampling, follow, checkpoint);
-  for (const double time : test.field_times) result.fields.push_back({time, sampled.fields(0, materials, time)});
+  auto& fields = fields_of(result, discretisation);
+  for (const double time : test.field_times) fields.push_back({time, sampled.fields(0, materials, time)});
   result.effort = sampled.effort;
   return std::move(sampled.responses);
 }
@@ -109,7 +128,9 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
     observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
              std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
   };
-  auto responses = sample(test, materials, path, follow, checkpoint, result);
+  auto responses = std::visit(
+      [&](const auto& composite) { return sample(composite, test, materials, path, follow, checkpoint, result); },
+      test.composite);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   for (auto& reduced : responses) {
     auto& response = result.responses.emplace_back();
@@ -175,6 +196,23 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
   return worst;
 }
 
+/// Steps cells through time, and takes their fields and the effort.
+template <int dim>
+std::vector<SteppedResponse> step_cells(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
+                                        std::span<const double> steps, std::span<const double> field_steps,
+                                        const QuasistaticObserver& observer, Checkpoint* checkpoint,
+                                        QuasistaticTestResult& result) {
+  auto stepped = run_log_time_stepping(
+      problem_of(test, discretisation), test.loads, steps,
+      [&](double share) {
+        if (observer) observer(fmt::format("{} steps", steps.size()), share);
+      },
+      field_steps, checkpoint);
+  fields_of(result, discretisation) = std::move(stepped.fields);
+  result.effort = stepped.effort;
+  return std::move(stepped.responses);
+}
+
 void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                   Checkpoint* checkpoint) {
   auto steps = step_times(test);
@@ -182,17 +220,13 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
   make_step_at(steps, test.times.begin);
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
-  auto stepped = run_log_time_stepping(
-      problem_of(test, std::get<Discretisation<2>>(test.composite)), test.loads, steps,
-      [&](double share) {
-        if (observer) observer(fmt::format("{} steps", steps.size()), share);
-      },
-      field_steps, checkpoint);
-  result.fields = std::move(stepped.fields);
-  result.effort = stepped.effort;
+  const auto* space = std::get_if<Discretisation<3>>(&test.composite);
+  const auto stepped = space != nullptr ? step_cells(*space, test, steps, field_steps, observer, checkpoint, result)
+                                        : step_cells(std::get<Discretisation<2>>(test.composite), test, steps,
+                                                     field_steps, observer, checkpoint, result);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   const auto first_step = step_at(steps, test.times.begin);
-  for (const auto& found : stepped.responses) {
+  for (const auto& found : stepped) {
     auto& response = result.responses.emplace_back();
     response.load = found.load;
     std::vector<double> values;

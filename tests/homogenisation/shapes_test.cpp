@@ -113,9 +113,10 @@ TEST(Shapes, TurningABoxByAQuarterSwapsItsAxes) {
 
 /// The apparent moduli of a microstructure on a periodic grid.
 std::vector<double> periodic_moduli(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
-  QuasistaticProblem problem{.discretisation = std::get<Discretisation<2>>(discretise(stage, packed, stage.cells, mixing)),
-                             .materials = {soft_host, stiff_grain},
-                             .boundary = Boundary::periodic};
+  QuasistaticProblem<2> problem{
+      .discretisation = std::get<Discretisation<2>>(discretise(stage, packed, stage.cells, mixing)),
+      .materials = {soft_host, stiff_grain},
+      .boundary = Boundary::periodic};
   problem.linear.tolerance = 1e-13;
   return apparent_moduli(problem, three_loads);
 }

@@ -79,10 +79,11 @@ Composite unrelaxed(Composite composite) {
 
 /// Work of the stress under each load on the strain of the other, over that on its own; and their difference.
 double mutual_work_difference(const Composite& composite, Boundary boundary) {
-  const QuasistaticProblem problem{.discretisation = discretise(composite.box, test::cells, test::matrix, test::filler),
-                                   .materials = composite.materials,
-                                   .volumetric = composite.volumetric,
-                                   .boundary = boundary};
+  const QuasistaticProblem<2> problem{
+      .discretisation = discretise(composite.box, test::cells, test::matrix, test::filler),
+      .materials = composite.materials,
+      .volumetric = composite.volumetric,
+      .boundary = boundary};
   const auto times = logarithmic_times(test::window, 40);
   const auto fields_under = [&](Load load) {
     return run_log_time_stepping(problem, std::array{load}, times, {}, std::array{test::window.end})

@@ -13,8 +13,8 @@ constexpr std::array loads = {Load::shear, Load::bulk, Load::diagonal_shear};
 const Material stiff = {"stiff", 1.0, PronySeries(7.0), PronySeries(3.0)};
 
 /// A box of 8 x 8 cells with a material in its lower half, another in the upper one.
-QuasistaticProblem layers(const Material& lower, const Material& upper, Boundary boundary) {
-  QuasistaticProblem problem{
+QuasistaticProblem<2> layers(const Material& lower, const Material& upper, Boundary boundary) {
+  QuasistaticProblem<2> problem{
       .discretisation = Discretisation<2>(Grid<2>{{8, 8}, 0.125}), .materials = {lower, upper}, .boundary = boundary};
   problem.discretisation.paint([](const Vector<2>& position) { return position[1] > 0.5; }, 1);
   return problem;

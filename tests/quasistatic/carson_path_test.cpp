@@ -85,14 +85,14 @@ TEST(RelaxationPath, HoldsWhatTheMaterialShowsAtAnyTemperature) {
 }
 
 /// The composite with an elastic matrix, without any reduction: a single solution.
-double solved(const QuasistaticProblem& problem, Load load, const Moduli& matrix) {
+double solved(const QuasistaticProblem<2>& problem, Load load, const Moduli& matrix) {
   return sample_responses(problem, std::array{load}, matrix_path(0, std::array{matrix}))
       .responses.front()
       .modulus(matrix);
 }
 
 /// Responses that are sampled over the path of their matrix are as good everywhere on it as the tolerance asks.
-void expect_good_all_along(const QuasistaticProblem& problem) {
+void expect_good_all_along(const QuasistaticProblem<2>& problem) {
   const std::array loads = {Load::shear, Load::bulk};
   const auto path = relaxation_path(problem.materials.front(), {1e-7, 1e-3});
   const auto responses = sample_responses(problem, loads, matrix_path(0, path)).responses;

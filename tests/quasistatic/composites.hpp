@@ -11,7 +11,7 @@
 namespace breccia::test {
 
 /// The model composite of the paper (its Fig. 2 and Table 1) with n x n cells.
-inline QuasistaticProblem model_composite(int n, Volumetric volumetric, Boundary boundary) {
+inline QuasistaticProblem<2> model_composite(int n, Volumetric volumetric, Boundary boundary) {
   Microstructure<2> box = {6e-3, Walls::hard, {}};
   for (const double x : {1.5e-3, 4.5e-3}) {
     for (const double y : {1.5e-3, 4.5e-3}) box.particles.push_back({{x, y}, 2e-3});
@@ -38,7 +38,7 @@ inline Microstructure<2> random_discs(std::uint64_t seed) {
 
 /// These discs, which are stiff, in a binder with a spectrum like that of an elastomer, nearly incompressible where it
 /// has relaxed.
-inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary boundary) {
+inline QuasistaticProblem<2> random_composite(int n, std::uint64_t seed, Boundary boundary) {
   const auto box = random_discs(seed);
   const PronySeries shear(0.2e6, {{1e-7, 300e6}, {1e-6, 80e6}, {1e-5, 20e6}, {1e-4, 4e6}, {1e-3, 1e6}});
   return {.discretisation = discretise(box, n, 0, 1),
@@ -48,7 +48,7 @@ inline QuasistaticProblem random_composite(int n, std::uint64_t seed, Boundary b
 }
 
 /// A box of one material.
-inline QuasistaticProblem homogeneous(const Material& material, Boundary boundary) {
+inline QuasistaticProblem<2> homogeneous(const Material& material, Boundary boundary) {
   return {.discretisation = Discretisation<2>(Grid<2>{{6, 5}, 1e-3}), .materials = {material}, .boundary = boundary};
 }
 

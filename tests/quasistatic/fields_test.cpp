@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array field_times = {1e-7, 1e-5, 1e-3};
 
-SampledResponses sampled(const QuasistaticProblem& problem, Load load) {
+SampledResponses<2> sampled(const QuasistaticProblem<2>& problem, Load load) {
   return sample_responses(problem, std::array{load},
                           matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)));
 }
@@ -40,7 +40,7 @@ Strain<2> mean_strain(const PointFields<2>& fields) {
 }
 
 /// Composites whose matrix relaxes in shear alone, and in volume too.
-std::vector<QuasistaticProblem> composites(Boundary boundary) {
+std::vector<QuasistaticProblem<2>> composites(Boundary boundary) {
   std::vector problems = {test::random_composite(20, 1, boundary), test::random_composite(20, 1, boundary),
                           test::model_composite(16, Volumetric::standard, boundary)};
   problems[1].materials.front().bulk = PronySeries(1e8, {{3e-7, 2e9}, {2e-5, 1e9}});

@@ -23,7 +23,7 @@ namespace {
 constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
 
 /// random_composite with mixed cells.
-QuasistaticProblem mixed_composite(int n, std::uint64_t seed, Boundary boundary) {
+QuasistaticProblem<2> mixed_composite(int n, std::uint64_t seed, Boundary boundary) {
   auto problem = test::random_composite(n, seed, boundary);
   const auto box = test::random_discs(seed);
   problem.discretisation =
@@ -31,7 +31,7 @@ QuasistaticProblem mixed_composite(int n, std::uint64_t seed, Boundary boundary)
   return problem;
 }
 
-SampledResponses sampled(const QuasistaticProblem& problem, double tolerance) {
+SampledResponses<2> sampled(const QuasistaticProblem<2>& problem, double tolerance) {
   return sample_responses(problem, shear_and_bulk,
                           matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)),
                           {.tolerance = tolerance});
@@ -122,10 +122,10 @@ TEST(MixedCellsOfALaminate, InSeriesAreExact) {
   const double share = 0.5 + 0.5 / n;
   const Microstructure<2> box = {1.0, Walls::hard, {Disc{{-1e3 + share, 0.5}, 2e3}}};
   const std::array<PhaseIndex, 1> disc = {1};
-  const QuasistaticProblem problem = {.discretisation = discretise_mixed(box, n, 0, disc, 2),
-                                      .materials = {{"soft", 1.0, PronySeries(5.0), PronySeries(1.0)},
-                                                    {"stiff", 1.0, PronySeries(70.0), PronySeries(40.0)}},
-                                      .boundary = Boundary::traction};
+  const QuasistaticProblem<2> problem = {.discretisation = discretise_mixed(box, n, 0, disc, 2),
+                                         .materials = {{"soft", 1.0, PronySeries(5.0), PronySeries(1.0)},
+                                                       {"stiff", 1.0, PronySeries(70.0), PronySeries(40.0)}},
+                                         .boundary = Boundary::traction};
   const Moduli soft = {.bulk = 5.0, .shear = 1.0};
   const auto response =
       sample_responses(problem, std::array{Load::shear}, matrix_path(0, std::array{soft})).responses[0];
@@ -142,9 +142,9 @@ TEST(MixedCellsOfARegularArray, NeedFewSnapshots) {
   }
   const Material binder = {"binder", 1000.0, PronySeries(1e9), PronySeries(1e4, {{1e-2, 5e5}})};
   const std::vector<PhaseIndex> discs(box.particles.size(), 1);
-  const QuasistaticProblem problem = {.discretisation = discretise_mixed(box, 24, 0, discs, 2),
-                                      .materials = {binder, {"filler", 2000.0, PronySeries(10e9), PronySeries(5e9)}},
-                                      .boundary = Boundary::traction};
+  const QuasistaticProblem<2> problem = {.discretisation = discretise_mixed(box, 24, 0, discs, 2),
+                                         .materials = {binder, {"filler", 2000.0, PronySeries(10e9), PronySeries(5e9)}},
+                                         .boundary = Boundary::traction};
   const auto responses = sample_responses(problem, shear_and_bulk,
                                           matrix_path(0, relaxation_path(binder, {1e-3, 50e-3})), {.tolerance = 1e-5})
                              .responses;

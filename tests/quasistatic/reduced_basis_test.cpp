@@ -45,14 +45,14 @@ class Basis {
     return work(composite_.forces(basis_.response().parameters(matrix), basis_.load(), displacement), displacement);
   }
 
-  [[nodiscard]] const ReducedBasis<CellComposite>& get() const { return basis_; }
+  [[nodiscard]] const ReducedBasis<CellComposite<2>>& get() const { return basis_; }
   [[nodiscard]] const ReducedResponse& response() const { return basis_.response(); }
   [[nodiscard]] double area() const { return composite_.volume(); }
 
  private:
-  CellComposite composite_;
-  CellSolver solver_;
-  ReducedBasis<CellComposite> basis_;
+  CellComposite<2> composite_;
+  CellSolver<2> solver_;
+  ReducedBasis<CellComposite<2>> basis_;
 };
 
 /// The left half is hard.

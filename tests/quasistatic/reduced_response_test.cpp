@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
 
-std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double tolerance = 1e-6) {
+std::vector<ReducedResponse> sampled(const QuasistaticProblem<2>& problem, double tolerance = 1e-6) {
   return sample_responses(problem, shear_and_bulk,
                           matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)),
                           {.tolerance = tolerance})
@@ -27,7 +27,7 @@ std::vector<ReducedResponse> sampled(const QuasistaticProblem& problem, double t
 }
 
 /// Both ways through time must differ by no more than the steps' own error, which falls with their square.
-void expect_agreement_with_stepping(const QuasistaticProblem& problem) {
+void expect_agreement_with_stepping(const QuasistaticProblem<2>& problem) {
   const auto responses = sampled(problem);
   const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 60);
   const auto stepped = run_log_time_stepping(problem, shear_and_bulk, times).responses;

@@ -49,7 +49,7 @@ PhaseAt coated_disc(const Vector<2>& place) {
   return {radius < 0.38 ? of_coating : of_matrix};
 }
 
-QuasistaticProblem coated(int n, Boundary boundary, Mixing mixing) {
+QuasistaticProblem<2> coated(int n, Boundary boundary, Mixing mixing) {
   const Grid<2> grid = {{n, n}, 1.0 / n};
   return {.discretisation =
               mixing == Mixing::points ? discretise<2>(grid, coated_disc) : discretise_mixed(grid, coated_disc, 3),
@@ -57,13 +57,13 @@ QuasistaticProblem coated(int n, Boundary boundary, Mixing mixing) {
           .boundary = boundary};
 }
 
-std::vector<Material> of_varying(const QuasistaticProblem& problem, const std::vector<VaryingPhase>& varying) {
+std::vector<Material> of_varying(const QuasistaticProblem<2>& problem, const std::vector<VaryingPhase>& varying) {
   std::vector<Material> chosen;
   for (const auto& [index, name] : varying) chosen.push_back(problem.materials[index]);
   return chosen;
 }
 
-TrainingPath joint_path(const QuasistaticProblem& problem, const std::vector<VaryingPhase>& varying,
+TrainingPath joint_path(const QuasistaticProblem<2>& problem, const std::vector<VaryingPhase>& varying,
                         const TimeWindow& window = test::relaxation_window) {
   TrainingPath path = {varying, {}};
   for (const auto& point : carson_path(of_varying(problem, varying), window)) path.points.push_back(point.moduli);
@@ -74,7 +74,7 @@ using BoundaryAndMixing = std::tuple<Boundary, Mixing>;
 
 class SeveralPhases : public testing::TestWithParam<BoundaryAndMixing> {
  protected:
-  [[nodiscard]] static QuasistaticProblem problem(int n = 16) {
+  [[nodiscard]] static QuasistaticProblem<2> problem(int n = 16) {
     const auto [boundary, mixing] = GetParam();
     return coated(n, boundary, mixing);
   }
@@ -182,7 +182,7 @@ TEST(SeveralPhasesOfOneMaterial, AreOnePhase) {
 }
 
 /// Layers of the three phases, two columns of cells each.
-QuasistaticProblem three_layers(std::vector<Material> of_layers, Boundary boundary) {
+QuasistaticProblem<2> three_layers(std::vector<Material> of_layers, Boundary boundary) {
   Discretisation<2> discretisation(Grid<2>{{6, 6}, 1.0});
   discretisation.label([](const Vector<2>& place) { return static_cast<PhaseIndex>(place[0] / 2.0); });
   return {.discretisation = std::move(discretisation), .materials = std::move(of_layers), .boundary = boundary};

@@ -51,7 +51,7 @@ double found(const Reference& reference, int n, Volumetric volumetric, Mixing mi
   box.particles.push_back({{0.5, 0.5}, 2.0 * std::sqrt(reference.fraction / std::numbers::pi)});
   const double filler = reference.contrast;
   constexpr std::array<PhaseIndex, 1> disc = {1};
-  const QuasistaticProblem problem = {
+  const QuasistaticProblem<2> problem = {
       .discretisation = mixing == Mixing::points ? discretise(box, n, 0, 1) : discretise_mixed(box, n, 0, disc, 2),
       .materials = {{"matrix", 1.0, PronySeries(reference.bulk_ratio), PronySeries(1.0)},
                     {"filler", 1.0, PronySeries(filler * 13.4 / 5.84), PronySeries(filler)}},

@@ -20,7 +20,7 @@ struct Solved {
   LinearEffort effort;
 };
 
-Solved solved(QuasistaticProblem problem, LinearMethod method, const Moduli& matrix) {
+Solved solved(QuasistaticProblem<2> problem, LinearMethod method, const Moduli& matrix) {
   problem.linear.method = method;
   const auto sampled = sample_responses(problem, loads, matrix_path(0, std::array{matrix}));
   Solved solved = {{}, sampled.effort};
@@ -30,7 +30,7 @@ Solved solved(QuasistaticProblem problem, LinearMethod method, const Moduli& mat
 
 class Substructuring : public testing::TestWithParam<std::tuple<Boundary, Volumetric>> {
  protected:
-  [[nodiscard]] static QuasistaticProblem composite(int cells, std::uint64_t seed) {
+  [[nodiscard]] static QuasistaticProblem<2> composite(int cells, std::uint64_t seed) {
     auto problem = test::random_composite(cells, seed, std::get<Boundary>(GetParam()));
     problem.volumetric = std::get<Volumetric>(GetParam());
     return problem;
@@ -93,9 +93,9 @@ TEST(SubstructuringOfAHomogeneousBox, GivesItsModuliHoweverFewItsCells) {
   for (const auto boundary : test::boundaries) {
     for (const int columns : {1, 2, 3, 9, 13}) {
       for (const int rows : {1, 4, 17}) {
-        const QuasistaticProblem problem = {.discretisation = Discretisation<2>(Grid<2>{{columns, rows}, 1e-3}),
-                                            .materials = {material},
-                                            .boundary = boundary};
+        const QuasistaticProblem<2> problem = {.discretisation = Discretisation<2>(Grid<2>{{columns, rows}, 1e-3}),
+                                               .materials = {material},
+                                               .boundary = boundary};
         const auto [moduli, effort] = solved(problem, LinearMethod::iterative, matrix);
         EXPECT_NEAR(moduli[0] / matrix.shear, 1.0, 1e-9) << columns << " x " << rows;
         EXPECT_NEAR(moduli[1] / (matrix.bulk + matrix.shear / 3.0), 1.0, 1e-9) << columns << " x " << rows;

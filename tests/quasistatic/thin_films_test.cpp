@@ -38,11 +38,11 @@ Labelling<2> voronoi_grains() {
 std::vector<double> moduli(const Discretisation<2>& discretisation, double binder_shear) {
   const Material hmx = {"hmx", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)};
   const Material soft = {"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e6 * binder_shear)};
-  auto moduli = apparent_moduli({.discretisation = discretisation,
-                                 .materials = {soft, hmx},
-                                 .boundary = Boundary::periodic,
-                                 .linear = {.tolerance = 1e-8, .threads = 1}},
-                                std::array{Load::shear, Load::diagonal_shear, Load::bulk});
+  auto moduli = apparent_moduli<2>({.discretisation = discretisation,
+                                    .materials = {soft, hmx},
+                                    .boundary = Boundary::periodic,
+                                    .linear = {.tolerance = 1e-8, .threads = 1}},
+                                   std::array{Load::shear, Load::diagonal_shear, Load::bulk});
   for (double& modulus : moduli) modulus *= 1e-6;
   return moduli;
 }

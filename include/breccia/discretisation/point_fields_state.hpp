@@ -9,11 +9,12 @@
 namespace breccia {
 
 /// Saves fields at some times in a group of a state, but for the phases, which the discretisation has. Instantiated for
-/// 2 dimensions.
+/// 2 and 3 dimensions.
 template <int dim>
 void save(StateWriter& state, const std::string& group, const std::vector<TimedFields<dim>>& fields);
 
-/// Reads them again. Throws FileError when they are of another discretisation. Instantiated for 2 dimensions.
+/// Reads them again. Throws FileError when they are of another discretisation. Instantiated for 2 and 3
+/// dimensions.
 template <int dim>
 [[nodiscard]] std::vector<TimedFields<dim>> read_fields(const StateReader& state, const std::string& group,
                                                         const Discretisation<dim>& discretisation);

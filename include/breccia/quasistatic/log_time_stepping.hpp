@@ -22,9 +22,10 @@ struct SteppedResponse {
   std::vector<double> error_estimates;
 };
 
+template <int dim>
 struct SteppingResult {
   std::vector<SteppedResponse> responses;  ///< by load
-  std::vector<TimedFields<2>> fields;      ///< of the first load; on the first process, zero on the others
+  std::vector<TimedFields<dim>> fields;    ///< of the first load; on the first process, zero on the others
   LinearEffort effort;
 };
 
@@ -36,9 +37,11 @@ using ShareObserver = std::function<void(double)>;
 /// the error of second order in the time steps is estimated from a second run over every other time. Any of the
 /// materials may relax. Fields are kept at those of the times that are in `field_times`. With a checkpoint, the state
 /// is saved between steps when that is due, and an earlier state is resumed, with the same bits as in one run. Throws
-/// InputError when the problem is incomplete, NumericalError when a linear system cannot be solved.
-SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
-                                     std::span<const double> times, const ShareObserver& observer = {},
-                                     std::span<const double> field_times = {}, Checkpoint* checkpoint = nullptr);
+/// InputError when the problem is incomplete, NumericalError when a linear system cannot be solved. Instantiated for 2
+/// and 3 dimensions.
+template <int dim>
+SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
+                                          std::span<const double> times, const ShareObserver& observer = {},
+                                          std::span<const double> field_times = {}, Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

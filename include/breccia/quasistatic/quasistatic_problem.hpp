@@ -51,9 +51,11 @@ struct LinearEffort {
   double largest_residual = 0;  ///< after a solve, relative to the load [-]
 };
 
-/// A composite without inertia, the problem of both quasi-static solvers. Every point must have a material.
+/// A composite without inertia, the problem of both quasi-static solvers, in 2 or 3 dimensions. Every point must have a
+/// material.
+template <int dim>
 struct QuasistaticProblem {
-  Discretisation<2> discretisation;
+  Discretisation<dim> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;

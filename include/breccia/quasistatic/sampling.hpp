@@ -25,11 +25,12 @@ struct SamplingProgress {
   double error = 1.0;  ///< relative error at the last snapshot before it was added; 1 before one was measured [-]
 };
 
+template <int dim>
 struct SampledResponses {
   /// Fields of the points per unit load at a time [s] after a load was applied to the composite whose varying phases
   /// are of these materials, in their order (theory, Eqs. 34 and 35). `load` is the index in the list of loads. On the
   /// first process; zero on the others.
-  using Recovery = std::function<PointFields<2>(std::size_t load, std::span<const Material> of_phases, double time)>;
+  using Recovery = std::function<PointFields<dim>(std::size_t load, std::span<const Material> of_phases, double time)>;
 
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;
@@ -43,10 +44,11 @@ struct SampledResponses {
 /// earlier state is resumed, with the same bits as in one run.
 /// Throws InputError when there are no loads, a point has no material, the training set is empty, has a point without
 /// the moduli of each of its phases or names a phase twice or one without material, or another material relaxes;
-/// NumericalError when a system cannot be solved or the tolerance cannot be met.
-SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<const Load> loads,
-                                  const TrainingPath& training_set, const SamplingOptions& options = {},
-                                  const std::function<void(const SamplingProgress&)>& observer = {},
-                                  Checkpoint* checkpoint = nullptr);
+/// NumericalError when a system cannot be solved or the tolerance cannot be met. Instantiated for 2 and 3 dimensions.
+template <int dim>
+SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
+                                       const TrainingPath& training_set, const SamplingOptions& options = {},
+                                       const std::function<void(const SamplingProgress&)>& observer = {},
+                                       Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

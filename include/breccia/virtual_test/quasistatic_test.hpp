@@ -48,11 +48,13 @@ struct QuasistaticOptions {
   LinearOptions linear = {};
 };
 
+/// What a quasi-static test is done on: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
+/// test. Grains and films know neither the stepping solver nor fields, and their binder alone varies.
+using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem>;
+
 /// A quasi-static virtual test.
 struct QuasistaticTest {
-  /// Cells, or grains and films, whose boundary is that of the test. Grains and films know neither the stepping solver
-  /// nor fields, and their binder alone varies.
-  std::variant<Discretisation<2>, FilmProblem> composite;
+  QuasistaticComposite composite;
   std::vector<Material> materials;  ///< by PhaseIndex
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
   /// solver does not use them.
@@ -86,7 +88,10 @@ struct QuasistaticResponse {
 /// The result of a quasi-static test.
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, zero on the others
+  /// Fields of the first load of cells in 2 dimensions; on the first process, zero on the others.
+  std::vector<TimedFields<2>> fields;
+  /// The same of cells in 3 dimensions.
+  std::vector<TimedFields<3>> volume_fields;
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]
 };

@@ -165,5 +165,7 @@ PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, co
 
 template PointFields<2> recover_fields(const ElasticOperator<2>&, const Discretisation<2>&, Volumetric, Load,
                                        const Displacement&, const std::vector<AppliedModuli>&);
+template PointFields<3> recover_fields(const ElasticOperator<3>&, const Discretisation<3>&, Volumetric, Load,
+                                       const Displacement&, const std::vector<AppliedModuli>&);
 
 }  // namespace breccia::quasistatic

@@ -17,7 +17,7 @@ struct AppliedModuli {
 
 /// Displacement, strain and stress at the material points, from the displacement of the nodes and from the moduli
 /// applied to its history, by material (theory, Eq. 35). On the first process; zero on the others. Instantiated for 2
-/// dimensions.
+/// and 3 dimensions.
 template <int dim>
 [[nodiscard]] PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                               const Discretisation<dim>& discretisation, Volumetric volumetric,

@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span<const Load> loads) {
+template <int dim>
+std::vector<double> apparent_moduli(const QuasistaticProblem<dim>& problem, std::span<const Load> loads) {
   for (const auto& material : problem.materials) {
     if (material.bulk.is_elastic() && material.shear.is_elastic()) continue;
     throw InputError(fmt::format("apparent moduli: {} relaxes; expected elastic materials", material.name));
@@ -26,5 +27,8 @@ std::vector<double> apparent_moduli(const QuasistaticProblem& problem, std::span
   }
   return apparent;
 }
+
+template std::vector<double> apparent_moduli(const QuasistaticProblem<2>&, std::span<const Load>);
+template std::vector<double> apparent_moduli(const QuasistaticProblem<3>&, std::span<const Load>);
 
 }  // namespace breccia

@@ -2,38 +2,47 @@
 
 namespace breccia::quasistatic {
 
-CellComposite::CellComposite(const QuasistaticProblem& problem, std::span<const VaryingPhase> varying)
+template <int dim>
+CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying)
     : stiffness_(affine_stiffness(problem.materials, varying)),
       elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary) {}
 
-std::vector<PhaseModulus> CellComposite::parameters() const {
+template <int dim>
+std::vector<PhaseModulus> CellComposite<dim>::parameters() const {
   std::vector<PhaseModulus> parameters;
   for (const auto& part : stiffness_.parts) parameters.push_back(part.parameter);
   return parameters;
 }
 
-Forces CellComposite::constant_forces(Load load, const Displacement& displacement) const {
+template <int dim>
+Forces CellComposite<dim>::constant_forces(Load load, const Displacement& displacement) const {
   return elastic_operator_.forces(stiffness_.constant, load, displacement);
 }
 
-Forces CellComposite::part_forces(std::size_t part, Load load, const Displacement& displacement) const {
+template <int dim>
+Forces CellComposite<dim>::part_forces(std::size_t part, Load load, const Displacement& displacement) const {
   return elastic_operator_.forces(stiffness_.parts[part].unit, load, displacement);
 }
 
-Forces CellComposite::forces(std::span<const double> parameters, Load load, const Displacement& displacement) const {
+template <int dim>
+Forces CellComposite<dim>::forces(std::span<const double> parameters, Load load,
+                                  const Displacement& displacement) const {
   return elastic_operator_.forces(stiffness_.moduli_at(parameters), load, displacement);
 }
 
-CellSolver::CellSolver(const CellComposite& composite, const LinearOptions& options)
+template <int dim>
+CellSolver<dim>::CellSolver(const CellComposite<dim>& composite, const LinearOptions& options)
     : composite_(&composite), solver_(make_elastic_solver(composite.elastic_operator(), options)) {}
 
-void CellSolver::prepare(std::span<const double> parameters) {
+template <int dim>
+void CellSolver<dim>::prepare(std::span<const double> parameters) {
   moduli_ = composite_->stiffness().moduli_at(parameters);
   solver_->set_moduli(moduli_);
   solver_->update_preconditioner();
 }
 
-Displacement CellSolver::solve(Load load, Displacement guess) {
+template <int dim>
+Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   const auto& elastic_operator = composite_->elastic_operator();
   auto forces = elastic_operator.zero();
   double macroscopic = 0.0;
@@ -49,5 +58,10 @@ Displacement CellSolver::solve(Load load, Displacement guess) {
   guess.set_macroscopic(macroscopic);
   return guess;
 }
+
+template class CellComposite<2>;
+template class CellComposite<3>;
+template class CellSolver<2>;
+template class CellSolver<3>;
 
 }  // namespace breccia::quasistatic

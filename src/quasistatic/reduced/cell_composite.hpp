@@ -17,13 +17,14 @@ namespace breccia::quasistatic {
 
 /// A composite of cells, as a reduced basis sees it: the elastic operator of a discretisation, with a part for each
 /// modulus of the phases that vary.
+template <int dim>
 class CellComposite {
  public:
   using Vector = Displacement;
 
-  CellComposite(const QuasistaticProblem& problem, std::span<const VaryingPhase> varying);
+  CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying);
 
-  [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return elastic_operator_; }
+  [[nodiscard]] const ElasticOperator<dim>& elastic_operator() const noexcept { return elastic_operator_; }
   [[nodiscard]] const AffineStiffness& stiffness() const noexcept { return stiffness_; }
 
   [[nodiscard]] Boundary boundary() const noexcept { return elastic_operator_.boundary(); }
@@ -38,13 +39,14 @@ class CellComposite {
 
  private:
   AffineStiffness stiffness_;
-  ElasticOperator<2> elastic_operator_;
+  ElasticOperator<dim> elastic_operator_;
 };
 
 /// Solves for the displacements of a composite of cells, which must outlive it.
+template <int dim>
 class CellSolver {
  public:
-  CellSolver(const CellComposite& composite, const LinearOptions& options);
+  CellSolver(const CellComposite<dim>& composite, const LinearOptions& options);
 
   void prepare(std::span<const double> parameters);
   [[nodiscard]] Displacement solve(Load load, Displacement guess);
@@ -53,9 +55,14 @@ class CellSolver {
   void count_from(const LinearEffort& earlier) { solver_->count_from(earlier); }
 
  private:
-  const CellComposite* composite_;
-  std::unique_ptr<ElasticSolver> solver_;
+  const CellComposite<dim>* composite_;
+  std::unique_ptr<ElasticSolver<dim>> solver_;
   std::vector<Moduli> moduli_;  ///< by material
 };
+
+extern template class CellComposite<2>;
+extern template class CellComposite<3>;
+extern template class CellSolver<2>;
+extern template class CellSolver<3>;
 
 }  // namespace breccia::quasistatic

@@ -23,17 +23,19 @@ using quasistatic::CellSolver;
 using quasistatic::GreedySampling;
 
 /// A composite of cells and the reduced bases that point to it.
+template <int dim>
 struct SampledCells {
-  SampledCells(const QuasistaticProblem& problem, std::span<const Load> loads, const TrainingPath& training_set)
+  SampledCells(const QuasistaticProblem<dim>& problem, std::span<const Load> loads, const TrainingPath& training_set)
       : composite(problem, training_set.phases),
         sampling(composite, loads, quasistatic::initial_snapshots(training_set).front()) {}
 
-  CellComposite composite;
-  GreedySampling<CellComposite> sampling;
+  CellComposite<dim> composite;
+  GreedySampling<CellComposite<dim>> sampling;
 };
 
-PointFields<2> recover(const SampledCells& sampled, const QuasistaticProblem& problem, std::size_t load,
-                       std::span<const Material> of_phases, double time) {
+template <int dim>
+PointFields<dim> recover(const SampledCells<dim>& sampled, const QuasistaticProblem<dim>& problem, std::size_t load,
+                         std::span<const Material> of_phases, double time) {
   const auto& basis = sampled.sampling.bases().at(load);
   const auto& stiffness = sampled.composite.stiffness();
   const auto state = quasistatic::network_state(basis.response(), of_phases, time);
@@ -58,14 +60,15 @@ PointFields<2> recover(const SampledCells& sampled, const QuasistaticProblem& pr
 
 }  // namespace
 
-SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<const Load> loads,
-                                  const TrainingPath& training_set, const SamplingOptions& options,
-                                  const std::function<void(const SamplingProgress&)>& observer,
-                                  Checkpoint* checkpoint) {
+template <int dim>
+SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
+                                       const TrainingPath& training_set, const SamplingOptions& options,
+                                       const std::function<void(const SamplingProgress&)>& observer,
+                                       Checkpoint* checkpoint) {
   quasistatic::require_complete(loads, training_set);
   require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
-  const auto sampled = std::make_shared<SampledCells>(problem, loads, training_set);
-  CellSolver solver(sampled->composite, problem.linear);
+  const auto sampled = std::make_shared<SampledCells<dim>>(problem, loads, training_set);
+  CellSolver<dim> solver(sampled->composite, problem.linear);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     quasistatic::require_as_many_processes(*earlier);
     sampled->sampling.restore(*earlier);
@@ -81,5 +84,12 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<c
             return recover(*sampled, problem, load, of_phases, time);
           }};
 }
+
+template SampledResponses<2> sample_responses(const QuasistaticProblem<2>&, std::span<const Load>, const TrainingPath&,
+                                              const SamplingOptions&,
+                                              const std::function<void(const SamplingProgress&)>&, Checkpoint*);
+template SampledResponses<3> sample_responses(const QuasistaticProblem<3>&, std::span<const Load>, const TrainingPath&,
+                                              const SamplingOptions&,
+                                              const std::function<void(const SamplingProgress&)>&, Checkpoint*);
 
 }  // namespace breccia

@@ -24,13 +24,15 @@ void set_default(const char* option, const char* value) {
 
 }  // namespace
 
-AssembledSolver::AssembledSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options,
-                                 Preconditioner preconditioner)
-    : ElasticSolver(elastic_operator, options, preconditioner == Preconditioner::factors),
+template <int dim>
+AssembledSolver<dim>::AssembledSolver(const ElasticOperator<dim>& elastic_operator, const LinearOptions& options,
+                                      Preconditioner preconditioner)
+    : ElasticSolver<dim>(elastic_operator, options, preconditioner == Preconditioner::factors),
       preconditioner_(preconditioner),
       matrix_(elastic_operator.make_matrix()) {}
 
-void AssembledSolver::set_up() {
+template <int dim>
+void AssembledSolver<dim>::set_up() {
   constexpr const char* what = "setting up the linear solver";
   check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
   check(KSPSetOptionsPrefix(solver_.get(), prefix), what);
@@ -46,39 +48,44 @@ void AssembledSolver::set_up() {
     check(PCFactorSetMatSolverType(preconditioner, MATSOLVERMUMPS), what);
   } else {
     check(PCSetType(preconditioner, PCGAMG), what);
-    elastic_operator().attach_rigid_motions(matrix_.get());
+    this->elastic_operator().attach_rigid_motions(matrix_.get());
     set_default("-pc_gamg_threshold", "0.02");
     set_default("-mg_levels_ksp_max_it", "4");
   }
   check(KSPSetFromOptions(solver_.get()), what);
 }
 
-const char* AssembledSolver::failure() const noexcept {
+template <int dim>
+const char* AssembledSolver<dim>::failure() const noexcept {
   return preconditioner_ == Preconditioner::factors
              ? "quasi-static solver: the stiffness matrix cannot be factorised: memory may have run out (fewer cells "
                "take less, and so does tests.quasistatic.linear = \"iterative\"), or a modulus is zero"
              : "quasi-static solver: multigrid fails on the stiffness matrix: a modulus may be zero";
 }
 
-void AssembledSolver::update_stiffness(std::span<const Moduli> moduli) {
-  elastic_operator().assemble(moduli, matrix_.get());
+template <int dim>
+void AssembledSolver<dim>::update_stiffness(std::span<const Moduli> moduli) {
+  this->elastic_operator().assemble(moduli, matrix_.get());
   is_fresh_ = false;
 }
 
-void AssembledSolver::update_preconditioner() {
+template <int dim>
+void AssembledSolver<dim>::update_preconditioner() {
   if (is_fresh_) return;
   if (solver_.get() == nullptr) set_up();
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
   check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
-  check(KSPSetUp(solver_.get()), effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
+  check(KSPSetUp(solver_.get()),
+        this->effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
   require_no_breakdown(solver_.get(), failure());
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
-  count_factorisation();
-  prepared_moduli_ = moduli();
+  this->count_factorisation();
+  prepared_moduli_ = this->moduli();
   is_fresh_ = true;
 }
 
-void AssembledSolver::save_preconditioner(StateWriter& state, const std::string& group) const {
+template <int dim>
+void AssembledSolver<dim>::save_preconditioner(StateWriter& state, const std::string& group) const {
   std::vector<double> bulk, shear;
   for (const auto& moduli : prepared_moduli_) {
     bulk.push_back(moduli.bulk);
@@ -89,19 +96,21 @@ void AssembledSolver::save_preconditioner(StateWriter& state, const std::string&
   state.write(group + "/iterations", std::int64_t{fresh_iterations_});
 }
 
-void AssembledSolver::restore_preconditioner(const StateReader& state, const std::string& group) {
+template <int dim>
+void AssembledSolver<dim>::restore_preconditioner(const StateReader& state, const std::string& group) {
   const auto bulk = state.numbers(group + "/bulk_Pa");
   const auto shear = state.numbers(group + "/shear_Pa", bulk.size());
   std::vector<Moduli> moduli;
   for (std::size_t m = 0; m < bulk.size(); ++m) moduli.push_back({.bulk = bulk[m], .shear = shear[m]});
   fresh_iterations_ = static_cast<int>(state.integer(group + "/iterations"));
   if (moduli.empty()) return;
-  set_moduli(moduli);
+  this->set_moduli(moduli);
   update_preconditioner();
 }
 
-PetscErrorCode AssembledSolver::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,
-                                             KSPConvergedReason* reason, void* self) {
+template <int dim>
+PetscErrorCode AssembledSolver<dim>::is_converged(KSP solver, PetscInt /*iteration*/, PetscReal residual,
+                                                  KSPConvergedReason* reason, void* self) {
   const auto& that = *static_cast<const AssembledSolver*>(self);
   *reason = KSP_CONVERGED_ITERATING;
   if (!std::isfinite(residual)) {
@@ -118,18 +127,20 @@ PetscErrorCode AssembledSolver::is_converged(KSP solver, PetscInt /*iteration*/,
   return 0;
 }
 
-bool AssembledSolver::try_to_solve(const Displacement& forces, Displacement& displacement, int most_iterations) {
+template <int dim>
+bool AssembledSolver<dim>::try_to_solve(const Displacement& forces, Displacement& displacement, int most_iterations) {
   constexpr const char* what = "solving for the displacements";
   check(KSPSetTolerances(solver_.get(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
   check(KSPSolve(solver_.get(), forces.fluctuation(), displacement.fluctuation()), what);
   int iterations = 0;
   check(KSPGetIterationNumber(solver_.get(), &iterations), what);
-  count_iterations(iterations);
+  this->count_iterations(iterations);
   if (is_fresh_) fresh_iterations_ = std::max(1, iterations);
   return require_no_breakdown(solver_.get(), failure()) > 0;
 }
 
-ElasticSolver::End AssembledSolver::iterate(const Forces& forces, Displacement& displacement) {
+template <int dim>
+typename ElasticSolver<dim>::End AssembledSolver<dim>::iterate(const Forces& forces, Displacement& displacement) {
   // A factorisation costs about as much as this many iterations with an old one.
   constexpr int worth_a_factorisation = 8, many = 5000;
   if (fresh_iterations_ == 0) update_preconditioner();
@@ -142,5 +153,8 @@ ElasticSolver::End AssembledSolver::iterate(const Forces& forces, Displacement& 
   check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");
   return {is_solved, residual};
 }
+
+template class AssembledSolver<2>;
+template class AssembledSolver<3>;
 
 }  // namespace breccia::quasistatic

@@ -13,9 +13,10 @@ enum class Preconditioner {
 };
 
 /// Conjugate gradients on the assembled stiffness matrix, over all processes.
-class AssembledSolver final : public ElasticSolver {
+template <int dim>
+class AssembledSolver final : public ElasticSolver<dim> {
  public:
-  AssembledSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options,
+  AssembledSolver(const ElasticOperator<dim>& elastic_operator, const LinearOptions& options,
                   Preconditioner preconditioner);
 
   void update_preconditioner() override;
@@ -26,7 +27,7 @@ class AssembledSolver final : public ElasticSolver {
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
   /// Solves with the preconditioner of earlier moduli and makes a new one when that takes too many iterations.
-  End iterate(const Forces& forces, Displacement& displacement) override;
+  typename ElasticSolver<dim>::End iterate(const Forces& forces, Displacement& displacement) override;
   void set_up();
   /// Message of the error when the preconditioner cannot be made.
   [[nodiscard]] const char* failure() const noexcept;
@@ -41,5 +42,8 @@ class AssembledSolver final : public ElasticSolver {
   int fresh_iterations_ = 0;             ///< iterations with a preconditioner of the present moduli; 0 before any
   bool is_fresh_ = false;                ///< was the preconditioner made for the present moduli?
 };
+
+extern template class AssembledSolver<2>;
+extern template class AssembledSolver<3>;
 
 }  // namespace breccia::quasistatic

@@ -13,7 +13,9 @@
 
 namespace breccia::quasistatic {
 
-ElasticSolver::ElasticSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options, bool is_direct)
+template <int dim>
+ElasticSolver<dim>::ElasticSolver(const ElasticOperator<dim>& elastic_operator, const LinearOptions& options,
+                                  bool is_direct)
     : elastic_operator_(&elastic_operator),
       tolerance_(options.tolerance),
       prescribed_(elastic_operator.boundary() == Boundary::traction ? 0.0 : 1.0) {
@@ -21,7 +23,8 @@ ElasticSolver::ElasticSolver(const ElasticOperator<2>& elastic_operator, const L
   effort_.unknowns = elastic_operator.unknowns();
 }
 
-void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
+template <int dim>
+void ElasticSolver<dim>::set_moduli(std::span<const Moduli> moduli) {
   double stiffest = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest = std::max(stiffest, bulk + shear);
   constexpr double rounding = 2e-15;
@@ -30,16 +33,19 @@ void ElasticSolver::set_moduli(std::span<const Moduli> moduli) {
   update_stiffness(moduli);
 }
 
-bool ElasticSolver::is_small(double residual, double largest) const noexcept {
+template <int dim>
+bool ElasticSolver<dim>::is_small(double residual, double largest) const noexcept {
   return residual <= tolerance_ * load_ || residual <= rounding_ * std::max(prescribed_, largest);
 }
 
-void ElasticSolver::count_iterations(int iterations) {
+template <int dim>
+void ElasticSolver<dim>::count_iterations(int iterations) {
   effort_.iterations += iterations;
   effort_.most_iterations = std::max(effort_.most_iterations, iterations);
 }
 
-void ElasticSolver::solve(const Forces& forces, Displacement& displacement) {
+template <int dim>
+void ElasticSolver<dim>::solve(const Forces& forces, Displacement& displacement) {
   ++effort_.solves;
   const auto nodal = elastic_operator_->condensed(moduli_, forces);
   check(VecNorm(nodal.fluctuation(), NORM_2, &load_), "reading the load");
@@ -58,17 +64,37 @@ void ElasticSolver::solve(const Forces& forces, Displacement& displacement) {
   elastic_operator_->recover_phase_strains(moduli_, forces, displacement);
 }
 
-std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticOperator<2>& elastic_operator,
-                                                   const LinearOptions& options) {
-  // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
-  const bool is_one_cell = elastic_operator.boundary() == Boundary::periodic &&
-                           std::min(elastic_operator.grid().columns(), elastic_operator.grid().rows()) == 1;
-  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks()) || is_one_cell) {
-    return std::make_unique<AssembledSolver>(elastic_operator, options, Preconditioner::factors);
-  }
-  if (parallel::ranks() > 1)
-    return std::make_unique<AssembledSolver>(elastic_operator, options, Preconditioner::multigrid);
+namespace {
+
+std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>& elastic_operator,
+                                                        const LinearOptions& options) {
   return std::make_unique<SubstructuringSolver>(elastic_operator, options);
 }
+
+std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
+                                                        const LinearOptions& options) {
+  return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::multigrid);
+}
+
+}  // namespace
+
+template <int dim>
+std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
+                                                        const LinearOptions& options) {
+  // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
+  const bool is_one_cell =
+      elastic_operator.boundary() == Boundary::periodic && std::ranges::min(elastic_operator.grid().cells) == 1;
+  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks()) || is_one_cell) {
+    return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::factors);
+  }
+  if (parallel::ranks() > 1)
+    return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::multigrid);
+  return make_iterative_solver(elastic_operator, options);
+}
+
+template class ElasticSolver<2>;
+template class ElasticSolver<3>;
+template std::unique_ptr<ElasticSolver<2>> make_elastic_solver(const ElasticOperator<2>&, const LinearOptions&);
+template std::unique_ptr<ElasticSolver<3>> make_elastic_solver(const ElasticOperator<3>&, const LinearOptions&);
 
 }  // namespace breccia::quasistatic

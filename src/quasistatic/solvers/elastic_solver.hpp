@@ -14,6 +14,7 @@ namespace breccia::quasistatic {
 
 /// Solves K w = f for the fluctuation w of the nodal displacements, for one set of moduli after the other, by
 /// preconditioned conjugate gradients.
+template <int dim>
 class ElasticSolver {
  public:
   ElasticSolver(const ElasticSolver&) = delete;
@@ -46,9 +47,9 @@ class ElasticSolver {
     double residual;  ///< in the Euclidean norm
   };
 
-  ElasticSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options, bool is_direct);
+  ElasticSolver(const ElasticOperator<dim>& elastic_operator, const LinearOptions& options, bool is_direct);
 
-  [[nodiscard]] const ElasticOperator<2>& elastic_operator() const noexcept { return *elastic_operator_; }
+  [[nodiscard]] const ElasticOperator<dim>& elastic_operator() const noexcept { return *elastic_operator_; }
   /// The present moduli [Pa], by material.
   [[nodiscard]] const std::vector<Moduli>& moduli() const noexcept { return moduli_; }
   /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
@@ -61,7 +62,7 @@ class ElasticSolver {
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
   virtual End iterate(const Forces& forces, Displacement& displacement) = 0;
 
-  const ElasticOperator<2>* elastic_operator_;
+  const ElasticOperator<dim>* elastic_operator_;
   double tolerance_;
   std::vector<Moduli> moduli_;
   LinearEffort effort_;
@@ -70,9 +71,13 @@ class ElasticSolver {
   double load_ = 0.0;      ///< norm of the forces of the present solve
 };
 
-/// The solver that the options ask for: direct or, as an iterative one, substructuring on one process and algebraic
-/// multigrid on several.
-std::unique_ptr<ElasticSolver> make_elastic_solver(const ElasticOperator<2>& elastic_operator,
-                                                   const LinearOptions& options);
+/// The solver that the options ask for: direct or, as an iterative one, algebraic multigrid on several processes and in
+/// 3 dimensions, substructuring on one process in 2.
+template <int dim>
+std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
+                                                        const LinearOptions& options);
+
+extern template class ElasticSolver<2>;
+extern template class ElasticSolver<3>;
 
 }  // namespace breccia::quasistatic

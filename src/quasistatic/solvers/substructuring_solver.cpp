@@ -193,7 +193,7 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
   return norm;
 }
 
-ElasticSolver::End SubstructuringSolver::iterate(const Forces& forces, Displacement& displacement) {
+ElasticSolver<2>::End SubstructuringSolver::iterate(const Forces& forces, Displacement& displacement) {
   // Iterative refinement: after the first pass only rounding errors of the conjugate gradients are left.
   constexpr int most_corrections = 4;
   displacement.set_macroscopic(0.0);

@@ -13,7 +13,7 @@ namespace breccia::quasistatic {
 /// Solves by substructuring on one process, without assembling K: the nodes inside blocks of cells are eliminated, and
 /// conjugate gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks
 /// (theory, section 9).
-class SubstructuringSolver final : public ElasticSolver {
+class SubstructuringSolver final : public ElasticSolver<2> {
  public:
   SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options);
 

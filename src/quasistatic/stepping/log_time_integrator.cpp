@@ -38,8 +38,10 @@ std::vector<RelaxingModulus> relaxing_moduli(const std::vector<Material>& materi
   return relaxing;
 }
 
-LogTimeIntegrator::LogTimeIntegrator(const ElasticOperator<2>& elastic_operator, const std::vector<Material>& materials,
-                                     const std::vector<RelaxingModulus>& relaxing, Load load)
+template <int dim>
+LogTimeIntegrator<dim>::LogTimeIntegrator(const ElasticOperator<dim>& elastic_operator,
+                                          const std::vector<Material>& materials,
+                                          const std::vector<RelaxingModulus>& relaxing, Load load)
     : elastic_operator_(&elastic_operator),
       materials_(&materials),
       relaxing_(&relaxing),
@@ -53,7 +55,9 @@ LogTimeIntegrator::LogTimeIntegrator(const ElasticOperator<2>& elastic_operator,
   }
 }
 
-double LogTimeIntegrator::step(double time_step, const std::vector<Moduli>& algorithmic, ElasticSolver& solver) {
+template <int dim>
+double LogTimeIntegrator<dim>::step(double time_step, const std::vector<Moduli>& algorithmic,
+                                    ElasticSolver<dim>& solver) {
   auto history_forces = elastic_operator_->zero();
   for (std::size_t m = 0; m < relaxing_->size(); ++m) history_forces.add(1.0, decayed_forces(m, time_step));
   auto next = solve_step(history_forces, algorithmic, solver);
@@ -69,8 +73,9 @@ double LogTimeIntegrator::step(double time_step, const std::vector<Moduli>& algo
 }
 
 /// K^ u(n+1) = f - P h + (K^ - K_inf) u(n), where a displacement or periodic boundary prescribes the macroscopic part.
-Displacement LogTimeIntegrator::solve_step(const Forces& history_forces, const std::vector<Moduli>& algorithmic,
-                                           ElasticSolver& solver) const {
+template <int dim>
+Displacement LogTimeIntegrator<dim>::solve_step(const Forces& history_forces, const std::vector<Moduli>& algorithmic,
+                                                ElasticSolver<dim>& solver) const {
   auto right = history_forces.copy();
   right.scale(-1.0);
   right.add(1.0, elastic_operator_->forces(difference_to_equilibrium(algorithmic), load_, displacement_));
@@ -88,7 +93,8 @@ Displacement LogTimeIntegrator::solve_step(const Forces& history_forces, const s
   return next;
 }
 
-std::vector<AppliedModuli> LogTimeIntegrator::applied_moduli() const {
+template <int dim>
+std::vector<AppliedModuli> LogTimeIntegrator<dim>::applied_moduli() const {
   std::vector<AppliedModuli> applied;
   for (const auto& [bulk, shear] : equilibrium()) {
     applied.push_back({displacement_.copy(), displacement_.copy()});
@@ -108,7 +114,8 @@ std::vector<AppliedModuli> LogTimeIntegrator::applied_moduli() const {
 }
 
 /// Lets the internal variables of a modulus decay over a step, and returns their forces P exp(-x) h.
-Forces LogTimeIntegrator::decayed_forces(std::size_t modulus, double time_step) {
+template <int dim>
+Forces LogTimeIntegrator<dim>::decayed_forces(std::size_t modulus, double time_step) {
   auto sum = elastic_operator_->zero();
   const auto& [unit, series] = (*relaxing_)[modulus];
   for (std::size_t i = 0; i < series->terms().size(); ++i) {
@@ -118,7 +125,8 @@ Forces LogTimeIntegrator::decayed_forces(std::size_t modulus, double time_step) 
   return elastic_operator_->forces(unit, load_, sum);
 }
 
-void LogTimeIntegrator::update_internal_variables(double time_step) {
+template <int dim>
+void LogTimeIntegrator<dim>::update_internal_variables(double time_step) {
   for (std::size_t m = 0; m < relaxing_->size(); ++m) {
     const auto& terms = (*relaxing_)[m].series->terms();
     for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -127,7 +135,8 @@ void LogTimeIntegrator::update_internal_variables(double time_step) {
   }
 }
 
-std::vector<Moduli> LogTimeIntegrator::equilibrium() const {
+template <int dim>
+std::vector<Moduli> LogTimeIntegrator<dim>::equilibrium() const {
   std::vector<Moduli> moduli;
   for (const auto& material : *materials_) {
     moduli.push_back({material.bulk.equilibrium(), material.shear.equilibrium()});
@@ -135,7 +144,8 @@ std::vector<Moduli> LogTimeIntegrator::equilibrium() const {
   return moduli;
 }
 
-std::vector<Moduli> LogTimeIntegrator::difference_to_equilibrium(const std::vector<Moduli>& algorithmic) const {
+template <int dim>
+std::vector<Moduli> LogTimeIntegrator<dim>::difference_to_equilibrium(const std::vector<Moduli>& algorithmic) const {
   auto moduli = equilibrium();
   for (std::size_t m = 0; m < moduli.size(); ++m) {
     moduli[m] = {algorithmic[m].bulk - moduli[m].bulk, algorithmic[m].shear - moduli[m].shear};
@@ -144,15 +154,17 @@ std::vector<Moduli> LogTimeIntegrator::difference_to_equilibrium(const std::vect
 }
 
 /// Force conjugate to the macroscopic part after a step: that part of K_inf u(n) + P h + K^ (u(n+1) - u(n)).
-double LogTimeIntegrator::macroscopic_force_after(const Forces& history_forces,
-                                                  const std::vector<Moduli>& algorithmic) const {
+template <int dim>
+double LogTimeIntegrator<dim>::macroscopic_force_after(const Forces& history_forces,
+                                                       const std::vector<Moduli>& algorithmic) const {
   return elastic_operator_->forces(equilibrium(), load_, displacement_).macroscopic() + history_forces.macroscopic() +
          elastic_operator_->forces(algorithmic, load_, increment_).macroscopic();
 }
 
 /// Visits the displacements that make the state, with their names in it.
+template <int dim>
 template <class Self, class Visit>
-void LogTimeIntegrator::for_displacements(Self& self, const std::string& group, const Visit& visit) {
+void LogTimeIntegrator<dim>::for_displacements(Self& self, const std::string& group, const Visit& visit) {
   visit(group + "/displacement", self.displacement_);
   visit(group + "/increment", self.increment_);
   for (std::size_t m = 0; m < self.internal_variables_.size(); ++m) {
@@ -162,16 +174,21 @@ void LogTimeIntegrator::for_displacements(Self& self, const std::string& group, 
   }
 }
 
-void LogTimeIntegrator::save(StateWriter& state, const std::string& group) const {
+template <int dim>
+void LogTimeIntegrator<dim>::save(StateWriter& state, const std::string& group) const {
   for_displacements(*this, group, [&](const std::string& name, const Displacement& displacement) {
     quasistatic::save(state, name, displacement);
   });
 }
 
-void LogTimeIntegrator::restore(const StateReader& state, const std::string& group) {
+template <int dim>
+void LogTimeIntegrator<dim>::restore(const StateReader& state, const std::string& group) {
   for_displacements(*this, group, [&](const std::string& name, Displacement& displacement) {
     quasistatic::restore(state, name, displacement);
   });
 }
+
+template class LogTimeIntegrator<2>;
+template class LogTimeIntegrator<3>;
 
 }  // namespace breccia::quasistatic

@@ -29,9 +29,10 @@ using quasistatic::LogTimeIntegrator;
 using quasistatic::RelaxingModulus;
 
 /// The integration of all loads over one list of times.
+template <int dim>
 class TimeSteppingRun {
  public:
-  TimeSteppingRun(const QuasistaticProblem& problem, const ElasticOperator<2>& elastic_operator,
+  TimeSteppingRun(const QuasistaticProblem<dim>& problem, const ElasticOperator<dim>& elastic_operator,
                   std::span<const Load> loads, std::vector<double> times)
       : materials_(&problem.materials),
         relaxing_(quasistatic::relaxing_moduli(problem.materials)),
@@ -49,11 +50,11 @@ class TimeSteppingRun {
   [[nodiscard]] double share() const { return static_cast<double>(taken_) / static_cast<double>(times_.size() + 1); }
   /// The time that has been reached [s]; 0 right after the jump, which is the first step.
   [[nodiscard]] double time() const { return taken_ < 2 ? 0.0 : times_[taken_ - 2]; }
-  [[nodiscard]] const LogTimeIntegrator& first_load() const { return loads_.front(); }
+  [[nodiscard]] const LogTimeIntegrator<dim>& first_load() const { return loads_.front(); }
   /// By load: the value right after the jump, then the values at the times.
   [[nodiscard]] const std::vector<std::vector<double>>& values() const noexcept { return values_; }
 
-  void step(ElasticSolver& solver) {
+  void step(ElasticSolver<dim>& solver) {
     const double time_step = taken_ == 0 ? 0.0 : times_[taken_ - 1] - time();
     std::vector<Moduli> algorithmic;
     for (const auto& material : *materials_) {
@@ -88,7 +89,7 @@ class TimeSteppingRun {
   const std::vector<Material>* materials_;
   std::vector<RelaxingModulus> relaxing_;
   std::vector<double> times_;
-  std::vector<LogTimeIntegrator> loads_;
+  std::vector<LogTimeIntegrator<dim>> loads_;
   std::vector<std::vector<double>> values_;
   std::size_t taken_ = 0;  ///< steps taken, the jump included
 };
@@ -123,7 +124,9 @@ std::vector<double> error_estimates(const std::vector<double>& fine, const std::
   return errors;
 }
 
-void require_complete(const QuasistaticProblem& problem, std::span<const Load> loads, std::span<const double> times) {
+template <int dim>
+void require_complete(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
+                      std::span<const double> times) {
   const auto is_time = [](double time) { return time > 0.0 && std::isfinite(time); };
   const auto rises = [](double before, double after) { return before < after; };
   if (times.empty() || !std::ranges::all_of(times, is_time) ||
@@ -135,10 +138,11 @@ void require_complete(const QuasistaticProblem& problem, std::span<const Load> l
 }
 
 /// The run over all times, and the run over every other time, from whose difference the error is estimated.
+template <int dim>
 class TwoRuns {
  public:
-  TwoRuns(const QuasistaticProblem& problem, const ElasticOperator<2>& elastic_operator, std::span<const Load> loads,
-          std::span<const double> times)
+  TwoRuns(const QuasistaticProblem<dim>& problem, const ElasticOperator<dim>& elastic_operator,
+          std::span<const Load> loads, std::span<const double> times)
       : problem_(&problem),
         elastic_operator_(&elastic_operator),
         loads_(loads),
@@ -185,8 +189,8 @@ class TwoRuns {
   }
 
   /// Call it once, at the end.
-  [[nodiscard]] SteppingResult result() {
-    SteppingResult result = {{}, std::move(fields_), solver_->effort()};
+  [[nodiscard]] SteppingResult<dim> result() {
+    SteppingResult<dim> result = {{}, std::move(fields_), solver_->effort()};
     for (std::size_t l = 0; l < loads_.size(); ++l) {
       const auto& fine = fine_.values()[l];
       const std::vector values(fine.begin() + 1, fine.end());
@@ -198,24 +202,25 @@ class TwoRuns {
   }
 
  private:
-  const QuasistaticProblem* problem_;
-  const ElasticOperator<2>* elastic_operator_;
+  const QuasistaticProblem<dim>* problem_;
+  const ElasticOperator<dim>* elastic_operator_;
   std::span<const Load> loads_;
   std::vector<std::size_t> places_;  ///< indices of the times of the coarse run among all times
-  std::unique_ptr<ElasticSolver> solver_;
-  TimeSteppingRun fine_;
-  TimeSteppingRun coarse_;
-  std::vector<TimedFields<2>> fields_;
+  std::unique_ptr<ElasticSolver<dim>> solver_;
+  TimeSteppingRun<dim> fine_;
+  TimeSteppingRun<dim> coarse_;
+  std::vector<TimedFields<dim>> fields_;
 };
 
 }  // namespace
 
-SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::span<const Load> loads,
-                                     std::span<const double> times, const ShareObserver& observer,
-                                     std::span<const double> field_times, Checkpoint* checkpoint) {
+template <int dim>
+SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
+                                          std::span<const double> times, const ShareObserver& observer,
+                                          std::span<const double> field_times, Checkpoint* checkpoint) {
   require_complete(problem, loads, times);
-  const ElasticOperator<2> elastic_operator(problem.discretisation, problem.volumetric, problem.boundary);
-  TwoRuns runs(problem, elastic_operator, loads, times);
+  const ElasticOperator<dim> elastic_operator(problem.discretisation, problem.volumetric, problem.boundary);
+  TwoRuns<dim> runs(problem, elastic_operator, loads, times);
   if (checkpoint != nullptr && checkpoint->earlier() != nullptr) runs.restore(*checkpoint->earlier());
   while (!runs.is_over()) {
     if (checkpoint != nullptr && checkpoint->is_due()) {
@@ -226,5 +231,12 @@ SteppingResult run_log_time_stepping(const QuasistaticProblem& problem, std::spa
   }
   return runs.result();
 }
+
+template SteppingResult<2> run_log_time_stepping(const QuasistaticProblem<2>&, std::span<const Load>,
+                                                 std::span<const double>, const ShareObserver&, std::span<const double>,
+                                                 Checkpoint*);
+template SteppingResult<3> run_log_time_stepping(const QuasistaticProblem<3>&, std::span<const Load>,
+                                                 std::span<const double>, const ShareObserver&, std::span<const double>,
+                                                 Checkpoint*);
 
 }  // namespace breccia
