@@ -11,7 +11,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
 #include "breccia/io/units.hpp"
-#include "breccia/microstructure/cubic_lattice.hpp"
+#include "breccia/microstructure/cubic_array.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/random_sites.hpp"
@@ -241,7 +241,7 @@ Microstructure<3> place_spheres(const Stage& stage, StagePacking& packing, Stage
   }
   if (const auto* cubic = std::get_if<LatticePacking>(&stage.packing)) {
     const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
-    return cubic_array(stage.side, cubic->lattice, cubic->repeats, size.diameter);
+    return cubic_array(cubic->lattice, stage.side, cubic->repeats, size.diameter);
   }
   const auto* listed = stage.listed();
   if (listed == nullptr) throw InputError("three dimensions: expected spheres");

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/microstructure/cubic_lattice.hpp"
+#include "breccia/microstructure/cubic_array.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/microstructure/particle.hpp"
