@@ -106,7 +106,9 @@ QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Mat
                          .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
                          .boundary = boundary,
                          .face_share = study.tests.films.face_share};
-  return test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
+  auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
+  test.field_times = study.tests.field_times;
+  return test;
 }
 
 Material expected_matrix(const Study& study, const Stage& stage) {

@@ -14,6 +14,7 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/films/film_sampling.hpp"
+#include "breccia/films/film_stepping.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
@@ -88,23 +89,29 @@ std::vector<TimedFields<3>>& fields_of(QuasistaticTestResult& result, const Disc
   return result.volume_fields;
 }
 
+/// Grains and films under the boundary of the test.
+FilmProblem problem_of(const QuasistaticTest& test, FilmProblem films) {
+  films.boundary = test.boundary;
+  return films;
+}
+
 using SamplingObserver = std::function<void(const SamplingProgress&)>;
 
-/// Samples the reduced responses of grains and films by load.
+/// Samples the reduced responses of grains and films by load, and takes the fields of the first.
 std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticTest& test,
-                                    const std::vector<Material>& /*materials*/, const TrainingPath& path,
+                                    const std::vector<Material>& materials, const TrainingPath& path,
                                     const SamplingObserver& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
-  auto problem = films;
-  problem.boundary = test.boundary;
   std::vector<Moduli> of_binder;
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
-  auto sampled = sample_film_responses(problem, test.loads, of_binder, test.options.sampling, follow, checkpoint);
+  auto sampled = sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow,
+                                       checkpoint);
+  for (const double time : test.field_times) result.film_fields.push_back({time, sampled.fields(0, materials, time)});
   result.effort = sampled.effort;
   return std::move(sampled.responses);
 }
 
-/// Samples the reduced responses of cells by load, and takes their fields.
+/// Samples the reduced responses of cells by load, and takes the fields of the first.
 template <int dim>
 std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
@@ -148,10 +155,8 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
   }
 }
 
-/// Throws InputError for what the model of grains and films does not have.
+/// Throws InputError unless the binder of grains and films alone varies.
 void require_test_of_films(const QuasistaticTest& test) {
-  if (test.options.solver == Solver::stepping) throw InputError("quasi-static test: films have no stepping solver");
-  if (!test.field_times.empty()) throw InputError("quasi-static test: films have no fields of material points");
   if (test.varying.size() != 1) throw InputError("quasi-static test: of films the binder alone varies");
 }
 
@@ -196,18 +201,25 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
   return worst;
 }
 
-/// Steps cells through time, and takes their fields and the effort.
+/// Steps grains and films through time, and takes the fields of the first load.
+std::vector<SteppedResponse> step(const FilmProblem& films, const QuasistaticTest& test,
+                                  const std::vector<double>& steps, const std::vector<double>& field_steps,
+                                  const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
+  const auto& binder = test.materials[test.varying.front().index];
+  auto stepped =
+      run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
+  result.film_fields = std::move(stepped.fields);
+  result.effort = stepped.effort;
+  return std::move(stepped.responses);
+}
+
+/// Steps cells through time, and takes the fields of the first load.
 template <int dim>
-std::vector<SteppedResponse> step_cells(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
-                                        std::span<const double> steps, std::span<const double> field_steps,
-                                        const QuasistaticObserver& observer, Checkpoint* checkpoint,
-                                        QuasistaticTestResult& result) {
-  auto stepped = run_log_time_stepping(
-      problem_of(test, discretisation), test.loads, steps,
-      [&](double share) {
-        if (observer) observer(fmt::format("{} steps", steps.size()), share);
-      },
-      field_steps, checkpoint);
+std::vector<SteppedResponse> step(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
+                                  const std::vector<double>& steps, const std::vector<double>& field_steps,
+                                  const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
+  auto stepped =
+      run_log_time_stepping(problem_of(test, discretisation), test.loads, steps, follow, field_steps, checkpoint);
   fields_of(result, discretisation) = std::move(stepped.fields);
   result.effort = stepped.effort;
   return std::move(stepped.responses);
@@ -220,10 +232,12 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
   make_step_at(steps, test.times.begin);
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
-  const auto* space = std::get_if<Discretisation<3>>(&test.composite);
-  const auto stepped = space != nullptr ? step_cells(*space, test, steps, field_steps, observer, checkpoint, result)
-                                        : step_cells(std::get<Discretisation<2>>(test.composite), test, steps,
-                                                     field_steps, observer, checkpoint, result);
+  const auto follow = [&](double share) {
+    if (observer) observer(fmt::format("{} steps", steps.size()), share);
+  };
+  const auto stepped = std::visit(
+      [&](const auto& composite) { return step(composite, test, steps, field_steps, follow, checkpoint, result); },
+      test.composite);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   const auto first_step = step_at(steps, test.times.begin);
   for (const auto& found : stepped) {
@@ -262,8 +276,9 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Qu
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
-  if (test.options.solver == Solver::reduced) require_varying_phases(test);
-  if (std::holds_alternative<FilmProblem>(test.composite)) require_test_of_films(test);
+  const bool has_films = std::holds_alternative<FilmProblem>(test.composite);
+  if (test.options.solver == Solver::reduced || has_films) require_varying_phases(test);
+  if (has_films) require_test_of_films(test);
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
@@ -49,7 +50,7 @@ struct QuasistaticOptions {
 };
 
 /// What a quasi-static test is done on: cells in 2 or 3 dimensions, or grains and films, whose boundary is that of the
-/// test. Grains and films know neither the stepping solver nor fields, and their binder alone varies.
+/// test. Of grains and films the binder alone relaxes and varies.
 using QuasistaticComposite = std::variant<Discretisation<2>, Discretisation<3>, FilmProblem>;
 
 /// A quasi-static virtual test.
@@ -57,7 +58,7 @@ struct QuasistaticTest {
   QuasistaticComposite composite;
   std::vector<Material> materials;  ///< by PhaseIndex
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
-  /// solver does not use them.
+  /// solver of cells does not use them; that of films takes the first for the binder.
   std::vector<VaryingPhase> varying = {};
   /// Other materials of these phases, each time in their order, for which the reduced response is to hold as well.
   std::vector<std::vector<Material>> variants = {};
@@ -88,10 +89,10 @@ struct QuasistaticResponse {
 /// The result of a quasi-static test.
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  /// Fields of the first load of cells in 2 dimensions; on the first process, zero on the others.
+  /// Fields of the points of cells in 2 dimensions, first load; on the first process, zero on the others.
   std::vector<TimedFields<2>> fields;
-  /// The same of cells in 3 dimensions.
-  std::vector<TimedFields<3>> volume_fields;
+  std::vector<TimedFields<3>> volume_fields;  ///< the same in 3 dimensions
+  std::vector<TimedFilmFields> film_fields;   ///< of grains and films, first load
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]
 };

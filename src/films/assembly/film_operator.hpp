@@ -11,8 +11,6 @@
 #include "breccia/films/film_problem.hpp"
 
 #include "assembly/film_vector.hpp"
-#include "assembly/unknowns.hpp"
-#include "mesh/film_network.hpp"
 
 namespace breccia::films {
 
@@ -43,6 +41,9 @@ class FilmOperator {
   [[nodiscard]] FilmVector shear_forces(Load load, const FilmVector& displacement) const;
   /// K_K u
   [[nodiscard]] FilmVector bulk_forces(Load load, const FilmVector& displacement) const;
+
+  /// Volumetric strains of the binder where its pressures are, M^-1 B u (theory, Eq. 65): -1/K times the pressures.
+  [[nodiscard]] Eigen::VectorXd volumetric_strains(Load load, const FilmVector& displacement) const;
 
   /// Lower triangle of the symmetric matrix of unknowns and pressures -K tr, in units of K, at these moduli of the
   /// binder (theory, Eq. 66).

@@ -1,5 +1,7 @@
 #include "reduced/cell_composite.hpp"
 
+#include "operator/recovery.hpp"
+
 namespace breccia::quasistatic {
 
 template <int dim>
@@ -31,14 +33,60 @@ Forces CellComposite<dim>::forces(std::span<const double> parameters, Load load,
 }
 
 template <int dim>
+Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Load load,
+                                     const Displacement& displacement) const {
+  return elastic_operator_.forces(stiffness_.varying_moduli_at(parameters), load, displacement);
+}
+
+template <int dim>
+PointFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
+                           const CompositeState<Displacement>& state) {
+  const auto& stiffness = composite.stiffness();
+  std::vector<AppliedModuli> applied;
+  for (const auto& [bulk, shear] : stiffness.constant) {
+    applied.push_back({state.displacement.copy(), state.displacement.copy()});
+    applied.back().bulk.scale(bulk);
+    applied.back().shear.scale(shear);
+  }
+  for (std::size_t i = 0; i < stiffness.parts.size(); ++i) {
+    const auto& part = stiffness.parts[i];
+    auto& [bulk, shear] = applied[part.phase];
+    (part.parameter.modulus == ElasticModulus::shear ? shear : bulk) = state.applied[i].copy();
+  }
+  return recover_fields(composite.elastic_operator(), problem.discretisation, problem.volumetric, load,
+                        state.displacement, applied);
+}
+
+template <int dim>
 CellSolver<dim>::CellSolver(const CellComposite<dim>& composite, const LinearOptions& options)
     : composite_(&composite), solver_(make_elastic_solver(composite.elastic_operator(), options)) {}
 
 template <int dim>
-void CellSolver<dim>::prepare(std::span<const double> parameters) {
+void CellSolver<dim>::take(std::span<const double> parameters) {
   moduli_ = composite_->stiffness().moduli_at(parameters);
   solver_->set_moduli(moduli_);
+}
+
+template <int dim>
+void CellSolver<dim>::prepare(std::span<const double> parameters) {
+  take(parameters);
   solver_->update_preconditioner();
+}
+
+template <int dim>
+Displacement CellSolver<dim>::solve_forces(const Forces& forces, Displacement guess) {
+  solver_->solve(forces, guess);
+  return guess;
+}
+
+template <int dim>
+void CellSolver<dim>::save_preconditioner(StateWriter& state, const std::string& group) const {
+  solver_->save_preconditioner(state, group);
+}
+
+template <int dim>
+void CellSolver<dim>::restore_preconditioner(const StateReader& state, const std::string& group) {
+  solver_->restore_preconditioner(state, group);
 }
 
 template <int dim>
@@ -63,5 +111,9 @@ template class CellComposite<2>;
 template class CellComposite<3>;
 template class CellSolver<2>;
 template class CellSolver<3>;
+template PointFields<2> fields_of(const CellComposite<2>&, const QuasistaticProblem<2>&, Load,
+                                  const CompositeState<Displacement>&);
+template PointFields<3> fields_of(const CellComposite<3>&, const QuasistaticProblem<3>&, Load,
+                                  const CompositeState<Displacement>&);
 
 }  // namespace breccia::quasistatic
