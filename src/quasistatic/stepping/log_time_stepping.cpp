@@ -134,6 +134,7 @@ void require_complete(const QuasistaticProblem<dim>& problem, std::span<const Lo
     throw InputError("log-time stepping: expected rising positive times");
   }
   if (loads.empty()) throw InputError("log-time stepping: no loads");
+  require_loads("log-time stepping", dim, loads);
   require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
 }
 
