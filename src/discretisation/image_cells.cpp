@@ -14,7 +14,8 @@
 namespace breccia {
 namespace {
 
-void require_phases_of_labels(const LabelImage<2>& image, std::span<const PhaseIndex> phases) {
+template <int dim>
+void require_phases_of_labels(const LabelImage<dim>& image, std::span<const PhaseIndex> phases) {
   require_valid(image);
   const auto largest = std::ranges::max(image.labels);
   if (largest < phases.size()) return;
@@ -22,8 +23,15 @@ void require_phases_of_labels(const LabelImage<2>& image, std::span<const PhaseI
                                largest, phases.size()));
 }
 
-std::size_t place_of(const LabelImage<2>& image, std::int64_t column, std::int64_t row) {
-  return static_cast<std::size_t>(row * image.pixels[0] + column);
+/// A pixel along every axis.
+template <int dim>
+using Pixel = std::array<std::int64_t, static_cast<std::size_t>(dim)>;
+
+template <int dim>
+Label label_of(const LabelImage<dim>& image, const Pixel<dim>& pixel) {
+  std::int64_t place = 0;
+  for (std::size_t axis = pixel.size(); axis-- > 0;) place = place * image.pixels[axis] + pixel[axis];
+  return image.labels[static_cast<std::size_t>(place)];
 }
 
 /// The pixel along one axis that each point of a grid is in. There are two points to a cell, in the middle of its
@@ -53,45 +61,92 @@ std::vector<std::vector<PixelShare>> pixels_of_cells(std::int64_t cells, std::in
   return of_cells;
 }
 
-}  // namespace
-
-Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases) {
+template <int dim>
+Discretisation<dim> points_of(const Grid<dim>& grid, const LabelImage<dim>& image, std::span<const PhaseIndex> phases) {
   require_phases_of_labels(image, phases);
-  Discretisation<2> discretisation(grid);
-  const std::array pixels = {pixels_of_points(grid.cells[0], image.pixels[0]),
-                             pixels_of_points(grid.cells[1], image.pixels[1])};
+  Discretisation<dim> discretisation(grid);
+  std::array<std::vector<std::int64_t>, static_cast<std::size_t>(dim)> pixels;
+  for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
+    pixels[axis] = pixels_of_points(grid.cells[axis], image.pixels[axis]);
+  }
   const double spacing = 0.5 * grid.cell_side;
-  discretisation.label([&](const Vector<2>& position) {
+  discretisation.label([&](const Vector<dim>& position) {
     // Points are in the middle of halves of cells, far from where rounding would matter.
-    const auto pixel_along = [&](std::size_t axis) {
-      return pixels[axis][static_cast<std::size_t>(position[axis] / spacing)];
-    };
-    return phases[image.labels[place_of(image, pixel_along(0), pixel_along(1))]];
+    Pixel<dim> pixel{};
+    for (std::size_t axis = 0; axis < pixel.size(); ++axis) {
+      pixel[axis] = pixels[axis][static_cast<std::size_t>(position[axis] / spacing)];
+    }
+    return phases[label_of(image, pixel)];
   });
   return discretisation;
 }
 
-Discretisation<2> discretise_mixed(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases,
-                                   std::size_t phase_count) {
+/// The pixels that a cell reaches over, along each axis.
+template <int dim>
+using PixelsOfCell = std::array<std::span<const PixelShare>, static_cast<std::size_t>(dim)>;
+
+/// Adds the volumes of the pixels that a cell reaches over to those of their phases.
+template <int dim>
+void add_volumes(const LabelImage<dim>& image, std::span<const PhaseIndex> phases, const PixelsOfCell<dim>& along,
+                 std::vector<std::int64_t>& volumes) {
+  Index<dim> counts{};
+  for (std::size_t axis = 0; axis < counts.size(); ++axis) counts[axis] = static_cast<int>(along[axis].size());
+  for_each_index(Index<dim>{}, counts, [&](const Index<dim>& place) {
+    Pixel<dim> pixel{};
+    std::int64_t volume = 1;
+    for (std::size_t axis = 0; axis < pixel.size(); ++axis) {
+      const auto& share = along[axis][static_cast<std::size_t>(place[axis])];
+      pixel[axis] = share.pixel;
+      volume *= share.length;
+    }
+    volumes[phases[label_of(image, pixel)]] += volume;
+  });
+}
+
+template <int dim>
+Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const LabelImage<dim>& image,
+                                   std::span<const PhaseIndex> phases, std::size_t phase_count) {
   require_phases_of_labels(image, phases);
   if (std::ranges::any_of(phases, [&](PhaseIndex phase) { return phase >= phase_count; })) {
     throw InputError(fmt::format("discretisation: a label has a phase beyond the {} that there are", phase_count));
   }
-  Discretisation<2> discretisation(grid);
-  MixtureNumbers numbers(discretisation, phase_count);
-  const auto columns = pixels_of_cells(grid.cells[0], image.pixels[0]);
-  const auto rows = pixels_of_cells(grid.cells[1], image.pixels[1]);
-  std::vector<std::int64_t> areas(phase_count);
-  grid.for_each_cell([&](const Index<2>& cell) {
-    std::ranges::fill(areas, 0);
-    for (const auto& [row, height] : rows[static_cast<std::size_t>(cell[1])]) {
-      for (const auto& [column, width] : columns[static_cast<std::size_t>(cell[0])]) {
-        areas[phases[image.labels[place_of(image, column, row)]]] += width * height;
-      }
+  Discretisation<dim> discretisation(grid);
+  MixtureNumbers<dim> numbers(discretisation, phase_count);
+  std::array<std::vector<std::vector<PixelShare>>, static_cast<std::size_t>(dim)> pixels;
+  for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
+    pixels[axis] = pixels_of_cells(grid.cells[axis], image.pixels[axis]);
+  }
+  std::vector<std::int64_t> volumes(phase_count);
+  grid.for_each_cell([&](const Index<dim>& cell) {
+    PixelsOfCell<dim> along;
+    for (std::size_t axis = 0; axis < along.size(); ++axis) {
+      along[axis] = pixels[axis][static_cast<std::size_t>(cell[axis])];
     }
-    numbers.fill(cell, rounded_content(areas));
+    std::ranges::fill(volumes, 0);
+    add_volumes<dim>(image, phases, along, volumes);
+    numbers.fill(cell, rounded_content(volumes));
   });
   return discretisation;
+}
+
+}  // namespace
+
+Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases) {
+  return points_of(grid, image, phases);
+}
+
+Discretisation<3> discretise(const Grid<3>& grid, const LabelImage<3>& image, std::span<const PhaseIndex> phases) {
+  return points_of(grid, image, phases);
+}
+
+Discretisation<2> discretise_mixed(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases,
+                                   std::size_t phase_count) {
+  return mixed_cells_of(grid, image, phases, phase_count);
+}
+
+Discretisation<3> discretise_mixed(const Grid<3>& grid, const LabelImage<3>& image, std::span<const PhaseIndex> phases,
+                                   std::size_t phase_count) {
+  return mixed_cells_of(grid, image, phases, phase_count);
 }
 
 }  // namespace breccia

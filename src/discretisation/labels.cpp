@@ -1,9 +1,9 @@
 #include "breccia/discretisation/labels.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,40 +15,66 @@
 namespace breccia {
 namespace {
 
-/// Counts the parts of a cell by phase. A square of parts in which no interface can be is counted as a whole, another
-/// is divided into four.
+/// Parts of a cell along each axis.
+template <int dim>
+constexpr int subdivisions = dim == 2 ? label_subdivisions : cube_label_subdivisions;
+
+/// Counts the parts of a cell by phase. A square (cube) of parts in which no interface can be is counted as a whole,
+/// another is divided into four (eight).
+template <int dim>
 class PartCounter {
  public:
-  PartCounter(const Labelling<2>& labelling, std::size_t phases) : labelling_(labelling), counts_(phases) {}
+  PartCounter(const Labelling<dim>& labelling, std::size_t phases) : labelling_(labelling), counts_(phases) {}
 
   /// Parts of each phase in the cell with this lower corner and side [m], by PhaseIndex.
-  const std::vector<std::int64_t>& count(const Vector<2>& corner, double side) {
+  const std::vector<std::int64_t>& count(const Vector<dim>& corner, double side) {
     std::ranges::fill(counts_, 0);
-    count(corner, side, label_subdivisions);
+    count(corner, side, subdivisions<dim>);
     return counts_;
   }
 
  private:
-  /// `parts` is the number of parts along each side of the square.
-  void count(const Vector<2>& corner, double side, int parts) {
+  /// `parts` is the number of parts along each side of the square or cube.
+  void count(const Vector<dim>& corner, double side, int parts) {
     const double half = 0.5 * side;
-    const auto place = labelling_({corner[0] + half, corner[1] + half});
-    if (parts == 1 || place.clearance > std::numbers::sqrt2 * half) {
+    auto centre = corner;
+    for (double& x : centre) x += half;
+    const auto place = labelling_(centre);
+    if (parts == 1 || place.clearance > std::sqrt(static_cast<double>(dim)) * half) {
       if (place.phase >= counts_.size()) {
         throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
                                      place.phase, counts_.size()));
       }
-      counts_[place.phase] += std::int64_t{parts} * parts;
+      std::int64_t all = 1;
+      for (int axis = 0; axis < dim; ++axis) all *= parts;
+      counts_[place.phase] += all;
       return;
     }
-    for (const double y : {corner[1], corner[1] + half}) {
-      for (const double x : {corner[0], corner[0] + half}) count({x, y}, half, parts / 2);
-    }
+    Index<dim> two{};
+    two.fill(2);
+    for_each_index(Index<dim>{}, two, [&](const Index<dim>& part) {
+      auto lower = corner;
+      for (std::size_t axis = 0; axis < lower.size(); ++axis) lower[axis] += part[axis] * half;
+      count(lower, half, parts / 2);
+    });
   }
 
-  const Labelling<2>& labelling_;
+  const Labelling<dim>& labelling_;
   std::vector<std::int64_t> counts_;
 };
+
+template <int dim>
+Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const Labelling<dim>& labelling, std::size_t phases) {
+  Discretisation<dim> discretisation(grid);
+  MixtureNumbers<dim> numbers(discretisation, phases);
+  PartCounter<dim> parts(labelling, phases);
+  grid.for_each_cell([&](const Index<dim>& cell) {
+    Vector<dim> corner{};
+    for (std::size_t axis = 0; axis < corner.size(); ++axis) corner[axis] = cell[axis] * grid.cell_side;
+    numbers.fill(cell, rounded_content(parts.count(corner, grid.cell_side)));
+  });
+  return discretisation;
+}
 
 }  // namespace
 
@@ -60,14 +86,11 @@ Discretisation<dim> discretise(const Grid<dim>& grid, const Labelling<dim>& labe
 }
 
 Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labelling, std::size_t phases) {
-  Discretisation<2> discretisation(grid);
-  MixtureNumbers numbers(discretisation, phases);
-  PartCounter parts(labelling, phases);
-  grid.for_each_cell([&](const Index<2>& cell) {
-    const Vector<2> corner = {cell[0] * grid.cell_side, cell[1] * grid.cell_side};
-    numbers.fill(cell, rounded_content(parts.count(corner, grid.cell_side)));
-  });
-  return discretisation;
+  return mixed_cells_of(grid, labelling, phases);
+}
+
+Discretisation<3> discretise_mixed(const Grid<3>& grid, const Labelling<3>& labelling, std::size_t phases) {
+  return mixed_cells_of(grid, labelling, phases);
 }
 
 template Discretisation<2> discretise(const Grid<2>&, const Labelling<2>&);

@@ -10,58 +10,77 @@
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/disc_overlap.hpp"
+#include "breccia/microstructure/sphere_overlap.hpp"
 
 #include "mixture_numbers.hpp"
 
 namespace breccia {
 namespace {
 
-/// An area in units of that of a cell as the nearest number of steps.
-int to_steps(double area) {
-  return static_cast<int>(std::lround(mixture_steps * area));
+/// A share of a cell as the nearest number of steps.
+int to_steps(double share) {
+  return static_cast<int>(std::lround(mixture_steps * share));
+}
+
+/// What a ball and the box between two corners have in common [m^dim].
+double overlap(const Disc& disc, const Vector<2>& lower, const Vector<2>& upper) {
+  return overlap_area(disc, lower, upper);
+}
+double overlap(const Sphere& sphere, const Vector<3>& lower, const Vector<3>& upper) {
+  return overlap_volume(sphere, lower, upper);
 }
 
 /// A share of a cell that a phase of a particle covers in part.
 struct Cover {
   std::size_t cell;
   PhaseIndex phase;
-  double area;  ///< in units of the area of the cell
+  double share;  ///< of the area or volume of the cell
 };
 
-/// A disc without what is inside a smaller disc around the same centre: a particle, or its coating.
-struct Annulus {
-  Disc outer;
-  double inner_diameter;  ///< [m]; 0 for the whole disc
+/// A ball without what is inside a smaller ball around the same centre: a particle, or its coating.
+template <int dim>
+struct Shell {
+  Ball<dim> outer;
+  double inner_diameter;  ///< [m]; 0 for the whole ball
   PhaseIndex phase;
 };
 
-/// Area that an annulus and a cell have in common, in units of the area of the cell, exact to rounding.
-double covered_share(const Annulus& annulus, const Vector<2>& lower, const Vector<2>& upper, double h) {
-  const double whole = overlap_area(annulus.outer, lower, upper) / (h * h);
-  if (annulus.inner_diameter == 0.0 || whole == 0.0) return whole;
-  return whole - overlap_area({annulus.outer.centre, annulus.inner_diameter}, lower, upper) / (h * h);
+/// The share of a cell of side h [m] that a shell covers, exact to rounding.
+template <int dim>
+double covered_share(const Shell<dim>& shell, const Vector<dim>& lower, const Vector<dim>& upper, double h) {
+  const double cell = times_power<dim>(1.0, h);
+  const double whole = overlap(shell.outer, lower, upper) / cell;
+  if (shell.inner_diameter == 0.0 || whole == 0.0) return whole;
+  return whole - overlap({shell.outer.centre, shell.inner_diameter}, lower, upper) / cell;
 }
 
-/// Fills the cells that an annulus covers, and lists those that it covers in part.
-void cover(const Annulus& annulus, Discretisation<2>& discretisation, std::vector<Cover>& covers) {
+/// Fills the cells that a shell covers, and lists those that it covers in part.
+template <int dim>
+void cover(const Shell<dim>& shell, Discretisation<dim>& discretisation, std::vector<Cover>& covers) {
   const auto& grid = discretisation.grid();
   constexpr double rounding = 1e-9;
-  const double h = grid.cell_side, radius = 0.5 * annulus.outer.diameter;
-  Index<2> begin{}, end{};
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  const double h = grid.cell_side, radius = 0.5 * shell.outer.diameter;
+  Index<dim> begin{}, end{};
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+    const double lowest = shell.outer.centre[axis] - radius, highest = shell.outer.centre[axis] + radius;
+    if (highest < 0.0 || lowest > grid.cells[axis] * h) return;
     const auto cell_of = [&](double x) {
       return static_cast<int>(std::clamp(std::floor(x / h), 0.0, static_cast<double>(grid.cells[axis])));
     };
-    begin[axis] = cell_of(annulus.outer.centre[axis] - radius);
-    end[axis] = std::min(cell_of(annulus.outer.centre[axis] + radius) + 1, grid.cells[axis]);
+    begin[axis] = cell_of(lowest);
+    end[axis] = std::min(cell_of(highest) + 1, grid.cells[axis]);
   }
-  for_each_index(begin, end, [&](const Index<2>& cell) {
-    const Vector<2> lower = {cell[0] * h, cell[1] * h}, upper = {(cell[0] + 1) * h, (cell[1] + 1) * h};
-    const double area = covered_share(annulus, lower, upper, h);
-    if (area >= 1.0 - rounding) {
-      discretisation.fill(cell, annulus.phase);
-    } else if (area > rounding) {
-      covers.push_back({grid.cell_index(cell), annulus.phase, area});
+  for_each_index(begin, end, [&](const Index<dim>& cell) {
+    Vector<dim> lower{}, upper{};
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      lower[axis] = cell[axis] * h;
+      upper[axis] = (cell[axis] + 1) * h;
+    }
+    const double share = covered_share(shell, lower, upper, h);
+    if (share >= 1.0 - rounding) {
+      discretisation.fill(cell, shell.phase);
+    } else if (share > rounding) {
+      covers.push_back({grid.cell_index(cell), shell.phase, share});
     }
   });
 }
@@ -74,10 +93,10 @@ CellContent content_of(std::span<const Cover> covers, PhaseIndex matrix) {
   double all = 0.0;
   for (auto first = covers.begin(); first != covers.end();) {
     const auto phase = first->phase;
-    double area = 0.0;
-    for (; first != covers.end() && first->phase == phase; ++first) area += first->area;
-    all += area;
-    const int steps = std::min(to_steps(area), content.front().second);
+    double share = 0.0;
+    for (; first != covers.end() && first->phase == phase; ++first) share += first->share;
+    all += share;
+    const int steps = std::min(to_steps(share), content.front().second);
     if (steps == 0) continue;
     content.front().second -= steps;
     content.emplace_back(phase, steps);
@@ -104,29 +123,32 @@ void require_known(PhaseIndex matrix, std::span<const ParticlePhases> particles,
 
 }  // namespace
 
-Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                   std::span<const ParticlePhases> particles, std::size_t phases) {
+template <int dim>
+Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                                     std::span<const ParticlePhases> particles, std::size_t phases) {
   if (particles.size() != microstructure.particles.size()) {
     throw InputError(fmt::format("discretisation: expected a phase for each of {} particles, got {}",
                                  microstructure.particles.size(), particles.size()));
   }
   require_known(matrix, particles, phases);
-  Discretisation<2> discretisation({{cells, cells}, microstructure.side / cells}, matrix);
+  Grid<dim> grid{.cell_side = microstructure.side / cells};
+  grid.cells.fill(cells);
+  Discretisation<dim> discretisation(grid, matrix);
   std::vector<Cover> covers;
-  for_each_image(microstructure, [&](std::size_t particle, const Disc& disc) {
+  for_each_image(microstructure, [&](std::size_t particle, const Ball<dim>& ball) {
     const auto& [phase, coating, thickness] = particles[particle];
-    cover({disc, 0.0, phase}, discretisation, covers);
+    cover<dim>({ball, 0.0, phase}, discretisation, covers);
     if (thickness > 0.0) {
-      cover({{disc.centre, disc.diameter + 2.0 * thickness}, disc.diameter, coating}, discretisation, covers);
+      cover<dim>({{ball.centre, ball.diameter + 2.0 * thickness}, ball.diameter, coating}, discretisation, covers);
     }
   });
-  std::ranges::sort(covers, {}, [](const Cover& one) { return std::tuple(one.cell, one.phase, one.area); });
-  MixtureNumbers numbers(discretisation, phases);
+  std::ranges::sort(covers, {}, [](const Cover& one) { return std::tuple(one.cell, one.phase, one.share); });
+  MixtureNumbers<dim> numbers(discretisation, phases);
   for (auto first = covers.begin(); first != covers.end();) {
     const auto cell = first->cell;
     const auto end = std::find_if(first, covers.end(), [&](const Cover& one) { return one.cell != cell; });
     const auto place = discretisation.grid().cell_at(cell);
-    // A cell that one disc fills stays so where another overlaps it.
+    // A cell that one ball fills stays so where another overlaps it.
     const bool is_filled = discretisation.cell(place).front() != matrix;
     if (!is_filled) numbers.fill(place, content_of({first, end}, matrix));
     first = end;
@@ -134,10 +156,21 @@ Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int 
   return discretisation;
 }
 
-Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                   std::span<const PhaseIndex> particles, std::size_t phases) {
-  return discretise_mixed(microstructure, cells, matrix, without_coatings(particles), phases);
+template <int dim>
+Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
+                                     std::span<const PhaseIndex> particles, std::size_t phases) {
+  const auto uncoated = without_coatings(particles);
+  return discretise_mixed(microstructure, cells, matrix, std::span<const ParticlePhases>(uncoated), phases);
 }
+
+template Discretisation<2> discretise_mixed(const Microstructure<2>&, int, PhaseIndex, std::span<const ParticlePhases>,
+                                            std::size_t);
+template Discretisation<3> discretise_mixed(const Microstructure<3>&, int, PhaseIndex, std::span<const ParticlePhases>,
+                                            std::size_t);
+template Discretisation<2> discretise_mixed(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>,
+                                            std::size_t);
+template Discretisation<3> discretise_mixed(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>,
+                                            std::size_t);
 
 std::vector<Material> with_mixtures(const Discretisation<2>& discretisation, std::vector<Material> materials) {
   const auto phases = materials.size();

@@ -36,7 +36,8 @@ CellContent rounded_content(std::span<const std::int64_t> shares) {
   return content;
 }
 
-void MixtureNumbers::fill(const Index<2>& cell, const CellContent& content) {
+template <int dim>
+void MixtureNumbers<dim>::fill(const Index<dim>& cell, const CellContent& content) {
   if (content.size() == 1) {
     discretisation_.fill(cell, content.front().first);
     return;
@@ -45,5 +46,8 @@ void MixtureNumbers::fill(const Index<2>& cell, const CellContent& content) {
   if (is_new) entry->second = discretisation_.add_mixture(mixture_of(content), phases_);
   discretisation_.fill(cell, entry->second);
 }
+
+template class MixtureNumbers<2>;
+template class MixtureNumbers<3>;
 
 }  // namespace breccia

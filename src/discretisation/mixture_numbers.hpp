@@ -19,17 +19,18 @@ using CellContent = std::vector<std::pair<PhaseIndex, int>>;
 CellContent rounded_content(std::span<const std::int64_t> shares);
 
 /// Fills cells with what they hold, and adds a mixture to their discretisation for every new content of several phases.
+template <int dim>
 class MixtureNumbers {
  public:
   /// `phases` is the number of phases, which the numbers of the mixtures follow.
-  MixtureNumbers(Discretisation<2>& discretisation, std::size_t phases)
+  MixtureNumbers(Discretisation<dim>& discretisation, std::size_t phases)
       : discretisation_(discretisation), phases_(phases) {}
 
   /// Throws InputError when there are more mixtures than a PhaseIndex can number.
-  void fill(const Index<2>& cell, const CellContent& content);
+  void fill(const Index<dim>& cell, const CellContent& content);
 
  private:
-  Discretisation<2>& discretisation_;
+  Discretisation<dim>& discretisation_;
   std::size_t phases_;
   std::map<CellContent, PhaseIndex> known_;
 };

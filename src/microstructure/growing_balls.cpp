@@ -264,4 +264,5 @@ void GrowingBalls<dim>::schedule(std::uint32_t ball, const Event& event, double 
 }
 
 template class GrowingBalls<2>;
+template class GrowingBalls<3>;
 }  // namespace breccia

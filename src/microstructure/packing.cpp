@@ -30,6 +30,9 @@ constexpr double margin = 1e-9;
 constexpr std::array growth_rate_shares = {1.0, 0.2, 0.04};
 constexpr double shrinkage = 0.7;
 
+template <int dim>
+constexpr const char* balls_word = dim == 2 ? "discs" : "spheres";
+
 void require_meaning(const PackingRequest& request) {
   if (!(request.side > 0.0) || !std::isfinite(request.side)) {
     throw InputError(fmt::format("packing: the side of the box must be positive, got {} m", request.side));
@@ -78,6 +81,14 @@ double densest_packing_of_discs(double ratio) {
          (2.0 * ratio * std::sqrt(1.0 + 2.0 * ratio));
 }
 
+/// Upper bound of the fraction of balls whose diameters have at least this ratio, smallest to largest.
+template <int dim>
+double densest_packing(double ratio) {
+  if constexpr (dim == 2) return densest_packing_of_discs(ratio);
+  // Equal spheres: Hales, Annals of Mathematics 162 (2005) 1065. No bound below 1 is known for all ranges of sizes.
+  return ratio == 1.0 ? std::numbers::pi / std::sqrt(18.0) : 1.0;
+}
+
 template <int dim>
 void require_possible(const PackingRequest& request) {
   const auto [smallest, largest] = std::ranges::minmax(request.diameters);
@@ -91,19 +102,15 @@ void require_possible(const PackingRequest& request) {
             "side {:.6g} m",
             largest, gap, request.side));
   }
-  if constexpr (dim == 2) {
-    const double inflated = inflated_fraction<dim>(request);
-    const double densest = densest_packing_of_discs(smallest_outer / largest_outer);
-    if (inflated > densest) {
-      throw PackingError(
-          PackingObstacle::density, densest,
-          fmt::format(
-              "packing: {} discs at a fraction of {:.4g} cannot keep a gap of {:.6g} m: with half the gap around "
-              "each they would fill {:.4g} of the box, and discs of {:.6g} m to {:.6g} m can fill at most {:.4g}",
-              request.diameters.size(), fraction<dim>(request, request.diameters), gap, inflated, smallest, largest,
-              densest));
-    }
-  }
+  const double inflated = inflated_fraction<dim>(request);
+  const double densest = densest_packing<dim>(smallest_outer / largest_outer);
+  if (inflated <= densest) return;
+  throw PackingError(
+      PackingObstacle::density, densest,
+      fmt::format("packing: {} {} at a fraction of {:.4g} cannot keep a gap of {:.6g} m: with half the gap around each "
+                  "they would fill {:.4g} of the box, and {} of {:.6g} m to {:.6g} m can fill at most {:.4g}",
+                  request.diameters.size(), balls_word<dim>, fraction<dim>(request, request.diameters), gap, inflated,
+                  balls_word<dim>, smallest, largest, densest));
 }
 
 /// The unit of length of the growing balls [m]: their mean final diameter, with the gap and the shells.
@@ -206,6 +213,7 @@ double inflated_fraction(const PackingRequest& request) {
 }
 
 template double inflated_fraction<2>(const PackingRequest&);
+template double inflated_fraction<3>(const PackingRequest&);
 
 template <int dim>
 PackingRun<dim>::PackingRun(PackingRequest request)
@@ -291,6 +299,7 @@ Packing<dim> PackingRun<dim>::packing() const {
 }
 
 template class PackingRun<2>;
+template class PackingRun<3>;
 
 template <int dim>
 Packing<dim> pack(const PackingRequest& request) {
@@ -300,5 +309,6 @@ Packing<dim> pack(const PackingRequest& request) {
 }
 
 template Packing<2> pack<2>(const PackingRequest&);
+template Packing<3> pack<3>(const PackingRequest&);
 
 }  // namespace breccia

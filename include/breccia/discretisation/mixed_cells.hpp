@@ -14,17 +14,22 @@ namespace breccia {
 /// that the mixtures of a grid are few.
 inline constexpr int mixture_steps = 64;
 
-/// A microstructure of discs on `cells` cells along each axis. A cell that holds one phase has the points of that
-/// phase; one that an interface crosses is a mixture of its phases by their area fractions, which are exact but for the
-/// rounding to mixture_steps. `particles` holds the phases of each disc, whose coatings must not overlap; `phases`
-/// is the number of phases, which the numbers of the mixtures follow. Throws InputError when a disc has no phase or one
-/// beyond that number, or when there are more mixtures than a PhaseIndex can number.
-[[nodiscard]] Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                                 std::span<const ParticlePhases> particles, std::size_t phases);
+/// A microstructure of balls on `cells` cells along each axis. A cell that holds one phase has the points of that
+/// phase; one that an interface crosses is a mixture of its phases by their fractions of its area (in 3D of its
+/// volume), which are exact but for the rounding to mixture_steps. `particles` holds the phases of each ball, whose
+/// coatings must not overlap; `phases` is the number of phases, which the numbers of the mixtures follow. Throws
+/// InputError when a ball has no phase or one beyond that number, or when there are more mixtures than a PhaseIndex can
+/// number. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
+                                                   PhaseIndex matrix, std::span<const ParticlePhases> particles,
+                                                   std::size_t phases);
 
 /// The same without coatings.
-[[nodiscard]] Discretisation<2> discretise_mixed(const Microstructure<2>& microstructure, int cells, PhaseIndex matrix,
-                                                 std::span<const PhaseIndex> particles, std::size_t phases);
+template <int dim>
+[[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
+                                                   PhaseIndex matrix, std::span<const PhaseIndex> particles,
+                                                   std::size_t phases);
 
 /// The materials given, by PhaseIndex, and then those of the mixtures: what the points of mixed cells are made of, with
 /// the numbers of the mixtures as those of phases.

@@ -23,6 +23,7 @@ struct Ball {
   friend bool operator==(const Ball&, const Ball&) = default;
 };
 using Disc = Ball<2>;
+using Sphere = Ball<3>;
 
 /// Area of a disc [m^2], volume of a sphere [m^3].
 template <int dim>

@@ -53,6 +53,7 @@ template <int dim>
 [[nodiscard]] double inflated_fraction(const PackingRequest& request);
 
 extern template double inflated_fraction<2>(const PackingRequest&);
+extern template double inflated_fraction<3>(const PackingRequest&);
 
 /// Progress of a packing.
 struct PackingProgress {
@@ -122,11 +123,13 @@ class PackingRun {
 };
 
 extern template class PackingRun<2>;
+extern template class PackingRun<3>;
 
 /// A whole packing in one call. Throws as the members of PackingRun do.
 template <int dim>
 [[nodiscard]] Packing<dim> pack(const PackingRequest& request);
 
 extern template Packing<2> pack<2>(const PackingRequest&);
+extern template Packing<3> pack<3>(const PackingRequest&);
 
 }  // namespace breccia
