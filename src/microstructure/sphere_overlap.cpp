@@ -16,7 +16,7 @@ double beyond_plane(double a) {
   return std::numbers::pi / 12.0 * (1.0 - a) * (1.0 - a) * (2.0 + a);
 }
 
-/// Volume of the sphere where x > a, y > b and z > 0.
+/// Volume of the sphere where x > a, y > b and z > 0 (theory, Eq. 42b).
 double beyond_planes(double a, double b) {
   const double square = 1.0 - a * a - b * b;
   if (square <= 0.0) return 0.0;

@@ -1,37 +1,73 @@
 #pragma once
 
 #include <array>
+#include <span>
+#include <string_view>
 
 #include "breccia/discretisation/tensor.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {
 
-/// The load of a virtual test. Under each, the modulus is stress : unit_strain(load).
+/// The load of a virtual test. Under each, the modulus is stress : unit_strain(load). The last three are of 3
+/// dimensions alone; together the six span all strains.
 enum class Load {
-  shear,           ///< pure shear of the axes, xy; the modulus is G
-  diagonal_shear,  ///< pure shear of the diagonals, xx - yy; the modulus is G
-  bulk             ///< equal strain along all axes; the modulus is K, in plane strain K + G / 3
+  shear,             ///< pure shear of the axes, xy; the modulus is G
+  diagonal_shear,    ///< pure shear of the diagonals, xx - yy; the modulus is G
+  bulk,              ///< equal strain along all axes; the modulus is K, in plane strain K + G / 3
+  shear_yz,          ///< pure shear of the axes y and z
+  shear_zx,          ///< pure shear of the axes z and x
+  diagonal_shear_yz  ///< pure shear of the diagonals, yy - zz
 };
 
 template <>
-inline constexpr auto words<Load> =
-    std::to_array<Word<Load>>({{"shear", Load::shear}, {"shear-xx-yy", Load::diagonal_shear}, {"bulk", Load::bulk}});
+inline constexpr auto words<Load> = std::to_array<Word<Load>>({{"shear", Load::shear},
+                                                               {"shear-xx-yy", Load::diagonal_shear},
+                                                               {"bulk", Load::bulk},
+                                                               {"shear-yz", Load::shear_yz},
+                                                               {"shear-zx", Load::shear_zx},
+                                                               {"shear-yy-zz", Load::diagonal_shear_yz}});
 
-/// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it.
+/// Is there such a load in `dim` dimensions?
+template <int dim>
+[[nodiscard]] constexpr bool has_load(Load load) noexcept {
+  return dim > 2 || load == Load::shear || load == Load::diagonal_shear || load == Load::bulk;
+}
+
+/// Throws InputError, with the name of the calculation, for the first of these loads that there is not in so many
+/// dimensions.
+void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads);
+
+/// Strain with engineering shear or dilatation 1. A body of modulus M stores M/2 per volume under it. Zero for a load
+/// that there is not in so many dimensions.
 template <int dim>
 [[nodiscard]] constexpr Strain<dim> unit_strain(Load load) noexcept {
   Strain<dim> strain;
+  if (!has_load<dim>(load)) return strain;
+  constexpr int x = 0, y = 1, z = 2;
+  const auto shear = [&strain](int i, int j) { component(strain, component_index<dim>(i, j)) = 0.5; };
+  const auto diagonal_shear = [&strain](int i, int j) {
+    component(strain, i) = 0.5;
+    component(strain, j) = -0.5;
+  };
   switch (load) {
     case Load::shear:
-      strain.xy = 0.5;
+      shear(x, y);
       break;
     case Load::diagonal_shear:
-      strain.xx = 0.5;
-      strain.yy = -0.5;
+      diagonal_shear(x, y);
       break;
     case Load::bulk:
       for (int axis = 0; axis < dim; ++axis) component(strain, axis) = 1.0 / dim;
+      break;
+    case Load::shear_yz:
+      shear(y, z);
+      break;
+    case Load::shear_zx:
+      shear(z, x);
+      break;
+    case Load::diagonal_shear_yz:
+      diagonal_shear(y, z);
       break;
   }
   return strain;

@@ -16,9 +16,10 @@ namespace breccia {
 
 /// How the linear systems are solved.
 enum class LinearMethod {
-  automatic,  ///< direct up to LinearOptions::most_unknowns_direct, iterative above
+  automatic,  ///< direct up to a number of unknowns (LinearOptions), iterative above
   direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
-  iterative   ///< conjugate gradients on substructures, or with algebraic multigrid (GAMG) on several processes
+  iterative   ///< conjugate gradients: on substructures, in 3 dimensions with fast transforms, or with algebraic
+              ///< multigrid (GAMG) on several processes
 };
 
 template <>
@@ -29,13 +30,19 @@ inline constexpr auto words<LinearMethod> = std::to_array<Word<LinearMethod>>({{
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   std::int64_t most_unknowns_direct = 250'000;
+  /// The same in 3 dimensions, where the factors fill up.
+  std::int64_t most_unknowns_direct_in_3d = 3'000;
   /// Limit of the direct method on several processes, where the iterative method is a slower one.
   std::int64_t most_unknowns_direct_on_several = 3'000'000;
   double tolerance = 1e-10;  ///< of the residual relative to the load, in the Euclidean norm [-]
-  int threads = 0;           ///< of each process, for substructures; 0: all that there are
+  /// In 3 dimensions the iterative method on one process also ends when the error of the fluctuation, in the energy
+  /// norm and relative to the fluctuation, is below this [-]. The relative error of a modulus is its square.
+  double energy_tolerance = 1e-6;
+  int threads = 0;  ///< of each process, for the iterative method on one; 0: all that there are
 
-  [[nodiscard]] bool is_direct(std::int64_t unknowns, int processes) const noexcept {
-    const auto most = processes > 1 ? most_unknowns_direct_on_several : most_unknowns_direct;
+  [[nodiscard]] bool is_direct(std::int64_t unknowns, int processes, int dimensions = 2) const noexcept {
+    const auto most_on_one = dimensions > 2 ? most_unknowns_direct_in_3d : most_unknowns_direct;
+    const auto most = processes > 1 ? most_unknowns_direct_on_several : most_on_one;
     return method == LinearMethod::direct || (method == LinearMethod::automatic && unknowns <= most);
   }
 };

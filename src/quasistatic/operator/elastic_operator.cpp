@@ -90,17 +90,20 @@ std::vector<typename CellShape<dim>::Stiffness> ElasticOperator<dim>::stiffnesse
     std::span<const Moduli> moduli) const {
   std::vector<typename Shape::Stiffness> by_kind;
   by_kind.reserve(kinds_.size());
-  for (const auto& kind : kinds_) {
-    typename Shape::PointModuli of_points{};
-    const auto& mixed = mixed_[by_kind.size()];
-    if (mixed) {
-      of_points.fill(series_moduli<dim>(mixed->mixture(), moduli));
-    } else {
-      for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kind[p]];
-    }
-    by_kind.push_back(Shape::stiffness(of_points, volumetric_));
-  }
+  for (std::size_t kind = 0; kind < kinds_.size(); ++kind) by_kind.push_back(stiffness_of(kind, moduli));
   return by_kind;
+}
+
+template <int dim>
+typename CellShape<dim>::Stiffness ElasticOperator<dim>::stiffness_of(std::size_t kind,
+                                                                      std::span<const Moduli> moduli) const {
+  typename Shape::PointModuli of_points{};
+  if (mixed_[kind]) {
+    of_points.fill(series_moduli<dim>(mixed_[kind]->mixture(), moduli));
+  } else {
+    for (std::size_t p = 0; p < of_points.size(); ++p) of_points[p] = moduli[kinds_[kind][p]];
+  }
+  return Shape::stiffness(of_points, volumetric_);
 }
 
 /// Sums what cell_forces(cell) returns for each cell: the forces on its nodes and their work on the macroscopic part.
@@ -142,6 +145,7 @@ Forces ElasticOperator<dim>::load_forces(Load load) const {
 
 template <int dim>
 Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const {
+  if constexpr (dim == 3) return forces_by_rows(moduli, load, displacement);
   const auto by_kind = stiffnesses(moduli);
   const CellValues unit = Shape::affine_motion(unit_strain<dim>(load));
   const CellValues affine = displacement.macroscopic() * unit;
@@ -165,6 +169,140 @@ Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, c
     return std::pair<CellValues, double>(modes_.transpose() * stress, unit_modes.dot(stress));
   });
   std::ranges::copy(on_strains, WriteValues(sum.phase_strains()).data());
+  return sum;
+}
+
+template <int dim>
+std::optional<Moduli> ElasticOperator<dim>::uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const {
+  if (mixed_[kind]) return series_moduli<dim>(mixed_[kind]->mixture(), moduli);
+  const auto& phases = kinds_[kind];
+  const bool is_uniform = std::ranges::count(phases, phases.front()) == Shape::points;
+  if (!is_uniform || volumetric_ == Volumetric::standard) return std::nullopt;
+  return moduli[phases.front()];
+}
+
+/// The moduli of the cells of this process; of_kind(kind) gives those of a kind of cells of one material or mixture.
+template <int dim>
+template <class OfKind>
+CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
+    requires(dim == 3) {
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  CellModuli cells;
+  std::vector<Moduli> uniform;
+  std::vector<std::uint32_t> other;  // place among the stiffnesses of the other cells, by kind
+  for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
+    const auto same = of_kind(kind);
+    uniform.push_back(same.value_or(Moduli{.bulk = 0.0, .shear = 0.0}));
+    other.push_back(same ? none : static_cast<std::uint32_t>(cells.kinds.size()));
+    if (!same) cells.kinds.push_back(stiffness_of(kind, moduli));
+  }
+  const auto& [begin, end] = nodes_.cells();
+  nodes_.for_cells([&](const Index<dim>& cell) {
+    const auto kind = kind_of_cell(cell);
+    cells.shear.push_back(uniform[kind].shear);
+    cells.bulk.push_back(uniform[kind].bulk);
+    if (other[kind] == none) return;
+    auto place = cell;
+    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] -= begin[axis];
+    cells.others.push_back({place, other[kind]});
+  });
+  return cells;
+}
+
+template <int dim>
+CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3) {
+  return collect_cells(moduli, [&](std::size_t kind) { return uniform_moduli(kind, moduli); });
+}
+
+/// The forces in 3 dimensions: those of all cells but the mixed ones row by row, then those of the mixed cells.
+template <int dim>
+Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load load,
+                                            const Displacement& displacement) const requires(dim == 3) {
+  // The values of the nodes that this process sees, component by component.
+  const auto& [begin, end] = nodes_.seen_nodes();
+  NodeArrays arrays;
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) arrays.nodes[axis] = end[axis] - begin[axis];
+  arrays.row = static_cast<std::size_t>(arrays.nodes[0]);
+  arrays.plane = arrays.row * static_cast<std::size_t>(arrays.nodes[1]);
+  const auto places = arrays.plane * static_cast<std::size_t>(arrays.nodes[2]);
+  std::array<std::vector<double>, 3> moved, exerted;
+  for (auto& component : moved) component.resize(places);
+  for (auto& component : exerted) component.resize(places);
+  const auto place_of = [&](const Index<dim>& node) {
+    return arrays.row_at(node[1] - begin[1], node[2] - begin[2]) + static_cast<std::size_t>(node[0] - begin[0]);
+  };
+  const auto strain = unit_strain<dim>(load);
+  const auto affine = [&](const Index<dim>& node) {
+    return product(
+        strain, Vector<dim>{static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])});
+  };
+  {
+    const auto local = nodes_.local_copy(displacement.fluctuation());
+    const ReadValues values(local.get());
+    const double* value = values.data();
+    std::size_t place = 0;
+    for_each_index(begin, end, [&](const Index<dim>& node) {
+      const auto motion = affine(node);
+      for (std::size_t i = 0; i < dim; ++i) moved[i][place] = displacement.macroscopic() * motion[i] + *value++;
+      ++place;
+    });
+  }
+
+  const auto cells = collect_cells(moduli, [&](std::size_t kind) {
+    return mixed_[kind] ? std::optional<Moduli>(Moduli{.bulk = 0.0, .shear = 0.0}) : uniform_moduli(kind, moduli);
+  });
+  Index<dim> along{};
+  const auto& of_process = nodes_.cells();
+  for (std::size_t axis = 0; axis < along.size(); ++axis) along[axis] = of_process.end[axis] - of_process.begin[axis];
+  const auto first = place_of(of_process.begin);
+  CellSweep(along, arrays)
+      .add_forces(cells, {moved[0].data() + first, moved[1].data() + first, moved[2].data() + first},
+                  {exerted[0].data() + first, exerted[1].data() + first, exerted[2].data() + first}, 1);
+
+  auto sum = zero();
+  const ReadValues strains(displacement.phase_strains());
+  {
+    const WriteValues on_strains(sum.phase_strains());
+    for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+      std::array<std::size_t, Shape::nodes> nodes{};
+      CellValues u;
+      for (int n = 0; n < Shape::nodes; ++n) {
+        auto node = Shape::corner(n);
+        for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
+        nodes[static_cast<std::size_t>(n)] = place_of(node);
+        for (int i = 0; i < dim; ++i) {
+          u[dim * n + i] = moved[static_cast<std::size_t>(i)][nodes[static_cast<std::size_t>(n)]];
+        }
+      }
+      const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(place, mixed.unknowns()));
+      on_strains.range(place, mixed.unknowns()) = on_phases;
+      const CellValues forces = modes_.transpose() * stress;
+      for (int n = 0; n < Shape::nodes; ++n) {
+        for (int i = 0; i < dim; ++i) {
+          exerted[static_cast<std::size_t>(i)][nodes[static_cast<std::size_t>(n)]] += forces[dim * n + i];
+        }
+      }
+    });
+  }
+
+  const auto local = nodes_.local_zeros();
+  double macroscopic = 0.0;
+  {
+    const WriteValues values(local.get());
+    double* value = values.data();
+    std::size_t place = 0;
+    for_each_index(begin, end, [&](const Index<dim>& node) {
+      const auto motion = affine(node);
+      for (std::size_t i = 0; i < dim; ++i) {
+        macroscopic += motion[i] * exerted[i][place];
+        *value++ = exerted[i][place];
+      }
+      ++place;
+    });
+  }
+  nodes_.sum_up(local.get(), sum.fluctuation());
+  MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  sum.set_macroscopic(macroscopic);
   return sum;
 }
 

@@ -11,6 +11,7 @@
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 
+#include "operator/cell_sweep.hpp"
 #include "operator/displacement.hpp"
 #include "operator/mixed_cell.hpp"
 #include "operator/node_layout.hpp"
@@ -82,6 +83,9 @@ class ElasticOperator {
   /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
   [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
 
+  /// The moduli of the cells of this process, where the strains of phases have been eliminated.
+  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3);
+
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
   /// Assembles K into such a matrix. Held components of w are coupled to nothing and get a diagonal entry.
@@ -98,6 +102,16 @@ class ElasticOperator {
   void for_mixed_cells(Action&& action) const;
   template <class CellForces>
   [[nodiscard]] Forces sum_over_cells(const CellForces& cell_forces) const;
+
+  /// Moduli of a kind of cells at all of its points [Pa], if they are the same and K acts on the mean volumetric
+  /// strain.
+  [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
+  [[nodiscard]] typename Shape::Stiffness stiffness_of(std::size_t kind, std::span<const Moduli> moduli) const;
+  template <class OfKind>
+  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
+      requires(dim == 3);
+  [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
+      requires(dim == 3);
 
   NodeLayout<dim> nodes_;
   Volumetric volumetric_;

@@ -32,6 +32,15 @@ class NodeLayout {
   /// 0 for the components of a cell's nodes that are held, 1 for the others.
   [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
 
+  /// Indices from `begin` to before `end` along every axis.
+  struct Range {
+    Index<dim> begin{}, end{};
+  };
+  /// The cells of this process: those whose lowest node belongs to it.
+  [[nodiscard]] const Range& cells() const noexcept { return cells_; }
+  /// The nodes of this process and their neighbours, in the order of the values of local vectors.
+  [[nodiscard]] const Range& seen_nodes() const noexcept { return seen_; }
+
   /// Calls action(cell) for the cells of this process: those whose lowest node belongs to it.
   template <class Action>
   void for_cells(Action&& action) const {
@@ -76,11 +85,6 @@ class NodeLayout {
   void attach_rigid_motions(Mat matrix) const;
 
  private:
-  /// Indices from `begin` to before `end` along every axis.
-  struct Range {
-    Index<dim> begin{}, end{};
-  };
-
   /// Nodes of the box along an axis; of a periodic box without the last one.
   [[nodiscard]] Index<dim> nodes_along() const noexcept;
   [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;

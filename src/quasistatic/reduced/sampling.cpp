@@ -38,6 +38,7 @@ SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, s
                                        const std::function<void(const SamplingProgress&)>& observer,
                                        Checkpoint* checkpoint) {
   quasistatic::require_complete(loads, training_set);
+  require_loads("reduced basis", dim, loads);
   require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
   const auto sampled = std::make_shared<SampledCells<dim>>(problem, loads, training_set);
   CellSolver<dim> solver(sampled->composite, problem.linear);

@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 
 #include "solvers/assembled_solver.hpp"
+#include "solvers/lattice_solver.hpp"
 #include "solvers/substructuring_solver.hpp"
 
 namespace breccia::quasistatic {
@@ -73,7 +74,7 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
-  return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::multigrid);
+  return std::make_unique<LatticeSolver>(elastic_operator, options);
 }
 
 }  // namespace
@@ -84,7 +85,7 @@ std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<di
   // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
   const bool is_one_cell =
       elastic_operator.boundary() == Boundary::periodic && std::ranges::min(elastic_operator.grid().cells) == 1;
-  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks()) || is_one_cell) {
+  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks(), dim) || is_one_cell) {
     return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::factors);
   }
   if (parallel::ranks() > 1)

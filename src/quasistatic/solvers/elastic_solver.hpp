@@ -71,8 +71,8 @@ class ElasticSolver {
   double load_ = 0.0;      ///< norm of the forces of the present solve
 };
 
-/// The solver that the options ask for: direct or, as an iterative one, algebraic multigrid on several processes and in
-/// 3 dimensions, substructuring on one process in 2.
+/// The solver that the options ask for: direct or, as an iterative one, algebraic multigrid on several processes; on
+/// one process substructuring in 2 dimensions and fast transforms in 3.
 template <int dim>
 std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
                                                         const LinearOptions& options);

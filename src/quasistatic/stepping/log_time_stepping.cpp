@@ -42,6 +42,7 @@ SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem
                                           std::span<const double> times, const ShareObserver& observer,
                                           std::span<const double> field_times, Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
+  require_loads("log-time stepping", dim, loads);
   require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
   const quasistatic::CellComposite<dim> composite(problem, all_phases(problem.materials));
   const auto series = series_of(composite, problem.materials);

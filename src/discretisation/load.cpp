@@ -1,0 +1,17 @@
+#include "breccia/discretisation/load.hpp"
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia {
+
+void require_loads(std::string_view calculation, int dimensions, std::span<const Load> loads) {
+  for (const auto load : loads) {
+    if (dimensions > 2 || has_load<2>(load)) continue;
+    throw InputError(fmt::format("{}: the load \"{}\" is one of three dimensions, and the composite has two",
+                                 calculation, name_of(load)));
+  }
+}
+
+}  // namespace breccia

@@ -1,0 +1,81 @@
+#include "operator/cell_sweep.hpp"
+
+#include <algorithm>
+
+#include "operator/cell_row.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Planes of cells of a slab, which one thread takes at a time.
+constexpr int planes_of_slab = 4;
+
+}  // namespace
+
+void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces,
+                           int threads) const {
+  const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
+  // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
+  // taken first, then those between them, then the last one if it is a neighbour of the first.
+  const bool wraps = nodes_.nodes[2] == cells_[2];
+  const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
+  for (const int first : {0, 1}) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int slab = first; slab < paired; slab += 2) add_slab(moduli, slab, displacement, forces);
+  }
+  if (paired < slabs) add_slab(moduli, paired, displacement, forces);
+}
+
+void CellSweep::add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces) const {
+  CellRow row(cells_[0]);
+  const int first = slab * planes_of_slab, end = std::min(first + planes_of_slab, cells_[2]);
+  for (int third = first; third < end; ++third) {
+    for (int second = 0; second < cells_[1]; ++second) {
+      EdgeRows<const double> moved{};
+      EdgeRows<double> exerted{};
+      for (std::size_t edge = 0; edge < 4; ++edge) {
+        const auto place = nodes_.row_at(second + static_cast<int>(edge & 1U), third + static_cast<int>(edge >> 1U));
+        for (std::size_t component = 0; component < 3; ++component) {
+          moved[component][edge] = displacement[component] + place;
+          exerted[component][edge] = forces[component] + place;
+        }
+      }
+      const auto cell =
+          static_cast<std::size_t>(cells_[0]) *
+          (static_cast<std::size_t>(third) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(second));
+      row.add_forces(moved, moduli.shear.data() + cell, moduli.bulk.data() + cell, exerted);
+    }
+  }
+  add_others(moduli, first, end, displacement, forces);
+}
+
+void CellSweep::add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
+                           const Output& forces) const {
+  using Shape = CellShape<3>;
+  const auto plane_of = [](const CellModuli::OfManyMaterials& other) { return other.cell[2]; };
+  auto other = std::ranges::lower_bound(moduli.others, first_plane, {}, plane_of);
+  for (; other != moduli.others.end() && other->cell[2] < end_plane; ++other) {
+    typename Shape::Values values;
+    for (int node = 0; node < Shape::nodes; ++node) {
+      const auto place = place_of(other->cell, node);
+      for (int component = 0; component < 3; ++component) {
+        values[3 * node + component] = displacement[static_cast<std::size_t>(component)][place];
+      }
+    }
+    const typename Shape::Values exerted = moduli.kinds[other->kind] * values;
+    for (int node = 0; node < Shape::nodes; ++node) {
+      const auto place = place_of(other->cell, node);
+      for (int component = 0; component < 3; ++component) {
+        forces[static_cast<std::size_t>(component)][place] += exerted[3 * node + component];
+      }
+    }
+  }
+}
+
+/// Place of a node of a cell in the arrays.
+std::size_t CellSweep::place_of(const Index<3>& cell, int node) const noexcept {
+  const auto corner = CellShape<3>::corner(node);
+  return nodes_.row_at(cell[1] + corner[1], cell[2] + corner[2]) + static_cast<std::size_t>(cell[0] + corner[0]);
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/microstructure/index.hpp"
+
+namespace breccia::quasistatic {
+
+/// Where the nodes of a box are in arrays that hold one component of a nodal vector each. The first axis is contiguous.
+struct NodeArrays {
+  Index<3> nodes{};       ///< along each axis
+  std::size_t row = 0;    ///< distance of nodes that are neighbours along the second axis
+  std::size_t plane = 0;  ///< distance of nodes that are neighbours along the third axis
+
+  /// Place of the first node of a row of nodes. In a periodic box the rows behind the last ones are the first ones.
+  [[nodiscard]] std::size_t row_at(int second, int third) const noexcept {
+    const auto wrapped = [](int place, int count) { return static_cast<std::size_t>(place == count ? 0 : place); };
+    return wrapped(second, nodes[1]) * row + wrapped(third, nodes[2]) * plane;
+  }
+};
+
+/// The moduli of the cells of a box.
+struct CellModuli {
+  /// A cell whose points are of different materials.
+  struct OfManyMaterials {
+    Index<3> cell;
+    std::uint32_t kind;
+  };
+
+  std::vector<double> shear, bulk;      ///< of the cells of one material or mixture, by cell [Pa]; zero for all others
+  std::vector<OfManyMaterials> others;  ///< in the order of the cells
+  std::vector<typename CellShape<3>::Stiffness> kinds;  ///< stiffnesses of the others [Pa]
+};
+
+/// Forces of all cells of a box of cubic cells, row by row. The rows are divided into slabs that depend on the box
+/// alone, so that the results have the same bits for any number of threads.
+class CellSweep {
+ public:
+  using Input = std::array<const double*, 3>;  ///< arrays of the components
+  using Output = std::array<double*, 3>;       ///< arrays of the components
+
+  /// The lowest node of the first cell is the first node of the arrays. Rows of nodes have a node more than there are
+  /// cells; along the other axes nodes may be missing behind the last cells, where a periodic box begins again.
+  CellSweep(const Index<3>& cells, const NodeArrays& nodes) : cells_(cells), nodes_(nodes) {}
+
+  /// Adds the nodal forces of the cells.
+  void add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces, int threads) const;
+
+ private:
+  void add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces) const;
+  void add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
+                  const Output& forces) const;
+  [[nodiscard]] std::size_t place_of(const Index<3>& cell, int node) const noexcept;
+
+  Index<3> cells_;
+  NodeArrays nodes_;
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,122 @@
+#include "solvers/lattice_boundary.hpp"
+
+#include <algorithm>
+
+#include "operator/vector_values.hpp"
+
+namespace breccia::quasistatic {
+
+std::size_t LatticeBoundary::place_of(const Index<3>& node) const noexcept {
+  return static_cast<std::size_t>(node[0]) + static_cast<std::size_t>(node[1]) * lattice_.arrays.row +
+         static_cast<std::size_t>(node[2]) * lattice_.arrays.plane;
+}
+
+std::size_t LatticeBoundary::corner(std::size_t axis) const noexcept {
+  Index<3> node{};
+  node[axis] = lattice_.cells[axis];
+  return place_of(node);
+}
+
+/// Calls work(second index, third index, place of the first node) for all rows of nodes.
+template <class Work>
+void LatticeBoundary::for_rows(const Work& work) const {
+  const auto& nodes = lattice_.arrays.nodes;
+  for (int third = 0; third < nodes[2]; ++third) {
+    for (int second = 0; second < nodes[1]; ++second) work(second, third, place_of({0, second, third}));
+  }
+}
+
+void LatticeBoundary::read(Vec nodal, LatticeField& field) const {
+  const ReadValues values(nodal);
+  const double* value = values.data();
+  const auto components = field.components();
+  for_rows([&](int, int, std::size_t place) {
+    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+      for (double* component : components) component[place] = *value++;
+    }
+  });
+}
+
+void LatticeBoundary::write(const LatticeField& field, Vec nodal) const {
+  const WriteValues values(nodal);
+  double* value = values.data();
+  const auto components = field.components();
+  for_rows([&](int, int, std::size_t place) {
+    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+      for (const double* component : components) *value++ = component[place];
+    }
+  });
+}
+
+void LatticeBoundary::balance(LatticeField& forces) const {
+  if (lattice_.boundary == Boundary::displacement) return;
+  const auto [x, y, z] = forces.components();
+  std::array<double, 3> sum{}, moment{};
+  for_rows([&](int second, int third, std::size_t place) {
+    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+      sum[0] += x[place];
+      sum[1] += y[place];
+      sum[2] += z[place];
+      moment[0] += second * z[place] - third * y[place];
+      moment[1] += third * x[place] - first * z[place];
+      moment[2] += first * y[place] - second * x[place];
+    }
+  });
+  if (lattice_.boundary == Boundary::traction) {
+    const double y_on_first = -moment[2] / lattice_.cells[0], z_on_first = moment[1] / lattice_.cells[0],
+                 z_on_second = -moment[0] / lattice_.cells[1];
+    y[corner(0)] += y_on_first;
+    z[corner(0)] += z_on_first;
+    z[corner(1)] += z_on_second;
+    sum[1] += y_on_first;
+    sum[2] += z_on_first + z_on_second;
+  }
+  x[0] -= sum[0];
+  y[0] -= sum[1];
+  z[0] -= sum[2];
+}
+
+void LatticeBoundary::settle(LatticeField& displacement) const {
+  if (lattice_.boundary == Boundary::displacement) return;
+  const auto [x, y, z] = displacement.components();
+  const std::array<double, 3> shift = {x[0], y[0], z[0]};
+  std::array<double, 3> rotation{};
+  if (lattice_.boundary == Boundary::traction) {
+    rotation = {(z[corner(1)] - shift[2]) / lattice_.cells[1], (shift[2] - z[corner(0)]) / lattice_.cells[0],
+                (y[corner(0)] - shift[1]) / lattice_.cells[0]};
+  }
+  for_rows([&](int second, int third, std::size_t place) {
+    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+      x[place] -= shift[0] + rotation[1] * third - rotation[2] * second;
+      y[place] -= shift[1] + rotation[2] * first - rotation[0] * third;
+      z[place] -= shift[2] + rotation[0] * second - rotation[1] * first;
+    }
+  });
+}
+
+void LatticeBoundary::repeat_first_nodes(LatticeField& displacement) const {
+  if (!lattice_.is_periodic()) return;
+  const auto behind = static_cast<std::size_t>(lattice_.cells[0]);
+  for (double* component : displacement.components()) {
+    for_rows([&](int, int, std::size_t place) { component[place + behind] = component[place]; });
+  }
+}
+
+void LatticeBoundary::collect(LatticeField& forces) const {
+  const auto last = static_cast<std::size_t>(lattice_.cells[0]);
+  for (double* component : forces.components()) {
+    for_rows([&](int second, int third, std::size_t place) {
+      double* row = component + place;
+      if (lattice_.is_periodic()) {
+        row[0] += row[last];
+        row[last] = 0.0;
+      } else if (lattice_.boundary == Boundary::displacement) {
+        const bool is_on_wall = second == 0 || second == lattice_.cells[1] || third == 0 || third == lattice_.cells[2];
+        if (is_on_wall) std::fill(row, row + last, 0.0);
+        row[0] = row[last] = 0.0;
+      }
+    });
+  }
+}
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,125 @@
+#include "solvers/periodic_preconditioner.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace breccia::quasistatic {
+namespace {
+
+fftw_complex* as_complex(double* values) noexcept {
+  return reinterpret_cast<fftw_complex*>(values);
+}
+fftw_complex* as_complex(std::complex<double>* values) noexcept {
+  return reinterpret_cast<fftw_complex*>(values);
+}
+
+}  // namespace
+
+PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int threads)
+    : lattice_(lattice), threads_(threads), waves_(lattice.arrays.row / 2) {
+  const auto& [nodes, row, plane] = lattice_.arrays;
+  for (std::size_t axis = 0; axis < angles_.size(); ++axis) {
+    angles_[axis] = half_angles(nodes[axis], 2.0 * std::numbers::pi / nodes[axis]);
+  }
+  LatticeField field(lattice_);
+  double* real = field.component(0);
+  std::vector<Complex> depth(waves_ * static_cast<std::size_t>(nodes[2]));
+  const int width = static_cast<int>(row), waves = static_cast<int>(waves_), apart = static_cast<int>(plane / 2);
+  along_first_.reset(fftw_plan_many_dft_r2c(1, &nodes[0], nodes[1], real, nullptr, 1, width, as_complex(real), nullptr,
+                                            1, waves, plan_flags));
+  back_along_first_.reset(fftw_plan_many_dft_c2r(1, &nodes[0], nodes[1], as_complex(real), nullptr, 1, waves, real,
+                                                 nullptr, 1, width, plan_flags));
+  const auto complex_plan = [&](const int& count, fftw_complex* in, int in_apart, fftw_complex* out, int out_apart,
+                                int sign) {
+    return FourierPlan(
+        fftw_plan_many_dft(1, &count, waves, in, nullptr, in_apart, 1, out, nullptr, out_apart, 1, sign, plan_flags));
+  };
+  auto* in_place = as_complex(real);
+  auto* compact = as_complex(depth.data());
+  along_second_ = complex_plan(nodes[1], in_place, waves, in_place, waves, FFTW_FORWARD);
+  back_along_second_ = complex_plan(nodes[1], in_place, waves, in_place, waves, FFTW_BACKWARD);
+  along_third_ = complex_plan(nodes[2], in_place, apart, compact, waves, FFTW_FORWARD);
+  back_along_third_ = complex_plan(nodes[2], compact, waves, in_place, apart, FFTW_BACKWARD);
+}
+
+void PeriodicPreconditioner::apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) {
+  transform_planes(forces, displacement);
+  divide_by_symbol(reference, displacement);
+  transform_planes_back(displacement);
+}
+
+void PeriodicPreconditioner::transform_planes(const LatticeField& forces, LatticeField& waves) const {
+  const auto plane = lattice_.arrays.plane;
+  const int planes = 3 * lattice_.arrays.nodes[2];
+#pragma omp parallel for num_threads(threads_)
+  for (int k = 0; k < planes; ++k) {
+    const auto first = static_cast<std::size_t>(k) * plane;
+    double* values = waves.all().data() + first;
+    std::copy_n(forces.all().data() + first, plane, values);
+    fftw_execute_dft_r2c(along_first_.get(), values, as_complex(values));
+    fftw_execute_dft(along_second_.get(), as_complex(values), as_complex(values));
+  }
+}
+
+void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, LatticeField& waves) const {
+  const auto& [nodes, row, plane] = lattice_.arrays;
+  const auto size = waves_ * static_cast<std::size_t>(nodes[2]);
+#pragma omp parallel num_threads(threads_)
+  {
+    const std::unique_ptr<fftw_complex, decltype(&fftw_free)> memory(fftw_alloc_complex(3 * size), fftw_free);
+    auto* depth = reinterpret_cast<Complex*>(memory.get());
+#pragma omp for
+    for (int second = 0; second < nodes[1]; ++second) {
+      const auto first = static_cast<std::size_t>(second) * row;
+      for (std::size_t component = 0; component < 3; ++component) {
+        fftw_execute_dft(along_third_.get(), as_complex(waves.component(component) + first),
+                         as_complex(depth + component * size));
+      }
+      divide_row(reference, second, depth);
+      for (std::size_t component = 0; component < 3; ++component) {
+        fftw_execute_dft(back_along_third_.get(), as_complex(depth + component * size),
+                         as_complex(waves.component(component) + first));
+      }
+    }
+  }
+}
+
+/// Divides the waves of one row along the second axis by the symbol.
+void PeriodicPreconditioner::divide_row(const Moduli& reference, int second, Complex* waves) const {
+  const auto& nodes = lattice_.arrays.nodes;
+  const auto size = waves_ * static_cast<std::size_t>(nodes[2]);
+  const double ratio = reference.bulk / reference.shear;
+  const double scale = 1.0 / (reference.shear * nodes[0] * nodes[1] * nodes[2]);
+  const auto& y = angles_[1][static_cast<std::size_t>(second)];
+  Complex *u = waves, *v = waves + size, *w = v + size;
+  for (std::size_t third = 0; third < angles_[2].size(); ++third) {
+    for (std::size_t first = 0; first < waves_; ++first) {
+      const auto place = third * waves_ + first;
+      if (second == 0 && place == 0) {
+        u[0] = v[0] = w[0] = 0.0;
+        continue;
+      }
+      const WaveSymbol symbol(angles_[0][first], y, angles_[2][third]);
+      const auto moved = symbol.displacement<Complex>({scale * u[place], scale * v[place], scale * w[place]}, ratio);
+      u[place] = moved[0];
+      v[place] = moved[1];
+      w[place] = moved[2];
+    }
+  }
+}
+
+void PeriodicPreconditioner::transform_planes_back(LatticeField& waves) const {
+  const auto& [nodes, row, plane] = lattice_.arrays;
+#pragma omp parallel for num_threads(threads_)
+  for (int k = 0; k < 3 * nodes[2]; ++k) {
+    double* values = waves.all().data() + static_cast<std::size_t>(k) * plane;
+    fftw_execute_dft(back_along_second_.get(), as_complex(values), as_complex(values));
+    fftw_execute_dft_c2r(back_along_first_.get(), as_complex(values), values);
+    for (int second = 0; second < nodes[1]; ++second) {
+      double* of_row = values + static_cast<std::size_t>(second) * row;
+      std::fill(of_row + nodes[0], of_row + row, 0.0);
+    }
+  }
+}
+
+}  // namespace breccia::quasistatic

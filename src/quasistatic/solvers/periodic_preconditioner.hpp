@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "solvers/fourier_plan.hpp"
+#include "solvers/lattice_preconditioner.hpp"
+#include "solvers/wave_symbol.hpp"
+
+namespace breccia::quasistatic {
+
+/// The inverse of the operator of a periodic box of one material, by Fourier transforms. Equal displacements of all
+/// nodes, which have no forces, are left at zero.
+class PeriodicPreconditioner final : public LatticePreconditioner {
+ public:
+  PeriodicPreconditioner(const NodeLattice& lattice, int threads);
+
+  void apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) override;
+
+ private:
+  using Complex = std::complex<double>;
+
+  void transform_planes(const LatticeField& forces, LatticeField& waves) const;
+  void divide_by_symbol(const Moduli& reference, LatticeField& waves) const;
+  void transform_planes_back(LatticeField& waves) const;
+  void divide_row(const Moduli& reference, int second, Complex* waves) const;
+
+  NodeLattice lattice_;
+  int threads_;
+  std::size_t waves_;  ///< along the first axis, of which the transform of real values has about half
+  std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
+  FourierPlan along_first_, along_second_, along_third_;
+  FourierPlan back_along_first_, back_along_second_, back_along_third_;
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "solvers/fourier_plan.hpp"
+#include "solvers/lattice_preconditioner.hpp"
+#include "solvers/wave_symbol.hpp"
+
+namespace breccia::quasistatic {
+
+/// The inverse of the shear modulus times the Laplacian of each component, for a box with walls: by sine transforms
+/// where the displacements of the nodes on the walls are zero, by cosine transforms where the walls are free. Equal
+/// displacements of all nodes of a free box, which have no forces, are left at zero.
+class WallPreconditioner final : public LatticePreconditioner {
+ public:
+  WallPreconditioner(const NodeLattice& lattice, int threads);
+
+  void apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) override;
+
+ private:
+  [[nodiscard]] FourierPlan plan(std::size_t axis, std::size_t rows, std::size_t apart, std::size_t rows_apart,
+                                 double* values) const;
+  void double_ends(double* values, std::size_t axis, std::size_t rows, std::size_t apart, std::size_t rows_apart) const;
+  void transform_planes(const LatticeField& forces, LatticeField& waves) const;
+  void divide_by_laplacian(const Moduli& reference, LatticeField& waves) const;
+  void transform_planes_back(LatticeField& waves) const;
+  void divide_row(const Moduli& reference, std::size_t second, double* values) const;
+
+  NodeLattice lattice_;
+  int threads_;
+  bool is_fixed_;                                 ///< are the displacements of the nodes on the walls zero?
+  std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
+  std::array<FourierPlan, 3> plans_;              ///< by axis; each is its own inverse, but for a factor
+};
+
+}  // namespace breccia::quasistatic
