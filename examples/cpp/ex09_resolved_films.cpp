@@ -67,14 +67,31 @@ breccia::FilmProblem problem_of(const Choice& choice) {
           .face_share = choice.face_share};
 }
 
+// Length of the films shorter than five times their thickness over that of all films: there films are not thin.
+double share_of_short_films(const breccia::FilmProblem& problem) {
+  double all = 0.0, in_short_films = 0.0;
+  for (std::size_t site = 0; site < problem.tessellation.size(); ++site) {
+    const auto& cell = problem.tessellation.cell(site);
+    const auto lengths = breccia::face_measures(cell);
+    for (std::size_t face = 0; face < lengths.size(); ++face) {
+      if (!breccia::Tessellation<2>::neighbour(cell.half_spaces()[face])) continue;
+      all += lengths[face];
+      if (lengths[face] < 5.0 * problem.thickness) in_short_films += lengths[face];
+    }
+  }
+  return in_short_films / all;
+}
+
 }  // namespace
 
 int main(int count, char** values) {
   const auto choice = choice_of({values + 1, values + count});
   auto problem = problem_of(choice);
-  fmt::print("{} grains that fill {:.2f} % of the box, {} boundary, {} layers\n\n", choice.grains,
+  fmt::print("{} grains that fill {:.2f} % of the box, {} boundary, {} layers\n", choice.grains,
              100.0 * breccia::grain_fraction(problem.tessellation, problem.thickness), name_of(choice.boundary),
              choice.layers);
+  fmt::print("{:.0f} % of the length of the films is in films shorter than five times their thickness\n\n",
+             100.0 * share_of_short_films(problem));
 
   // The binder: K = 3.6 GPa, and shear moduli from stiff to soft [Pa].
   std::vector<breccia::Moduli> binders;

@@ -105,7 +105,8 @@ QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Mat
                          .thickness = grains.film,
                          .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
                          .boundary = boundary,
-                         .face_share = study.tests.films.face_share};
+                         .face_share = study.tests.films.face_share,
+                         .layers = study.tests.films.layers};
   return test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
 }
 

@@ -14,10 +14,7 @@ namespace {
 
 using test::all_boundaries;
 using test::all_loads;
-
-double modulus_of(const Moduli& moduli, Load load) {
-  return load == Load::bulk ? moduli.bulk + moduli.shear / 3.0 : moduli.shear;
-}
+using test::modulus_of;
 
 // A binder like the grains makes one material of the box.
 TEST(FilmOperator, PassesThePatchTest) {

@@ -19,7 +19,7 @@ struct FilmProblem {
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
   /// beside it [-]. With 0.3 most faces have two elements.
   double face_share = 0.3;
-  /// Number of layers of elements that resolve the binder across every film (theory, Eq. 67), whatever its length.
+  /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a), whatever its length.
   /// Without, films are thin: a row of elements each.
   std::optional<int> layers = {};
 };

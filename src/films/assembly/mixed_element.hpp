@@ -7,7 +7,7 @@
 namespace breccia::films {
 
 /// What an element of Taylor and Hood, quadratic displacements and linear pressures, adds to the matrices (theory,
-/// Eq. 67). The unknowns are the displacements of its nodes, two components each, the pressures those of its corners.
+/// Eq. 66a). The unknowns are the displacements of its nodes, two components each, the pressures those of its corners.
 struct MixedElement {
   Eigen::MatrixXd shear;       ///< stiffness of a unit shear modulus
   Eigen::MatrixXd dilatation;  ///< volume change, weighted by the functions of the pressures

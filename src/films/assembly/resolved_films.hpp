@@ -7,7 +7,7 @@
 namespace breccia::films {
 
 /// The matrices of grains and a binder that is resolved by elements of displacements and pressures, several across
-/// each film (theory, Eq. 67). Throws InputError when there is no mesh of the binder (see resolved_mesh()).
+/// each film (theory, Eq. 66a). Throws InputError when there is no mesh of the binder (see resolved_mesh()).
 [[nodiscard]] FilmMatrices resolved_films(const FilmProblem& problem);
 
 }  // namespace breccia::films
