@@ -7,6 +7,7 @@
 #include "breccia/results/comparison_file.hpp"
 #include "breccia/results/curves.hpp"
 #include "breccia/results/field_files.hpp"
+#include "breccia/results/film_field_files.hpp"
 #include "breccia/results/history_file.hpp"
 #include "breccia/results/microstructure_files.hpp"
 #include "breccia/results/provenance.hpp"
@@ -90,6 +91,15 @@ bool DirectorySink::take_fields(const Stage& stage, const TestId& test, const Di
                                 const std::vector<TimedFields<2>>& fields) {
   write_once([&] {
     auto files = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
+    records_[stage.name].fields.push_back({test, std::move(files)});
+  });
+  return true;
+}
+
+bool DirectorySink::take_film_fields(const Stage& stage, const TestId& test,
+                                     const std::vector<TimedFilmFields>& fields) {
+  write_once([&] {
+    auto files = write_film_fields(directory_ / stage.name, study_, stage, test, fields);
     records_[stage.name].fields.push_back({test, std::move(files)});
   });
   return true;

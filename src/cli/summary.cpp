@@ -200,8 +200,7 @@ std::string describe(const Tests& tests) {
   if (!tests.field_times.empty()) {
     std::vector<std::string> times;
     for (const double at : tests.field_times) times.push_back(time(at));
-    text += fmt::format("    fields   at {}{}\n", fmt::join(times, ", "),
-                        tests.model == Model::films ? ", of stages with cells" : "");
+    text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
   }
   if (tests.model == Model::films) {
     text += fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", tests.films.face_share,

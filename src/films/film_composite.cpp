@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <string>
 
+#include "breccia/quasistatic/log_time_integrator.hpp"
+
 namespace breccia::films {
 
 static_assert(quasistatic::AffineComposite<FilmComposite>);
 static_assert(quasistatic::CompositeSolver<FilmSolver, FilmVector>);
+static_assert(quasistatic::SteppableComposite<FilmComposite>);
+static_assert(quasistatic::StepSolver<FilmSolver, FilmVector>);
 
 std::array<PhaseModulus, 2> FilmComposite::parameters() {
   const std::string phase(name_of_matrix_phase);
@@ -14,7 +18,17 @@ std::array<PhaseModulus, 2> FilmComposite::parameters() {
 }
 
 FilmVector FilmComposite::part_forces(std::size_t part, Load load, const FilmVector& displacement) const {
-  return part == 0 ? film_operator_.shear_forces(load, displacement) : film_operator_.bulk_forces(load, displacement);
+  return part == shear ? film_operator_.shear_forces(load, displacement)
+                       : film_operator_.bulk_forces(load, displacement);
+}
+
+FilmVector FilmComposite::varying_forces(std::span<const double> parameters, Load load,
+                                         const FilmVector& displacement) const {
+  auto sum = zero();
+  for (std::size_t part = 0; part < parameters.size(); ++part) {
+    sum.add(parameters[part], part_forces(part, load, displacement));
+  }
+  return sum;
 }
 
 FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, const FilmVector& displacement) const {
@@ -35,20 +49,26 @@ void FilmSolver::prepare(std::span<const double> parameters) {
   ++effort_.factorisations;
 }
 
-FilmVector FilmSolver::solve(Load load, const FilmVector& /*guess*/) {
+FilmVector FilmSolver::solve_forces(const FilmVector& forces, const FilmVector& /*guess*/) {
   const auto& film_operator = composite_->film_operator();
-  auto solution = composite_->zero();
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(film_operator.unknowns() + film_operator.pressures());
-  if (composite_->boundary() == Boundary::traction) {
-    right_side.head(film_operator.unknowns()) = composite_->load_forces(load).unknowns();
-  } else {
-    // The forces of the uniform strain include those of its pressures. The pressures that are found are the others.
-    solution.set_macroscopic(1.0);
-    right_side.head(film_operator.unknowns()) = -composite_->forces(parameters_, load, solution).unknowns();
-  }
+  right_side.head(film_operator.unknowns()) = forces.unknowns();
+  auto solution = composite_->zero();
   solution.set_unknowns(factors_.solve(right_side).head(film_operator.unknowns()));
   ++effort_.solves;
   effort_.largest_residual = std::max(effort_.largest_residual, factors_.residual());
+  return solution;
+}
+
+FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
+  if (composite_->boundary() == Boundary::traction) return solve_forces(composite_->load_forces(load), guess);
+  // The forces of the uniform strain include those of its pressures. The pressures that are found are the others.
+  auto prescribed = composite_->zero();
+  prescribed.set_macroscopic(1.0);
+  auto forces = composite_->forces(parameters_, load, prescribed);
+  forces.scale(-1.0);
+  auto solution = solve_forces(forces, guess);
+  solution.set_macroscopic(1.0);
   return solution;
 }
 

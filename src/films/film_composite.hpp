@@ -16,6 +16,7 @@ namespace breccia::films {
 class FilmComposite {
  public:
   using Vector = FilmVector;
+  static constexpr std::size_t shear = 0, bulk = 1;  ///< places of the moduli of the binder among the parameters
 
   explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}
 
@@ -33,6 +34,8 @@ class FilmComposite {
   }
   [[nodiscard]] FilmVector part_forces(std::size_t part, Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector forces(std::span<const double> parameters, Load load, const FilmVector& displacement) const;
+  [[nodiscard]] FilmVector varying_forces(std::span<const double> parameters, Load load,
+                                          const FilmVector& displacement) const;
 
  private:
   FilmOperator film_operator_;
@@ -48,6 +51,11 @@ class FilmSolver {
   /// The displacement under the unit strain of a load or, under a traction boundary, its unit stress. The factors need
   /// no guess.
   [[nodiscard]] FilmVector solve(Load load, const FilmVector& guess);
+
+  /// The same as prepare(): each binder has factors of its own.
+  void take(std::span<const double> parameters) { prepare(parameters); }
+  /// The fluctuations and flows for these forces on them.
+  [[nodiscard]] FilmVector solve_forces(const FilmVector& forces, const FilmVector& guess);
   /// Modulus [Pa] from the energy of a solution for the present binder.
   [[nodiscard]] double modulus(Load load, const FilmVector& solution) const;
 

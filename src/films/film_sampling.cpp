@@ -1,12 +1,27 @@
 #include "breccia/films/film_sampling.hpp"
 
+#include <memory>
+
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/quasistatic/greedy_sampling.hpp"
 #include "breccia/quasistatic/linear_effort_state.hpp"
 
+#include "fields/film_recovery.hpp"
 #include "film_composite.hpp"
 
 namespace breccia {
+namespace {
+
+/// Grains and films and the reduced bases that point to them.
+struct SampledFilms {
+  SampledFilms(const FilmProblem& problem, std::span<const Load> loads, const TrainingPath& path)
+      : composite(problem), sampling(composite, loads, quasistatic::initial_snapshots(path).front()) {}
+
+  films::FilmComposite composite;
+  quasistatic::GreedySampling<films::FilmComposite> sampling;
+};
+
+}  // namespace
 
 FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                     std::span<const Moduli> training_set, const SamplingOptions& options,
@@ -15,16 +30,21 @@ FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const 
   constexpr PhaseIndex binder = 0;
   const auto path = matrix_path(binder, training_set);
   quasistatic::require_complete(loads, path);
-  const films::FilmComposite composite(problem);
-  films::FilmSolver solver(composite);
-  quasistatic::GreedySampling sampling(composite, loads, quasistatic::initial_snapshots(path).front());
+  const auto sampled = std::make_shared<SampledFilms>(problem, loads, path);
+  auto& sampling = sampled->sampling;
+  films::FilmSolver solver(sampled->composite);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
     sampling.restore(*earlier);
     solver.count_from(read_effort(*earlier, "/effort"));
   }
   quasistatic::sample(sampling, solver, path, options, observer, checkpoint,
                       [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
-  return {.responses = sampling.responses(), .effort = solver.effort()};
+  return {.responses = sampling.responses(),
+          .effort = solver.effort(),
+          .fields = [sampled, problem](std::size_t load, std::span<const Material> materials, double time) {
+            const auto& basis = sampled->sampling.bases().at(load);
+            return films::fields_of(sampled->composite, problem, basis.load(), basis.state(materials, time));
+          }};
 }
 
 }  // namespace breccia

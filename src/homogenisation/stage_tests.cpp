@@ -24,24 +24,35 @@ TestGrid grid_of(const StageGrid& grid) {
 
 /// Gives the fields of a test, which are large, to the sink, and leaves the state of the finished test. The sink of an
 /// earlier run that had finished the test has taken its fields already.
-template <class Result>
-void hand_over_fields(const StageGrid& grid, Result& found, Checkpoint* checkpoint, StudySink& sink,
-                      TestResult& result) {
+/// `fields` are those of the result, `take` gives them to the sink.
+template <class Found, class Fields, class Take>
+void hand_over(const Stage& stage, Found& found, Fields& fields, const Take& take, Checkpoint* checkpoint,
+               StudySink& sink, const TestId& test) {
   if (checkpoint != nullptr && checkpoint->is_finished()) {
-    sink.fields_taken_before(*grid.stage, result.id, read_field_times(*checkpoint->earlier()));
+    sink.fields_taken_before(stage, test, read_field_times(*checkpoint->earlier()));
     return;
   }
-  result.fields = std::exchange(found.fields, {});
   std::vector<double> times_taken;
-  if (sink.take_fields(*grid.stage, result.id, grid.discretisation, result.fields)) {
-    for (const auto& [time, fields] : result.fields) times_taken.push_back(time);
-    result.fields.clear();
+  if (take(fields)) {
+    for (const auto& timed : fields) times_taken.push_back(timed.time);
+    fields.clear();
   }
   if (checkpoint == nullptr) return;
   checkpoint->finish([&](StateWriter& state) {
     save_result(state, found);
     save_field_times(state, times_taken);
   });
+}
+
+/// The same for the fields of points.
+template <class Found>
+void hand_over_fields(const StageGrid& grid, Found& found, Checkpoint* checkpoint, StudySink& sink,
+                      TestResult& result) {
+  result.fields = std::exchange(found.fields, {});
+  hand_over(
+      *grid.stage, found, result.fields,
+      [&](const auto& fields) { return sink.take_fields(*grid.stage, result.id, grid.discretisation, fields); },
+      checkpoint, sink, result.id);
 }
 
 /// Runs a quasi-static test of all loads, with its checkpoint, and makes results of it.
@@ -69,15 +80,6 @@ class QuasistaticRun {
   [[nodiscard]] QuasistaticTestResult& found() noexcept { return found_; }
   [[nodiscard]] Checkpoint* checkpoint() const noexcept { return checkpoint_.get(); }
   [[nodiscard]] TestResult& first_result() noexcept { return results_.front(); }
-
-  /// Leaves the state of the finished test, which has no fields.
-  void finish_without_fields() {
-    if (checkpoint_ == nullptr || checkpoint_->is_finished()) return;
-    checkpoint_->finish([&](StateWriter& state) {
-      save_result(state, found_);
-      save_field_times(state, {});
-    });
-  }
 
   /// The results by load. Call it once.
   [[nodiscard]] std::vector<TestResult> take_results() {
@@ -124,7 +126,12 @@ std::vector<TestResult> run_films(const StageFilms& films, const Material& matri
   auto test = make_film_test(*films.study, *films.stage, matrix, *films.grains, boundary, films.threads);
   test.relaxation = std::move(relaxation);
   QuasistaticRun run(*films.stage, test, TestGrid::films(), observer, sink);
-  run.finish_without_fields();
+  auto& result = run.first_result();
+  result.film_fields = std::exchange(run.found().film_fields, {});
+  hand_over(
+      *films.stage, run.found(), result.film_fields,
+      [&](const auto& fields) { return sink.take_film_fields(*films.stage, result.id, fields); }, run.checkpoint(),
+      sink, result.id);
   return run.take_results();
 }
 

@@ -107,7 +107,9 @@ QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Mat
                          .boundary = boundary,
                          .face_share = study.tests.films.face_share,
                          .layers = study.tests.films.layers};
-  return test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
+  auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
+  if (!study.tests.films.layers) test.field_times = study.tests.field_times;
+  return test;
 }
 
 Material expected_matrix(const Study& study, const Stage& stage) {

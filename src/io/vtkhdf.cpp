@@ -1,5 +1,8 @@
 #include "breccia/io/vtkhdf.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
@@ -11,9 +14,9 @@ namespace {
 
 using Integers = std::vector<std::int64_t>;
 
-void check(const std::filesystem::path& path, const Lattice& lattice, const LatticeField& field) {
+void check(const std::filesystem::path& path, std::size_t count, const MeshField& field) {
   const auto size = std::visit([](const auto& values) { return values.size(); }, field.values);
-  const auto expected = lattice.nx * lattice.ny * field.components;
+  const auto expected = count * field.components;
   if (field.components != 1 && field.components != 3 && field.components != 6) {
     throw InputError(fmt::format("{}: field {}: expected 1, 3 or 6 components, got {}", path.string(), field.name,
                                  field.components));
@@ -24,73 +27,101 @@ void check(const std::filesystem::path& path, const Lattice& lattice, const Latt
   }
 }
 
-/// Coordinates of the corners of all squares, row by row.
-std::vector<double> corners(const Lattice& lattice) {
-  std::vector<double> points;
-  for (std::size_t row = 0; row <= lattice.ny; ++row) {
-    for (std::size_t column = 0; column <= lattice.nx; ++column) {
-      points.insert(points.end(), {lattice.origin[0] + static_cast<double>(column) * lattice.spacing,
-                                   lattice.origin[1] + static_cast<double>(row) * lattice.spacing, 0.0});
-    }
-  }
-  return points;
+void check(const std::filesystem::path& path, const PolygonMesh& mesh) {
+  constexpr std::int64_t fewest = 3;
+  const auto sum = std::accumulate(mesh.corner_counts.begin(), mesh.corner_counts.end(), std::int64_t{0});
+  const auto points = static_cast<std::int64_t>(mesh.points.size());
+  const bool has_all_points =
+      std::ranges::all_of(mesh.corners, [points](std::int64_t point) { return point >= 0 && point < points; });
+  const bool has_polygons =
+      std::ranges::all_of(mesh.corner_counts, [](std::int64_t corners) { return corners >= fewest; });
+  if (sum == static_cast<std::int64_t>(mesh.corners.size()) && has_all_points && has_polygons) return;
+  throw InputError(
+      fmt::format("{}: the corners of the polygons do not fit their numbers or the points", path.string()));
 }
 
-/// Indices of the corners of each square, anticlockwise.
-Integers connectivity(const Lattice& lattice) {
-  Integers indices;
+PolygonMesh squares_of(const Lattice& lattice) {
+  PolygonMesh mesh;
+  for (std::size_t row = 0; row <= lattice.ny; ++row) {
+    for (std::size_t column = 0; column <= lattice.nx; ++column) {
+      mesh.points.push_back({lattice.origin[0] + static_cast<double>(column) * lattice.spacing,
+                             lattice.origin[1] + static_cast<double>(row) * lattice.spacing});
+    }
+  }
   const auto row_length = static_cast<std::int64_t>(lattice.nx) + 1;
   for (std::int64_t row = 0; row < static_cast<std::int64_t>(lattice.ny); ++row) {
     for (std::int64_t column = 0; column + 1 < row_length; ++column) {
       const auto first = row * row_length + column;
-      indices.insert(indices.end(), {first, first + 1, first + row_length + 1, first + row_length});
+      mesh.corners.insert(mesh.corners.end(), {first, first + 1, first + row_length + 1, first + row_length});
     }
   }
-  return indices;
+  constexpr std::int64_t corners_of_square = 4;
+  mesh.corner_counts.assign(lattice.nx * lattice.ny, corners_of_square);
+  return mesh;
 }
 
-void write_squares(Hdf5Writer& file, const Lattice& lattice) {
-  constexpr std::size_t corners_of_square = 4;
-  constexpr std::uint8_t quadrilateral = 9;  // VTK_QUAD
-  const auto squares = lattice.nx * lattice.ny;
-  const auto points = corners(lattice);
-  const auto indices = connectivity(lattice);
-  Integers offsets(squares + 1);
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(corners_of_square * i);
-  const std::vector<std::uint8_t> types(squares, quadrilateral);
+/// VTK_TRIANGLE, VTK_QUAD or VTK_POLYGON.
+std::uint8_t vtk_type(std::int64_t corners) {
+  constexpr std::uint8_t triangle = 5, polygon = 7, quadrilateral = 9;
+  if (corners == 3) return triangle;
+  return corners == 4 ? quadrilateral : polygon;
+}
+
+void write_mesh(Hdf5Writer& file, const PolygonMesh& mesh) {
+  std::vector<double> points;
+  for (const auto& [x, y] : mesh.points) points.insert(points.end(), {x, y, 0.0});
+  Integers offsets = {0};
+  std::vector<std::uint8_t> types;
+  for (const auto corners : mesh.corner_counts) {
+    offsets.push_back(offsets.back() + corners);
+    types.push_back(vtk_type(corners));
+  }
   const auto write_count = [&](const std::string& name, std::size_t count) {
     file.write("/VTKHDF/" + name, std::array{static_cast<std::int64_t>(count)});
   };
-  write_count("NumberOfPoints", points.size() / 3);
-  write_count("NumberOfCells", squares);
-  write_count("NumberOfConnectivityIds", indices.size());
-  file.write_compressed("/VTKHDF/Points", std::span<const double>(points), {points.size() / 3, 3});
-  file.write_compressed("/VTKHDF/Connectivity", std::span<const std::int64_t>(indices), {indices.size()});
+  write_count("NumberOfPoints", mesh.points.size());
+  write_count("NumberOfCells", types.size());
+  write_count("NumberOfConnectivityIds", mesh.corners.size());
+  file.write_compressed("/VTKHDF/Points", std::span<const double>(points), {mesh.points.size(), 3});
+  file.write_compressed("/VTKHDF/Connectivity", std::span<const std::int64_t>(mesh.corners), {mesh.corners.size()});
   file.write_compressed("/VTKHDF/Offsets", std::span<const std::int64_t>(offsets), {offsets.size()});
   file.write_compressed("/VTKHDF/Types", std::span<const std::uint8_t>(types), {types.size()});
 }
 
+void write_fields(Hdf5Writer& file, const std::string& group, std::size_t count, const std::vector<MeshField>& fields) {
+  for (const auto& field : fields) {
+    Hdf5Shape shape{count};
+    if (field.components > 1) shape.push_back(field.components);
+    std::visit(
+        [&](const auto& values) {
+          using Value = typename std::decay_t<decltype(values)>::value_type;
+          file.write_compressed(group + field.name, std::span<const Value>(values), shape);
+        },
+        field.values);
+  }
+}
+
 }  // namespace
 
-void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<LatticeField>& fields,
+void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<MeshField>& fields,
                   const std::vector<FieldNumber>& numbers) {
-  for (const auto& field : fields) check(path, lattice, field);
+  write_vtkhdf(path, squares_of(lattice), fields, {}, numbers);
+}
+
+void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
+                  const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
+                  const std::vector<FieldNumber>& numbers) {
+  check(path, mesh);
+  for (const auto& field : polygon_fields) check(path, mesh.corner_counts.size(), field);
+  for (const auto& field : point_fields) check(path, mesh.points.size(), field);
   Hdf5Writer file(path);
   file.create_group("/VTKHDF");
   file.write_attribute("/VTKHDF", "Version", Integers{1, 0});
   file.write_attribute("/VTKHDF", "Type", "UnstructuredGrid");
   for (const auto& [name, value] : numbers) file.write_attribute("/VTKHDF", name, value);
-  write_squares(file, lattice);
-  for (const auto& field : fields) {
-    Hdf5Shape shape{lattice.nx * lattice.ny};
-    if (field.components > 1) shape.push_back(field.components);
-    std::visit(
-        [&](const auto& values) {
-          using Value = typename std::decay_t<decltype(values)>::value_type;
-          file.write_compressed("/VTKHDF/CellData/" + field.name, std::span<const Value>(values), shape);
-        },
-        field.values);
-  }
+  write_mesh(file, mesh);
+  write_fields(file, "/VTKHDF/CellData/", mesh.corner_counts.size(), polygon_fields);
+  write_fields(file, "/VTKHDF/PointData/", mesh.points.size(), point_fields);
   file.commit();
 }
 

@@ -9,11 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/display.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/vtkhdf.hpp"
 #include "breccia/report/field_picture.hpp"
+
+#include "field_quantities.hpp"
 
 namespace breccia {
 namespace {
@@ -42,16 +43,6 @@ void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2
                         {{"time_s", time}});
 }
 
-/// A prefix for a picture: "µ" in place of "u".
-std::string_view shown(std::string_view prefix) {
-  return prefix == "u" ? "µ" : prefix;
-}
-
-std::string in_seconds(double time) {
-  const auto [number, prefix, scale] = with_prefix(time);
-  return fmt::format("{:.3g} {}s", number, shown(prefix));
-}
-
 /// The stress component of a load, relative to the applied strain or stress.
 FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load load) {
   FieldPicture map;
@@ -60,15 +51,9 @@ FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load lo
     map.values.push_back(modulus_of<2>(load, {.xx = s[0], .yy = s[1], .xy = s[3]}));
     sum += map.values.back();
   }
-  const std::string stress = load == Load::bulk ? "Mean in-plane stress" : "Shear stress";
-  if (boundary == Boundary::traction) {
-    map.quantity = stress + " over that applied";
-    return map;
-  }
-  const auto [number, prefix, scale] = with_prefix(sum / static_cast<double>(fields.stress.size()));
-  map.unit_size = scale;
-  map.quantity =
-      fmt::format("{} over mean {} in {}Pa", stress, load == Load::bulk ? "dilatation" : "shear strain", shown(prefix));
+  auto [words, unit_size] = stress_quantity(boundary, load, sum / static_cast<double>(fields.stress.size()));
+  map.quantity = std::move(words);
+  map.unit_size = unit_size;
   return map;
 }
 
@@ -80,8 +65,9 @@ FieldPicture strain_map(const PointFields<2>& fields, Load load) {
     map.values.push_back(std::hypot(xx - yy, 2.0 * xy));
     sum += compliance_of<2>(load, {.xx = xx, .yy = yy, .xy = xy});
   }
-  map.unit_size = sum / static_cast<double>(fields.strain.size());
-  map.quantity = fmt::format("Largest shear strain over mean {}", load == Load::bulk ? "dilatation" : "shear strain");
+  auto [words, unit_size] = strain_quantity(load, sum / static_cast<double>(fields.strain.size()));
+  map.quantity = std::move(words);
+  map.unit_size = unit_size;
   return map;
 }
 
@@ -102,7 +88,11 @@ std::vector<FieldRecord> field_records(const Study& study, const TestId& test, c
   records.reserve(times.size());
   for (std::size_t i = 0; i < times.size(); ++i) {
     const auto numbered = i + 1 == times.size() ? name : fmt::format("{}-{}", name, i + 1);
-    records.push_back({times[i], numbered + ".vtkhdf", numbered + "-stress.svg", numbered + "-strain.svg"});
+    records.push_back({.time = times[i],
+                       .file = numbered + ".vtkhdf",
+                       .stress_picture = numbered + "-stress.svg",
+                       .strain_picture = numbered + "-strain.svg",
+                       .work_picture = test.grid.is_films() ? numbered + "-work.svg" : ""});
   }
   return records;
 }
@@ -110,9 +100,6 @@ std::vector<FieldRecord> field_records(const Study& study, const TestId& test, c
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const Discretisation<2>& discretisation,
                                       const std::vector<TimedFields<2>>& fields) {
-  const auto& [load, boundary, method, grid] = test;
-  const auto title =
-      fmt::format("{}, {}, {}", stage.name, bound_of(boundary), method == Method::dynamic ? "dynamic" : "quasi-static");
   std::vector<double> times;
   times.reserve(fields.size());
   for (const auto& [time, points] : fields) times.push_back(time);
@@ -121,27 +108,27 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
     const auto& [time, points] = fields[i];
     const auto& record = records[i];
     write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
-    const auto draw = [&, at = in_seconds(time)](const std::string& file, FieldPicture picture) {
+    const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldPicture picture) {
       picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns());
-      picture.title = fmt::format("{}, {}", title, at);
+      picture.title = title;
       write_text(directory / file, field_picture(picture));
     };
-    draw(record.stress_picture, stress_map(points, boundary, load));
-    draw(record.strain_picture, strain_map(points, load));
+    draw(record.stress_picture, stress_map(points, test.boundary, test.load));
+    draw(record.strain_picture, strain_map(points, test.load));
   }
   return records;
 }
 
 void copy_fields(const fs::path& from, const fs::path& to, const StageRecord& stage) {
   for (const auto& [test, files] : stage.fields) {
-    for (const auto& [time, file, stress, strain] : files) {
-      for (const auto& name : {file, stress, strain}) copy_result(from / name, to / name);
+    for (const auto& record : files) {
+      for (const auto& name : record.names()) copy_result(from / name, to / name);
     }
   }
 }
 
 bool is_of_fields(std::string_view name) {
-  constexpr std::array<std::string_view, 3> endings = {".vtkhdf", "-stress.svg", "-strain.svg"};
+  constexpr std::array<std::string_view, 4> endings = {".vtkhdf", "-stress.svg", "-strain.svg", "-work.svg"};
   const auto* const ending = std::ranges::find_if(endings, [&](auto one) { return name.ends_with(one); });
   if (ending == endings.end()) return false;
   name.remove_suffix(ending->size());

@@ -169,9 +169,10 @@ Json json_of(const TestResult& test, const Study& study, const StageRecord& reco
                {"method", name_of(test.id.method)},
                {"cells", cells ? Json(*cells) : Json(name_of(test.id.grid))}};
   json.update(std::visit(DescribeRecord{study.tests, test.id.grid, points}, test.record));
-  for (const auto& [time, file, stress, strain] : record.fields_of(test.id)) {
-    json["fields"].push_back(
-        {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}});
+  for (const auto& [time, file, stress, strain, work] : record.fields_of(test.id)) {
+    Json field = {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}};
+    if (!work.empty()) field["work_picture"] = work;
+    json["fields"].push_back(std::move(field));
   }
   return json;
 }

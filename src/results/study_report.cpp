@@ -155,7 +155,8 @@ Json field_pictures_of(const fs::path& directory, const Json& stage) {
   for (const auto& test : stage.at("tests")) {
     if (!test.contains("fields")) continue;
     for (const auto& field : test.at("fields")) {
-      for (const auto* picture : {"stress_picture", "strain_picture"}) {
+      for (const auto* picture : {"stress_picture", "strain_picture", "work_picture"}) {
+        if (!field.contains(picture)) continue;
         const auto name = field.at(picture).get<std::string>();
         require_written(name, is_of_fields(name));
         if (is_there(directory / name)) pictures[name] = read_text(directory / name);

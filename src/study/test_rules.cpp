@@ -58,12 +58,11 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
     lacks(is_periodic ? R"(expected the boundary "periodic", or packing.walls = "cut")"
                       : R"(expected the boundaries "displacement" and "traction", or packing.walls = false)");
   }
-  if (tests.lists_field_times) lacks("expected no times of fields, which only cells have");
   if (!stage.coarser_cells.empty()) lacks("expected one number of cells, that of the labels, or none");
   return mistakes;
 }
 
-/// The model of films is quasi-static, reduced, and for grains.
+/// The model of films is quasi-static and for grains.
 std::vector<std::string> lacking_in_films(const Study& study) {
   const auto& tests = study.tests;
   if (tests.model == Model::cells) return {};
@@ -78,8 +77,6 @@ std::vector<std::string> lacking_in_films(const Study& study) {
     mistakes.emplace_back(R"(model "films" is for grains: expected a stage with packing.method "laguerre")");
   if (uses(tests, Method::dynamic))
     mistakes.emplace_back(R"(model "films" has no inertia: expected method "quasistatic")");
-  if (tests.quasistatic.solver == Solver::stepping)
-    mistakes.emplace_back(R"(model "films": expected solver "reduced")");
   if (!tests.varied.empty())
     mistakes.emplace_back(R"(model "films" cannot vary other moduli than those of the matrix)");
   return mistakes;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/films/film_sampling.hpp"
+#include "breccia/films/film_stepping.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/virtual_test/quasistatic_test_state.hpp"
@@ -78,17 +80,27 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   return path;
 }
 
-/// Samples the reduced responses of cells, or of grains and films, by load, and takes the fields of cells.
+/// The problem of grains and films under the boundary of the test; nothing for cells.
+std::optional<FilmProblem> films_of(const QuasistaticTest& test) {
+  const auto* films = std::get_if<FilmProblem>(&test.composite);
+  if (films == nullptr) return std::nullopt;
+  auto problem = *films;
+  problem.boundary = test.boundary;
+  return problem;
+}
+
+/// Samples the reduced responses of cells, or of grains and films, by load, and takes the fields of the first.
 std::vector<ReducedResponse> sample(const QuasistaticTest& test, const std::vector<Material>& materials,
                                     const TrainingPath& path,
                                     const std::function<void(const SamplingProgress&)>& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
-  if (const auto* films = std::get_if<FilmProblem>(&test.composite)) {
-    auto problem = *films;
-    problem.boundary = test.boundary;
+  if (const auto films = films_of(test)) {
     std::vector<Moduli> of_binder;
     for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
-    auto sampled = sample_film_responses(problem, test.loads, of_binder, test.options.sampling, follow, checkpoint);
+    auto sampled = sample_film_responses(*films, test.loads, of_binder, test.options.sampling, follow, checkpoint);
+    for (const double time : test.field_times) {
+      result.film_fields.push_back({time, sampled.fields(0, materials, time)});
+    }
     result.effort = sampled.effort;
     return std::move(sampled.responses);
   }
@@ -127,10 +139,8 @@ void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, con
   }
 }
 
-/// Throws InputError for what the model of grains and films does not have.
+/// Throws InputError unless the binder of grains and films alone varies.
 void require_test_of_films(const QuasistaticTest& test) {
-  if (test.options.solver == Solver::stepping) throw InputError("quasi-static test: films have no stepping solver");
-  if (!test.field_times.empty()) throw InputError("quasi-static test: films have no fields of material points");
   if (test.varying.size() != 1) throw InputError("quasi-static test: of films the binder alone varies");
 }
 
@@ -175,6 +185,24 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
   return worst;
 }
 
+/// Steps cells, or grains and films, through time, and takes the fields of the first load.
+std::vector<SteppedResponse> step(const QuasistaticTest& test, const std::vector<double>& steps,
+                                  const std::vector<double>& field_steps, const ShareObserver& follow,
+                                  Checkpoint* checkpoint, QuasistaticTestResult& result) {
+  if (const auto films = films_of(test)) {
+    const auto& binder = test.materials[test.varying.front().index];
+    auto stepped = run_film_stepping(*films, binder, test.loads, steps, follow, field_steps, checkpoint);
+    result.film_fields = std::move(stepped.fields);
+    result.effort = stepped.effort;
+    return std::move(stepped.responses);
+  }
+  const auto problem = problem_of(test, std::get<Discretisation<2>>(test.composite));
+  auto stepped = run_log_time_stepping(problem, test.loads, steps, follow, field_steps, checkpoint);
+  result.fields = std::move(stepped.fields);
+  result.effort = stepped.effort;
+  return std::move(stepped.responses);
+}
+
 void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
                   Checkpoint* checkpoint) {
   auto steps = step_times(test);
@@ -182,17 +210,13 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
   make_step_at(steps, test.times.begin);
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
-  auto stepped = run_log_time_stepping(
-      problem_of(test, std::get<Discretisation<2>>(test.composite)), test.loads, steps,
-      [&](double share) {
-        if (observer) observer(fmt::format("{} steps", steps.size()), share);
-      },
-      field_steps, checkpoint);
-  result.fields = std::move(stepped.fields);
-  result.effort = stepped.effort;
+  const auto follow = [&](double share) {
+    if (observer) observer(fmt::format("{} steps", steps.size()), share);
+  };
+  const auto stepped = step(test, steps, field_steps, follow, checkpoint, result);
   const auto times = logarithmic_times(test.times, test.points_per_decade);
   const auto first_step = step_at(steps, test.times.begin);
-  for (const auto& found : stepped.responses) {
+  for (const auto& found : stepped) {
     auto& response = result.responses.emplace_back();
     response.load = found.load;
     std::vector<double> values;
@@ -228,8 +252,9 @@ QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const Qu
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");
-  if (test.options.solver == Solver::reduced) require_varying_phases(test);
-  if (std::holds_alternative<FilmProblem>(test.composite)) require_test_of_films(test);
+  const bool has_films = std::holds_alternative<FilmProblem>(test.composite);
+  if (test.options.solver == Solver::reduced || has_films) require_varying_phases(test);
+  if (has_films) require_test_of_films(test);
   if (checkpoint != nullptr && checkpoint->is_finished()) return read_quasistatic_result(*checkpoint->earlier());
   const auto start = std::chrono::steady_clock::now();
   QuasistaticTestResult result;

@@ -125,6 +125,22 @@ TEST(GrainsAndFilms, HaveTheModulusOfCellsThatResolveTheFilms) {
   EXPECT_EQ(record["points"], 0);
 }
 
+TEST(GrainsAndFilms, LeaveFieldsWithPicturesOnTheirPage) {
+  const VoronoiFilms study;
+  const auto run = study.breccia("run", {"--set", R"(tests.fields=["1 us", "10 ms"])"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto record = nlohmann::json::parse(read_text(study.result("study.json")))["stages"][0];
+  const auto& fields = record["tests"][0]["fields"];
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_EQ(fields[0]["file"], "fields-1.vtkhdf");
+  EXPECT_EQ(fields[1]["work_picture"], "fields-work.svg");
+  for (const auto* name : {"fields.vtkhdf", "fields-stress.svg", "fields-strain.svg", "fields-1-work.svg"}) {
+    EXPECT_TRUE(std::filesystem::exists(study.result("grains") / name)) << name;
+  }
+  EXPECT_THAT(read_text(study.result("grains/fields-work.svg")), HasSubstr("of all is in the binder"));
+  EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("fields-1-work.svg"));
+}
+
 TEST(GrainsAndFilms, AnswerForAnotherBinderAndTheirPageShowsThem) {
   const VoronoiFilms study;
   ASSERT_EQ(study.breccia("run").exit_code, 0);

@@ -73,8 +73,8 @@ TEST_F(DeckTests, GrainsComputedWithFilmsNeedNoCells) {
   EXPECT_THAT(directory.mistakes(deck_of(test::stage, "films = { face_share = 0.1 }\n")),
               HasSubstr("it belongs to model = \"films\""));
   EXPECT_THAT(directory.mistakes(deck_of(test::stage, "model = \"films\"\n")), HasSubstr("is for grains"));
-  EXPECT_THAT(directory.mistakes(deck_of(grains, "model = \"films\"\nsolver = \"stepping\"\n")),
-              HasSubstr("expected solver \"reduced\""));
+  const auto stepping = deck_of(grains, "model = \"films\"\nsolver = \"stepping\"\nfields = [\"1 us\"]\n");
+  EXPECT_EQ(directory.study(stepping).tests.quasistatic.solver, Solver::stepping);
 }
 
 TEST_F(DeckTests, FilmsMayBeResolvedByLayers) {

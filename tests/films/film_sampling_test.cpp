@@ -52,6 +52,30 @@ TEST(FilmSampling, GivesTheCurveOfTheBinderOfPbx9501) {
   }
 }
 
+// A window is stiffer under displacements than under tractions at every real Laplace variable, where the composite is
+// elastic (Huet); so are single elastic solutions, their reduced responses, and the curves in time that these give.
+TEST(FilmSampling, BoundsOfAWindowAreOrderedAtRealLaplaceVariables) {
+  const auto material = binder();
+  const auto path = carson_path(material, window);
+  const auto upper_problem = test::voronoi_problem(Boundary::displacement);
+  const auto lower_problem = test::voronoi_problem(Boundary::traction);
+  const auto upper = sample_film_responses(upper_problem, test::all_loads, path).responses;
+  const auto lower = sample_film_responses(lower_problem, test::all_loads, path).responses;
+  for (std::size_t l = 0; l < test::all_loads.size(); ++l) {
+    const std::array load = {test::all_loads[l]};
+    const auto upper_curve = relaxation_modulus(creep_compliance(upper[l], material));
+    const auto lower_curve = relaxation_modulus(creep_compliance(lower[l], material));
+    for (const double time : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2}) {
+      const std::array at = {carson_moduli(material, 1.0 / time)};
+      EXPECT_GT(film_moduli(upper_problem, at, load).front().front(),
+                film_moduli(lower_problem, at, load).front().front())
+          << time;
+      EXPECT_GT(upper[l].modulus(at.front()), lower[l].modulus(at.front())) << time;
+      EXPECT_GT(carson_transform(upper_curve, 1.0 / time), carson_transform(lower_curve, 1.0 / time)) << time;
+    }
+  }
+}
+
 TEST(FilmSampling, NeedsNoMoreThanTheMiddleAndTheEndsOfAShortPath) {
   const std::array<Moduli, 2> path = {Moduli{test::binder_bulk, 1.01e7}, Moduli{test::binder_bulk, 1e7}};
   const auto sampled = sample_film_responses(test::voronoi_problem(), std::array{Load::shear}, path);

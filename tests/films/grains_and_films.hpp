@@ -5,6 +5,7 @@
 
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_problem.hpp"
+#include "breccia/viscoelasticity/material.hpp"
 
 #include "microstructure/voronoi_sites_25.hpp"
 
@@ -14,12 +15,18 @@ inline constexpr Moduli hmx = {.bulk = 13.4e9, .shear = 5.84e9};
 inline constexpr double binder_bulk = 3.6e9;
 inline constexpr double film_of_25 = 2.4 / 256.0;  ///< with which 25 grains fill 91.11 % of the unit square
 inline constexpr std::array all_loads = {Load::shear, Load::diagonal_shear, Load::bulk};
-/// The modulus of a material that a load measures [Pa].
+inline constexpr std::array all_boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
+
+/// The modulus that a load measures in one material [Pa].
 inline double modulus_of(const Moduli& moduli, Load load) {
   return load == Load::bulk ? moduli.bulk + moduli.shear / 3.0 : moduli.shear;
 }
 
-inline constexpr std::array all_boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
+/// A binder that relaxes in shear over eight decades, and in volume.
+inline Material relaxing_binder() {
+  return {"binder", 1.0, PronySeries(3e9, {{1e-4, 0.6e9}}),
+          PronySeries(4e5, {{1e-7, 8e8}, {1e-5, 1.5e8}, {1e-3, 2e7}, {1e-1, 2e6}})};
+}
 
 /// The 25 sites of the reference, in a periodic box or as a window that the walls cut.
 inline FilmProblem voronoi_problem(Boundary boundary = Boundary::periodic, double thickness = film_of_25) {

@@ -53,6 +53,36 @@ TEST_F(VtkHdf, WritesASquareForEachValue) {
   EXPECT_THAT(file.read_integers("/VTKHDF/CellData/material"), ElementsAre(0, 1, 2, 3, 4, 5));
 }
 
+// A triangle, a square and a pentagon share points; the types are those of VTK.
+TEST_F(VtkHdf, WritesPolygons) {
+  const PolygonMesh mesh = {.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 2.0}},
+                            .corners = {0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 4, 3},
+                            .corner_counts = {3, 4, 5}};
+  write_vtkhdf(path, mesh, {{"part", 1, Bytes{0, 1, 2}}}, {{"displacement_m", 3, Floats(15, 0.5F)}}, {});
+  const Hdf5Reader file(path);
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfPoints"), ElementsAre(5));
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfCells"), ElementsAre(3));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Offsets"), ElementsAre(0, 3, 7, 12));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Types"), ElementsAre(5, 9, 7));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Connectivity"), ElementsAre(0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 4, 3));
+  EXPECT_THAT(file.read_integers("/VTKHDF/CellData/part"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(file.shape("/VTKHDF/PointData/displacement_m"), ElementsAre(5U, 3U));
+}
+
+TEST_F(VtkHdf, RefusesPolygonsThatDoNotFit) {
+  const PolygonMesh triangle = {
+      .points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, .corners = {0, 1, 2}, .corner_counts = {3}};
+  EXPECT_THROW(write_vtkhdf(path, triangle, {{"part", 1, Bytes{0, 1}}}, {}, {}), InputError);
+  EXPECT_THROW(write_vtkhdf(path, triangle, {}, {{"part", 1, Bytes{0, 1}}}, {}), InputError);
+  auto wrong = triangle;
+  wrong.corners.back() = 3;
+  EXPECT_THROW(write_vtkhdf(path, wrong, {}, {}, {}), InputError) << "no such point";
+  wrong = triangle;
+  wrong.corner_counts = {2};
+  EXPECT_THROW(write_vtkhdf(path, wrong, {}, {}, {}), InputError);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST_F(VtkHdf, RefusesFieldsThatDoNotFit) {
   EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 1, Floats(5)}}), InputError);
   EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 2, Floats(12)}}), InputError);

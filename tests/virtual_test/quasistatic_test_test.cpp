@@ -1,5 +1,7 @@
 #include "breccia/virtual_test/quasistatic_test.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include <gtest/gtest.h>
@@ -49,6 +51,51 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
   test.varying = {{no_phase, "matrix"}};
   test.options.solver = Solver::stepping;
   EXPECT_NO_THROW(static_cast<void>(run_quasistatic_test(test)));
+}
+
+// Elastic grains between films of the binder. The mean stress over the fields is the modulus.
+TEST(RunQuasistaticTest, BothSolversAgreeOnGrainsAndFilms) {
+  LaguerreSites<2> sites = {.side = 6e-3};
+  for (const auto& place :
+       {Vector<2>{0.8e-3, 1.1e-3}, {3.9e-3, 1.4e-3}, {2.2e-3, 3.2e-3}, {5.2e-3, 4.1e-3}, {1.9e-3, 5.3e-3}}) {
+    sites.sites.push_back({place, 0.0});
+  }
+  const auto& particle = composites::particle;
+  QuasistaticTest test = {
+      .composite = FilmProblem{.tessellation = Tessellation<2>(sites),
+                               .thickness = 0.1e-3,
+                               .grain = {.bulk = particle.bulk.unrelaxed(), .shear = particle.shear.unrelaxed()}},
+      .materials = {composites::binder, particle},
+      .varying = {{0, "matrix"}},
+      .boundary = Boundary::periodic,
+      .loads = {Load::shear, Load::bulk},
+      .times = {1e-3, 0.1},
+      .points_per_decade = 4,
+      .field_times = {1e-2, 0.1}};
+  const auto reduced = run_quasistatic_test(test);
+  test.options.solver = Solver::stepping;
+  const auto stepped = run_quasistatic_test(test);
+  for (const auto* result : {&reduced, &stepped}) {
+    ASSERT_EQ(result->film_fields.size(), test.field_times.size());
+    EXPECT_TRUE(result->fields.empty());
+    for (const auto& [time, fields] : result->film_fields) {
+      double stress = 0.0, area = 0.0;
+      for (const auto& cell : fields.cells) {
+        stress += cell.area * cell.stress[3];
+        area += cell.area;
+      }
+      const auto at = std::ranges::find_if(result->responses.front().modulus, [wanted = time](const Sample& one) {
+        return std::abs(one.time / wanted - 1.0) < 1e-9;
+      });
+      ASSERT_NE(at, result->responses.front().modulus.end());
+      EXPECT_NEAR(stress / area / at->modulus, 1.0, 1e-7);
+    }
+  }
+  for (std::size_t load = 0; load < test.loads.size(); ++load) {
+    const auto &one = reduced.responses[load].modulus, &other = stepped.responses[load].modulus;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i].modulus / other[i].modulus, 1.0, 1e-3) << i;
+  }
 }
 
 // The binder flows, and the particle relaxes in shear and in volume.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/discretisation/load.hpp"
+#include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
@@ -14,8 +15,13 @@ namespace breccia {
 class Checkpoint;
 
 struct FilmResponses {
+  /// Fields per unit load at a time [s] after a load was applied to grains with this binder. `load` is the index in the
+  /// list of loads. Throws InputError unless there is one binder.
+  using Recovery = std::function<FilmFields(std::size_t load, std::span<const Material> binder, double time)>;
+
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;
+  Recovery fields;  ///< owns the vectors of the basis
 };
 
 /// Builds a reduced response of grains and films for each load, like sample_responses() of cells: the moduli of the

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "breccia/films/film_fields.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/test_id.hpp"
@@ -46,6 +47,8 @@ class StudySink {
   virtual bool take_fields(const Stage&, const TestId&, const Discretisation<2>&, const std::vector<TimedFields<2>>&) {
     return false;
   }
+  /// The same for a test of grains and films.
+  virtual bool take_film_fields(const Stage&, const TestId&, const std::vector<TimedFilmFields>&) { return false; }
   /// Called if the saved state of a test shows that it was finished, and that a sink took its fields at these times
   /// [s].
   virtual void fields_taken_before(const Stage&, const TestId&, const std::vector<double>& /*times*/) {}

@@ -17,11 +17,20 @@ struct Lattice {
   double spacing = 0.0;            ///< side of a square [m]
 };
 
-/// A field on the squares of a lattice: a scalar (1), a vector (3) or a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
-struct LatticeField {
+/// Polygons in the plane.
+struct PolygonMesh {
+  std::vector<std::array<double, 2>> points;  ///< places [m]
+  std::vector<std::int64_t> corners;          ///< points of the polygons, one polygon after the other, anticlockwise
+  std::vector<std::int64_t> corner_counts;    ///< of each polygon, at least three
+};
+
+/// A field on the squares of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or a
+/// symmetric tensor (6: xx, yy, zz, xy, yz, xz).
+struct MeshField {
   std::string name;
   std::size_t components = 1;
-  /// Values in the order: components fastest, then the squares of a row from the left, then the rows from below.
+  /// Values in the order: components fastest, then those of the mesh, or the squares of a row from the left and the
+  /// rows from below.
   std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
 
@@ -34,7 +43,13 @@ struct FieldNumber {
 /// Writes fields as a compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral for each square),
 /// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. Throws
 /// FileError, and InputError when a field does not fit the lattice.
-void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<LatticeField>& fields,
+void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<MeshField>& fields,
                   const std::vector<FieldNumber>& numbers = {});
+
+/// The same for fields of the polygons of a mesh, and of its points. Throws FileError, and InputError when a field does
+/// not fit the mesh, or its numbers of corners do not fit its corners.
+void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
+                  const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
+                  const std::vector<FieldNumber>& numbers);
 
 }  // namespace breccia

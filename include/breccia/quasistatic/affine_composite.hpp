@@ -30,6 +30,16 @@ concept DisplacementVector = requires(Vector u, const Vector& other, StateWriter
   restore(reader, group, u);
 };
 
+/// Found by the type of the vector, which a member of the same name would hide.
+template <DisplacementVector Vector>
+void save_vector(StateWriter& state, const std::string& group, const Vector& vector) {
+  save(state, group, vector);
+}
+template <DisplacementVector Vector>
+void restore_vector(const StateReader& state, const std::string& group, Vector& vector) {
+  restore(state, group, vector);
+}
+
 /// A discretised composite whose stiffness is affine in moduli p_i, K(p) = K_0 + sum_i p_i K_i (theory, Eq. 18a):
 /// what a reduced basis needs to know of it, whether it is made of cells or of grains and films. volume() is that of
 /// the box in the unit of the forces; uniform_strain() has the strain of a load everywhere; load_forces() are the force

@@ -12,6 +12,7 @@
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/quasistatic/affine_composite.hpp"
+#include "breccia/quasistatic/composite_state.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/reduced_response_state.hpp"
 
@@ -38,6 +39,9 @@ class ReducedBasis {
   /// The reduced solution for these moduli, a guess for the solver: under the prescribed strain or,
   /// under a traction boundary, under the unit traction. Zero for an empty basis.
   [[nodiscard]] Vector approximation(std::span<const Moduli> moduli) const;
+  /// The composite at a time [s] after the load was applied, per unit of it, where its varying phases are of these
+  /// materials, in the order of ReducedResponse::phases() (theory, Eq. 34).
+  [[nodiscard]] CompositeState<Vector> state(std::span<const Material> of_phases, double time) const;
   /// Linear combination of the vectors with these weights.
   [[nodiscard]] Vector combination(const Eigen::VectorXd& weights) const;
   /// Adds the solution for these moduli. A solution in the span of the vectors, as in a box of one
@@ -63,16 +67,6 @@ class ReducedBasis {
   std::vector<Vector> vectors_;
   ReducedResponse response_;
 };
-
-/// Found by the type of the vector, which a member of the same name would hide.
-template <DisplacementVector Vector>
-void save_vector(StateWriter& state, const std::string& group, const Vector& vector) {
-  save(state, group, vector);
-}
-template <DisplacementVector Vector>
-void restore_vector(const StateReader& state, const std::string& group, Vector& vector) {
-  restore(state, group, vector);
-}
 
 /// Appends a row and a column of zeros to a symmetric matrix.
 inline void enlarge(Eigen::MatrixXd& matrix) {
@@ -202,6 +196,17 @@ typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::approximation(
   const bool is_strained = composite_->boundary() != Boundary::traction;
   sum.scale(is_strained ? 1.0 / sum.macroscopic() : std::sqrt(composite_->volume()));
   return sum;
+}
+
+template <AffineComposite Composite>
+CompositeState<typename Composite::Vector> ReducedBasis<Composite>::state(std::span<const Material> of_phases,
+                                                                          double time) const {
+  const auto weights = network_state(response_, of_phases, time);
+  // The load forces e of the basis are those of the unit load over the square root of the area.
+  const double unit = std::sqrt(composite_->volume());
+  CompositeState<Vector> state{combination(unit * weights.displacement), {}};
+  for (const auto& applied : weights.applied) state.applied.push_back(combination(unit * applied));
+  return state;
 }
 
 template <AffineComposite Composite>

@@ -13,6 +13,10 @@ struct FieldRecord {
   double time = 0.0;  ///< [s]
   std::string file;   ///< VTKHDF
   std::string stress_picture, strain_picture;
+  std::string work_picture = {};  ///< of grains and films alone; empty for cells
+
+  /// All of these names.
+  [[nodiscard]] std::vector<std::string> names() const;
 };
 
 /// The files of all fields of a test.

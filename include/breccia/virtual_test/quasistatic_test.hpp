@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
@@ -50,12 +51,12 @@ struct QuasistaticOptions {
 
 /// A quasi-static virtual test.
 struct QuasistaticTest {
-  /// Cells, or grains and films, whose boundary is that of the test. Grains and films know neither the stepping solver
-  /// nor fields, and their binder alone varies.
+  /// Cells, or grains and films, whose boundary is that of the test. Of grains and films the binder alone relaxes and
+  /// varies.
   std::variant<Discretisation<2>, FilmProblem> composite;
   std::vector<Material> materials;  ///< by PhaseIndex
   /// The phases whose moduli vary in the reduced basis, the matrix first: all that relax, and any other. The stepping
-  /// solver does not use them.
+  /// solver of cells does not use them; that of films takes the first for the binder.
   std::vector<VaryingPhase> varying = {};
   /// Other materials of these phases, each time in their order, for which the reduced response is to hold as well.
   std::vector<std::vector<Material>> variants = {};
@@ -86,7 +87,8 @@ struct QuasistaticResponse {
 /// The result of a quasi-static test.
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  std::vector<TimedFields<2>> fields;          ///< of the first load; on the first process, zero on the others
+  std::vector<TimedFields<2>> fields;  ///< of the points of cells, first load; on the first process, zero on the others
+  std::vector<TimedFilmFields> film_fields;  ///< of grains and films, first load
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]
 };

@@ -2,17 +2,12 @@
 
 #include "breccia/error.hpp"
 
+#include "assembly/macroscopic.hpp"
 #include "assembly/resolved_films.hpp"
 #include "assembly/thin_films.hpp"
 
 namespace breccia::films {
 namespace {
-
-/// Components of the macroscopic strain of a load: xx, yy and the engineering shear.
-Eigen::Vector3d strain_of(Load load) {
-  const auto strain = unit_strain<2>(load);
-  return {strain.xx, strain.yy, 2.0 * strain.xy};
-}
 
 /// Components of the unit stress of a load: xx, yy, xy.
 Eigen::Vector3d stress_of(Load load) {
@@ -63,9 +58,12 @@ FilmVector FilmOperator::shear_forces(Load load, const FilmVector& displacement)
   return reduced(load, matrices_.shear.selfadjointView<Eigen::Lower>() * extended(load, displacement));
 }
 
+Eigen::VectorXd FilmOperator::volumetric_strains(Load load, const FilmVector& displacement) const {
+  return volume_factors_.solve(matrices_.dilatation * extended(load, displacement));
+}
+
 FilmVector FilmOperator::bulk_forces(Load load, const FilmVector& displacement) const {
-  const Eigen::VectorXd dilatation = volume_factors_.solve(matrices_.dilatation * extended(load, displacement));
-  return reduced(load, matrices_.dilatation.transpose() * dilatation);
+  return reduced(load, matrices_.dilatation.transpose() * volumetric_strains(load, displacement));
 }
 
 FilmOperator::Sparse FilmOperator::matrix(const Moduli& binder) const {

@@ -42,6 +42,9 @@ class FilmOperator {
   /// K_K u
   [[nodiscard]] FilmVector bulk_forces(Load load, const FilmVector& displacement) const;
 
+  /// Volumetric strains of the binder where its pressures are, M^-1 B u (theory, Eq. 65): -1/K times the pressures.
+  [[nodiscard]] Eigen::VectorXd volumetric_strains(Load load, const FilmVector& displacement) const;
+
   /// Lower triangle of the symmetric matrix of unknowns and pressures -K tr, in units of K, at these moduli of the
   /// binder (theory, Eq. 66).
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;

@@ -5,12 +5,6 @@
 
 namespace breccia::films {
 
-Eigen::Matrix<double, 2, 3> affine_motion(const Eigen::Vector2d& place) {
-  Eigen::Matrix<double, 2, 3> motion;
-  motion << place.x(), 0.0, 0.5 * place.y(), 0.0, place.y(), 0.5 * place.x();
-  return motion;
-}
-
 Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line) {
   const Eigen::Vector2d normal(line.y(), -line.x());
   Eigen::Matrix<double, 2, 3> force;

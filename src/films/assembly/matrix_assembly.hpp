@@ -10,9 +10,6 @@
 
 namespace breccia::films {
 
-/// Displacement at a place by the macroscopic strains xx, yy and the engineering shear.
-[[nodiscard]] Eigen::Matrix<double, 2, 3> affine_motion(const Eigen::Vector2d& place);
-
 /// Force on a line by the stresses xx, yy and xy; `line` has the body on its left.
 [[nodiscard]] Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "assembly/macroscopic.hpp"
 #include "assembly/matrix_assembly.hpp"
 #include "assembly/mixed_element.hpp"
 #include "assembly/plane_strain.hpp"

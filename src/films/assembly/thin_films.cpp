@@ -8,11 +8,11 @@
 
 #include "assembly/film_element.hpp"
 #include "assembly/film_end.hpp"
+#include "assembly/film_mesh.hpp"
 #include "assembly/grain_stiffness.hpp"
 #include "assembly/junction_element.hpp"
+#include "assembly/macroscopic.hpp"
 #include "assembly/matrix_assembly.hpp"
-#include "assembly/unknowns.hpp"
-#include "mesh/film_network.hpp"
 
 namespace breccia::films {
 namespace {
@@ -20,16 +20,17 @@ namespace {
 /// Adds up the matrices of grains, thin films and junctions.
 class ThinFilms {
  public:
-  ThinFilms(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary)
-      : network_(network),
-        meshes_(meshes),
+  ThinFilms(const FilmMesh& mesh, Boundary boundary)
+      : mesh_(mesh),
+        network_(mesh.network()),
+        meshes_(mesh.grains()),
         boundary_(boundary),
-        unknowns_(network, meshes, boundary),
+        unknowns_(mesh.unknowns()),
         sum_(unknowns_.count(), unknowns_.pressures()) {}
 
   void add_grains(const Moduli& moduli) {
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
-      std::vector<Node> nodes;
+      std::vector<NodeImage> nodes;
       for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
       sum_.add_grain(unknowns_of(nodes, {}), grain_stiffness(meshes_[g], moduli));
       sum_.add_area(films::area(network_.grains[g].corners));
@@ -47,13 +48,9 @@ class ThinFilms {
   void add_junctions() {
     for (std::size_t j = 0; j < network_.junctions.size(); ++j) {
       std::vector<Eigen::Vector2d> places;
-      std::vector<Node> nodes;
-      for (const auto& corner : network_.junctions[j].corners) {
-        places.push_back(network_.place(corner));
-        nodes.push_back(node_of(corner));
-      }
+      for (const auto& corner : network_.junctions[j].corners) places.push_back(network_.place(corner));
       const auto element = junction_element(places);
-      const auto unknowns = unknowns_of(nodes, {});
+      const auto unknowns = unknowns_of(mesh_.nodes_of(network_.junctions[j]), {});
       const std::array pressures = {static_cast<int>(j)};
       sum_.add_shear(unknowns, element.shear);
       sum_.add_dilatation(pressures, unknowns, element.dilatation);
@@ -74,7 +71,7 @@ class ThinFilms {
       const auto force =
           traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
       for (const auto& corner : {junction.corners.front(), junction.corners.back()}) {
-        add_node_force(node_of(corner), 0.5 * force);
+        add_node_force(mesh_.node_of(corner), 0.5 * force);
       }
     }
   }
@@ -94,27 +91,14 @@ class ThinFilms {
   [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
 
  private:
-  /// A node on the boundary of a grain, in an image of the box.
-  struct Node {
-    std::size_t grain, number;
-    Eigen::Vector2i image;
-  };
-
-  [[nodiscard]] Node node_of(const CornerImage& corner) const {
-    return {corner.grain, unknowns_.node(corner.grain, corner.corner, 0), corner.image};
-  }
-  [[nodiscard]] Eigen::Vector2d place(const Node& node) const {
-    return meshes_[node.grain].nodes[node.number] + node.image.cast<double>();
-  }
-
   /// The displacements of nodes, and flows. The macroscopic motion is taken from the first node: a translation does no
   /// work on an element, and the motion from the origin of the box would add its rounding to the element's forces.
-  [[nodiscard]] ElementUnknowns unknowns_of(std::span<const Node> nodes, std::span<const int> flows) const {
+  [[nodiscard]] ElementUnknowns unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
     ElementUnknowns unknowns;
     unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
-          affine_motion(place(nodes[n]) - place(nodes[0]));
+          affine_motion(mesh_.place(nodes[n]) - mesh_.place(nodes[0]));
       for (int i = 0; i < 2; ++i) {
         unknowns.numbers.push_back(unknowns_.displacement(nodes[n].grain, nodes[n].number, i));
       }
@@ -123,27 +107,10 @@ class ThinFilms {
     return unknowns;
   }
 
-  /// A node of a film's side at one of the three places of an element.
-  [[nodiscard]] Node node_of_side(const Film& film, std::size_t side, int place_along) const {
-    const auto& [begin, end, face] = film.sides[side];
-    if (!face) return node_of(begin);
-    const int past = side == 0 ? place_along : 2 * film.segments - place_along;
-    return {begin.grain, unknowns_.node(begin.grain, *face, past), begin.image};
-  }
-
   void add_stretch(std::size_t f, int element) {
-    const auto& film = network_.films[f];
-    std::vector<Node> nodes;
-    for (std::size_t side = 0; side < 2; ++side) {
-      for (int k = 0; k < 3; ++k) nodes.push_back(node_of_side(film, side, 2 * element + k));
-    }
-    const auto matrices =
-        film_element({.ends = {{{place(nodes[0]), place(nodes[2])}, {place(nodes[3]), place(nodes[5])}}},
-                      .direction = film.direction,
-                      .normal = film.normal,
-                      .thickness = film.thickness});
+    const auto matrices = film_element(mesh_.stretch(f, element));
     const std::array flows = {unknowns_.flow(f, element, 0), unknowns_.flow(f, element, 1)};
-    const auto unknowns = unknowns_of(nodes, flows);
+    const auto unknowns = unknowns_of(mesh_.nodes_of_stretch(f, element), flows);
     const auto pressures = unknowns_.pressures(network_, f, element);
     sum_.add_shear(unknowns, matrices.shear);
     sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
@@ -157,7 +124,7 @@ class ThinFilms {
     const auto number = film.junctions[static_cast<std::size_t>(end)];
     const auto& junction = network_.junctions[number];
     const int flow = unknowns_.flow(f, end == 0 ? 0 : film.segments - 1, end);
-    if (!junction.is_at_wall || junction.corners.size() > 2) {
+    if (!mesh_.ends_at_wall(f, end)) {
       sum_.add_resistance(flow, 12.0 * end_length);
     } else if (boundary_ == Boundary::traction) {
       const double outward = end == 0 ? -1.0 : 1.0;
@@ -171,39 +138,35 @@ class ThinFilms {
   void add_face_traction(std::size_t grain, std::size_t face) {
     constexpr std::array<double, 3> shares = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
     for (int element = 0; element < network_.segments[grain][face]; ++element) {
-      std::array<Node, 3> nodes;
+      std::array<NodeImage, 3> nodes;
       for (int k = 0; k < 3; ++k) {
         nodes[static_cast<std::size_t>(k)] = {grain, unknowns_.node(grain, face, 2 * element + k),
                                               Eigen::Vector2i::Zero()};
       }
-      const auto force = traction_on(place(nodes[2]) - place(nodes[0]));
+      const auto force = traction_on(mesh_.place(nodes[2]) - mesh_.place(nodes[0]));
       for (std::size_t k = 0; k < 3; ++k) add_node_force(nodes[k], shares[k] * force);
     }
   }
 
-  void add_node_force(const Node& node, const Eigen::Matrix<double, 2, 3>& force) {
+  void add_node_force(const NodeImage& node, const Eigen::Matrix<double, 2, 3>& force) {
     for (int i = 0; i < 2; ++i) {
       sum_.add_traction(unknowns_.displacement(node.grain, node.number, i), force.row(i));
     }
   }
 
+  const FilmMesh& mesh_;
   const FilmNetwork& network_;
   const std::vector<GrainMesh>& meshes_;
   Boundary boundary_;
-  Unknowns unknowns_;
+  const Unknowns& unknowns_;
   MatrixAssembly sum_;
 };
 
 }  // namespace
 
 FilmMatrices thin_films(const FilmProblem& problem) {
-  const auto network =
-      film_network(problem.tessellation, problem.thickness / problem.tessellation.side(), problem.face_share);
-  std::vector<GrainMesh> meshes;
-  for (std::size_t g = 0; g < network.grains.size(); ++g) {
-    meshes.push_back(grain_mesh(network.grains[g], network.segments[g]));
-  }
-  ThinFilms films(network, meshes, problem.boundary);
+  const FilmMesh mesh(problem);
+  ThinFilms films(mesh, problem.boundary);
   films.add_grains(problem.grain);
   films.add_tractions();
   if (problem.boundary == Boundary::traction) films.add_uniform_gradients();

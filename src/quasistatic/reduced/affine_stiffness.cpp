@@ -12,18 +12,18 @@
 
 namespace breccia::quasistatic {
 
-std::vector<Moduli> AffineStiffness::moduli_at(std::span<const double> parameters) const {
-  auto moduli = constant;
+namespace {
+
+/// Adds the moduli of the parts that vary to moduli by material.
+void add_varying(std::vector<Moduli>& moduli, const std::vector<AffineStiffness::Part>& parts,
+                 std::span<const double> parameters) {
   for (std::size_t i = 0; i < parts.size(); ++i) {
     for (std::size_t m = 0; m < moduli.size(); ++m) {
       moduli[m].bulk += parameters[i] * parts[i].unit[m].bulk;
       moduli[m].shear += parameters[i] * parts[i].unit[m].shear;
     }
   }
-  return moduli;
 }
-
-namespace {
 
 /// Throws InputError, with every mistake, where phases cannot be those that vary among these materials.
 void require_phases_that_can_vary(const std::vector<Material>& materials, std::span<const VaryingPhase> varying) {
@@ -51,6 +51,18 @@ void require_phases_that_can_vary(const std::vector<Material>& materials, std::s
 }
 
 }  // namespace
+
+std::vector<Moduli> AffineStiffness::moduli_at(std::span<const double> parameters) const {
+  auto moduli = constant;
+  add_varying(moduli, parts, parameters);
+  return moduli;
+}
+
+std::vector<Moduli> AffineStiffness::varying_moduli_at(std::span<const double> parameters) const {
+  std::vector<Moduli> moduli(constant.size(), {0.0, 0.0});
+  add_varying(moduli, parts, parameters);
+  return moduli;
+}
 
 AffineStiffness affine_stiffness(const std::vector<Material>& materials, std::span<const VaryingPhase> varying) {
   require_phases_that_can_vary(materials, varying);

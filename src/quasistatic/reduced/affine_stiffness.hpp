@@ -24,6 +24,8 @@ struct AffineStiffness {
 
   /// Moduli by material [Pa] whose stiffness is K(p).
   [[nodiscard]] std::vector<Moduli> moduli_at(std::span<const double> parameters) const;
+  /// Moduli by material [Pa] whose stiffness is that of the parts that vary alone, sum_i p_i K_i.
+  [[nodiscard]] std::vector<Moduli> varying_moduli_at(std::span<const double> parameters) const;
 };
 
 /// The affine stiffness of a composite in which both moduli of these phases vary, and all other materials are elastic.

@@ -1,5 +1,7 @@
 #include "reduced/cell_composite.hpp"
 
+#include "operator/recovery.hpp"
+
 namespace breccia::quasistatic {
 
 CellComposite::CellComposite(const QuasistaticProblem& problem, std::span<const VaryingPhase> varying)
@@ -24,13 +26,53 @@ Forces CellComposite::forces(std::span<const double> parameters, Load load, cons
   return elastic_operator_.forces(stiffness_.moduli_at(parameters), load, displacement);
 }
 
+Forces CellComposite::varying_forces(std::span<const double> parameters, Load load,
+                                     const Displacement& displacement) const {
+  return elastic_operator_.forces(stiffness_.varying_moduli_at(parameters), load, displacement);
+}
+
+PointFields<2> fields_of(const CellComposite& composite, const QuasistaticProblem& problem, Load load,
+                         const CompositeState<Displacement>& state) {
+  const auto& stiffness = composite.stiffness();
+  std::vector<AppliedModuli> applied;
+  for (const auto& [bulk, shear] : stiffness.constant) {
+    applied.push_back({state.displacement.copy(), state.displacement.copy()});
+    applied.back().bulk.scale(bulk);
+    applied.back().shear.scale(shear);
+  }
+  for (std::size_t i = 0; i < stiffness.parts.size(); ++i) {
+    const auto& part = stiffness.parts[i];
+    auto& [bulk, shear] = applied[part.phase];
+    (part.parameter.modulus == ElasticModulus::shear ? shear : bulk) = state.applied[i].copy();
+  }
+  return recover_fields(composite.elastic_operator(), problem.discretisation, problem.volumetric, load,
+                        state.displacement, applied);
+}
+
 CellSolver::CellSolver(const CellComposite& composite, const LinearOptions& options)
     : composite_(&composite), solver_(make_elastic_solver(composite.elastic_operator(), options)) {}
 
-void CellSolver::prepare(std::span<const double> parameters) {
+void CellSolver::take(std::span<const double> parameters) {
   moduli_ = composite_->stiffness().moduli_at(parameters);
   solver_->set_moduli(moduli_);
+}
+
+void CellSolver::prepare(std::span<const double> parameters) {
+  take(parameters);
   solver_->update_preconditioner();
+}
+
+Displacement CellSolver::solve_forces(const Forces& forces, Displacement guess) {
+  solver_->solve(forces, guess);
+  return guess;
+}
+
+void CellSolver::save_preconditioner(StateWriter& state, const std::string& group) const {
+  solver_->save_preconditioner(state, group);
+}
+
+void CellSolver::restore_preconditioner(const StateReader& state, const std::string& group) {
+  solver_->restore_preconditioner(state, group);
 }
 
 Displacement CellSolver::solve(Load load, Displacement guess) {

@@ -3,9 +3,12 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "breccia/discretisation/point_fields.hpp"
 #include "breccia/quasistatic/affine_composite.hpp"
+#include "breccia/quasistatic/composite_state.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
 #include "operator/displacement_state.hpp"
@@ -35,11 +38,18 @@ class CellComposite {
   [[nodiscard]] Forces constant_forces(Load load, const Displacement& displacement) const;
   [[nodiscard]] Forces part_forces(std::size_t part, Load load, const Displacement& displacement) const;
   [[nodiscard]] Forces forces(std::span<const double> parameters, Load load, const Displacement& displacement) const;
+  [[nodiscard]] Forces varying_forces(std::span<const double> parameters, Load load,
+                                      const Displacement& displacement) const;
 
  private:
   AffineStiffness stiffness_;
   ElasticOperator<2> elastic_operator_;
 };
+
+/// Fields of the material points of a composite of cells in a state under a load (theory, Eq. 35). `problem` is the one
+/// that the composite was made of. On the first process; zero on the others.
+[[nodiscard]] PointFields<2> fields_of(const CellComposite& composite, const QuasistaticProblem& problem, Load load,
+                                       const CompositeState<Displacement>& state);
 
 /// Solves for the displacements of a composite of cells, which must outlive it.
 class CellSolver {
@@ -48,6 +58,12 @@ class CellSolver {
 
   void prepare(std::span<const double> parameters);
   [[nodiscard]] Displacement solve(Load load, Displacement guess);
+
+  /// Takes moduli, and keeps the preconditioner of earlier ones as long as it serves.
+  void take(std::span<const double> parameters);
+  [[nodiscard]] Displacement solve_forces(const Forces& forces, Displacement guess);
+  void save_preconditioner(StateWriter& state, const std::string& group) const;
+  void restore_preconditioner(const StateReader& state, const std::string& group);
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return solver_->effort(); }
   void count_from(const LinearEffort& earlier) { solver_->count_from(earlier); }

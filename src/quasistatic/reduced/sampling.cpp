@@ -1,6 +1,5 @@
 #include "breccia/quasistatic/sampling.hpp"
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -11,9 +10,7 @@
 #include "breccia/quasistatic/linear_effort_state.hpp"
 
 #include "operator/displacement_state.hpp"
-#include "operator/recovery.hpp"
 #include "reduced/cell_composite.hpp"
-#include "reduced/network.hpp"
 
 namespace breccia {
 namespace {
@@ -31,30 +28,6 @@ struct SampledCells {
   CellComposite composite;
   GreedySampling<CellComposite> sampling;
 };
-
-PointFields<2> recover(const SampledCells& sampled, const QuasistaticProblem& problem, std::size_t load,
-                       std::span<const Material> of_phases, double time) {
-  const auto& basis = sampled.sampling.bases().at(load);
-  const auto& stiffness = sampled.composite.stiffness();
-  const auto state = quasistatic::network_state(basis.response(), of_phases, time);
-  // The load forces e of the basis are those of the unit load over the square root of the area.
-  const double unit = std::sqrt(sampled.composite.elastic_operator().volume());
-  const auto combined = [&](const Eigen::VectorXd& weights) { return basis.combination(unit * weights); };
-  const auto displacement = combined(state.displacement);
-  std::vector<quasistatic::AppliedModuli> applied;
-  for (const auto& [bulk, shear] : stiffness.constant) {
-    applied.push_back({displacement.copy(), displacement.copy()});
-    applied.back().bulk.scale(bulk);
-    applied.back().shear.scale(shear);
-  }
-  for (std::size_t i = 0; i < stiffness.parts.size(); ++i) {
-    const auto& part = stiffness.parts[i];
-    auto& [bulk, shear] = applied[part.phase];
-    (part.parameter.modulus == ElasticModulus::shear ? shear : bulk) = combined(state.applied[i]);
-  }
-  return quasistatic::recover_fields(sampled.composite.elastic_operator(), problem.discretisation, problem.volumetric,
-                                     basis.load(), displacement, applied);
-}
 
 }  // namespace
 
@@ -78,7 +51,8 @@ SampledResponses sample_responses(const QuasistaticProblem& problem, std::span<c
   return {.responses = sampled->sampling.responses(),
           .effort = solver.effort(),
           .fields = [sampled, problem](std::size_t load, std::span<const Material> of_phases, double time) {
-            return recover(*sampled, problem, load, of_phases, time);
+            const auto& basis = sampled->sampling.bases().at(load);
+            return quasistatic::fields_of(sampled->composite, problem, basis.load(), basis.state(of_phases, time));
           }};
 }
 

@@ -57,7 +57,8 @@ function legendOf({matrix, filler, fillers = [], microstructure}) {
   return [element("ul", {className: "legend"}, ...entries)];
 }
 
-/// Shows maps of stress and strain of each stage, for one test and time that the reader chooses.
+/// Shows maps of stress and strain of each stage, and of films that of work, for one test and time that the reader
+/// chooses.
 export function showFields() {
   const place = document.getElementById("field-pictures");
   for (const stage of study.stages) {
@@ -65,17 +66,18 @@ export function showFields() {
     const pictures = own(data.fields, stage.name) ?? {};
     const shown = fields.filter((field) => own(pictures, field.stress_picture) !== undefined);
     if (shown.length === 0) continue;
-    const pair = element("div", {className: "pictures"});
+    const maps = element("div", {className: "pictures"});
     const show = (field) => {
       const words = wordsOnField(field);
-      pair.replaceChildren(...["stress", "strain"].map((quantity) => zoomableFigure(
+      const quantities = ["stress", "strain", "work"].filter((quantity) => field[`${quantity}_picture`] !== undefined);
+      maps.replaceChildren(...quantities.map((quantity) => zoomableFigure(
         pictures[field[`${quantity}_picture`]], `${stage.name} ${quantity}`,
         `${stage.name}, ${quantity}: ${words}`)));
     };
     const choice = element("select", {ariaLabel: `Test and time of ${stage.name}`, className: "field-choice",
       onchange: () => show(shown[choice.selectedIndex])},
     ...shown.map((field) => element("option", {}, wordsOnField(field))));
-    place.append(element("h3", {}, stage.name), choice, pair);
+    place.append(element("h3", {}, stage.name), choice, maps);
     choice.selectedIndex = Math.max(0, shown.findIndex((field) => field.file === "fields.vtkhdf"));
     show(shown[choice.selectedIndex]);
   }

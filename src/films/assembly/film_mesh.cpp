@@ -1,0 +1,62 @@
+#include "assembly/film_mesh.hpp"
+
+namespace breccia::films {
+namespace {
+
+std::vector<GrainMesh> meshes_of(const FilmNetwork& network) {
+  std::vector<GrainMesh> meshes;
+  for (std::size_t g = 0; g < network.grains.size(); ++g) {
+    meshes.push_back(grain_mesh(network.grains[g], network.segments[g]));
+  }
+  return meshes;
+}
+
+FilmNetwork network_of(const FilmProblem& problem) {
+  require_sound(problem);
+  return film_network(problem.tessellation, problem.thickness / problem.tessellation.side(), problem.face_share);
+}
+
+}  // namespace
+
+FilmMesh::FilmMesh(const FilmProblem& problem)
+    : network_(network_of(problem)), grains_(meshes_of(network_)), unknowns_(network_, grains_, problem.boundary) {}
+
+std::vector<NodeImage> FilmMesh::nodes_of(const Junction& junction) const {
+  std::vector<NodeImage> nodes;
+  for (const auto& corner : junction.corners) nodes.push_back(node_of(corner));
+  return nodes;
+}
+
+/// The node of a film's side at one of the places along it: the ends and middles of its elements.
+NodeImage FilmMesh::node_of_side(const Film& film, std::size_t side, int place_along) const {
+  const auto& [begin, end, face] = film.sides[side];
+  if (!face) return node_of(begin);
+  const int past = side == 0 ? place_along : 2 * film.segments - place_along;
+  return {begin.grain, unknowns_.node(begin.grain, *face, past), begin.image};
+}
+
+std::array<NodeImage, 6> FilmMesh::nodes_of_stretch(std::size_t film, int element) const {
+  std::array<NodeImage, 6> nodes;
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (int k = 0; k < 3; ++k) {
+      nodes[3 * side + static_cast<std::size_t>(k)] = node_of_side(network_.films[film], side, 2 * element + k);
+    }
+  }
+  return nodes;
+}
+
+FilmStretch FilmMesh::stretch(std::size_t film, int element) const {
+  const auto nodes = nodes_of_stretch(film, element);
+  const auto& [sides, direction, normal, thickness, junctions, segments] = network_.films[film];
+  return {.ends = {{{place(nodes[0]), place(nodes[2])}, {place(nodes[3]), place(nodes[5])}}},
+          .direction = direction,
+          .normal = normal,
+          .thickness = thickness};
+}
+
+bool FilmMesh::ends_at_wall(std::size_t film, int end) const {
+  const auto& junction = network_.junctions[network_.films[film].junctions[static_cast<std::size_t>(end)]];
+  return junction.is_at_wall && junction.corners.size() <= 2;
+}
+
+}  // namespace breccia::films

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/films/film_problem.hpp"
+
+#include "assembly/film_element.hpp"
+#include "assembly/unknowns.hpp"
+#include "mesh/film_network.hpp"
+#include "mesh/grain_mesh.hpp"
+
+namespace breccia::films {
+
+/// A node on the boundary of a grain, in an image of the box.
+struct NodeImage {
+  std::size_t grain, number;
+  Eigen::Vector2i image;  ///< sides of the box by which the grain is displaced
+};
+
+/// Grains, films and junctions as elements, and the numbers of their unknowns. Lengths are in sides of the box.
+class FilmMesh {
+ public:
+  explicit FilmMesh(const FilmProblem& problem);
+
+  [[nodiscard]] const FilmNetwork& network() const noexcept { return network_; }
+  [[nodiscard]] const std::vector<GrainMesh>& grains() const noexcept { return grains_; }
+  [[nodiscard]] const Unknowns& unknowns() const noexcept { return unknowns_; }
+
+  [[nodiscard]] Eigen::Vector2d place(const NodeImage& node) const {
+    return grains_[node.grain].nodes[node.number] + node.image.cast<double>();
+  }
+  [[nodiscard]] NodeImage node_of(const CornerImage& corner) const {
+    return {corner.grain, unknowns_.node(corner.grain, corner.corner, 0), corner.image};
+  }
+  [[nodiscard]] std::vector<NodeImage> nodes_of(const Junction& junction) const;
+  /// The nodes of an element of a film: begin, middle and end of its first side, then of its second one.
+  [[nodiscard]] std::array<NodeImage, 6> nodes_of_stretch(std::size_t film, int element) const;
+  /// The shape of an element of a film.
+  [[nodiscard]] FilmStretch stretch(std::size_t film, int element) const;
+  /// Whether the begin (0) or the end (1) of a film is at a wall, and not at a junction with other films.
+  [[nodiscard]] bool ends_at_wall(std::size_t film, int end) const;
+
+ private:
+  [[nodiscard]] NodeImage node_of_side(const Film& film, std::size_t side, int place_along) const;
+
+  FilmNetwork network_;
+  std::vector<GrainMesh> grains_;
+  Unknowns unknowns_;
+};
+
+}  // namespace breccia::films

@@ -1,0 +1,284 @@
+#include "fields/film_recovery.hpp"
+
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/error.hpp"
+
+#include "assembly/film_element.hpp"
+#include "assembly/film_end.hpp"
+#include "assembly/film_mesh.hpp"
+#include "assembly/grain_stiffness.hpp"
+#include "assembly/junction_element.hpp"
+#include "assembly/macroscopic.hpp"
+#include "assembly/quadratic_triangle.hpp"
+
+namespace breccia::films {
+namespace {
+
+/// The integral of the strain xx, yy and the engineering shear that a displacement of a stretch of the boundary adds;
+/// the body is on its left.
+Eigen::Vector3d strain_by(const Eigen::Vector2d& stretch, const Eigen::Vector2d& displacement) {
+  const Eigen::Vector2d normal(stretch.y(), -stretch.x());
+  return {normal.x() * displacement.x(), normal.y() * displacement.y(),
+          normal.x() * displacement.y() + normal.y() * displacement.x()};
+}
+
+/// Mean of a quadratic function from its values at begin, middle and end.
+template <class Value>
+Value mean_of(const Value& begin, const Value& middle, const Value& end) {
+  return (begin + 4.0 * middle + end) / 6.0;
+}
+
+std::array<double, 3> as_tensor(const Eigen::Vector3d& strain) {
+  return {strain[0], strain[1], 0.5 * strain[2]};
+}
+
+/// Stress of the deviator xx, yy, xy, whose zz is what makes it free of trace, and of a pressure.
+std::array<double, 4> stress_of(const Eigen::Vector3d& deviator, double pressure) {
+  return {deviator[0] - pressure, deviator[1] - pressure, -deviator[0] - deviator[1] - pressure, deviator[2]};
+}
+
+class Recovery {
+ public:
+  Recovery(const FilmComposite& composite, const FilmProblem& problem, Load load,
+           const quasistatic::CompositeState<FilmVector>& state)
+      : mesh_(problem),
+        grain_(problem.grain),
+        side_(problem.tessellation.side()),
+        holds_walls_(problem.boundary == Boundary::displacement),
+        strain_(strain_of(load)),
+        displacement_(&state.displacement),
+        shear_(&state.applied[FilmComposite::shear]),
+        volumetric_strain_(composite.film_operator().volumetric_strains(load, state.displacement)),
+        negative_pressure_(composite.film_operator().volumetric_strains(load, state.applied[FilmComposite::bulk])),
+        inflow_(mesh_.network().junctions.size(), Eigen::Vector3d::Zero()) {}
+
+  FilmFields fields() {
+    for (std::size_t g = 0; g < mesh_.grains().size(); ++g) add_grain(g);
+    const auto ends = end_lengths(mesh_.network());
+    for (std::size_t f = 0; f < mesh_.network().films.size(); ++f) add_film(f, ends[f]);
+    for (std::size_t j = 0; j < mesh_.network().junctions.size(); ++j) add_junction(j);
+    return std::move(fields_);
+  }
+
+ private:
+  /// Displacement of a node, seen from a place that takes no part in the macroscopic motion.
+  [[nodiscard]] Eigen::Vector2d displacement_of(const FilmVector& of, const NodeImage& node,
+                                                const Eigen::Vector2d& from) const {
+    Eigen::Vector2d displacement = of.macroscopic() * affine_motion(mesh_.place(node) - from) * strain_;
+    for (int i = 0; i < 2; ++i) {
+      const int number = mesh_.unknowns().displacement(node.grain, node.number, i);
+      if (number != held) displacement[i] += of.unknowns()[number];
+    }
+    return displacement;
+  }
+
+  /// Displacements of nodes seen from the first of them, two components each, and room for what else an element has.
+  [[nodiscard]] Eigen::VectorXd displacements_of(const FilmVector& of, std::span<const NodeImage> nodes,
+                                                 Eigen::Index others = 0) const {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(2 * static_cast<Eigen::Index>(nodes.size()) + others);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      all.segment<2>(2 * static_cast<Eigen::Index>(n)) = displacement_of(of, nodes[n], mesh_.place(nodes[0]));
+    }
+    return all;
+  }
+
+  std::size_t add_point(const Eigen::Vector2d& place, const Eigen::Vector2d& displacement) {
+    fields_.points.push_back({side_ * place.x(), side_ * place.y()});
+    fields_.displacement.push_back({side_ * displacement.x(), side_ * displacement.y()});
+    return fields_.points.size() - 1;
+  }
+
+  /// Adds a cell with points of its own at these nodes.
+  void add_cell(FilmCell cell, std::span<const NodeImage> nodes) {
+    for (const auto& node : nodes) {
+      const auto displacement = displacement_of(*displacement_, node, Eigen::Vector2d::Zero());
+      fields_.corners.push_back(add_point(mesh_.place(node), displacement));
+    }
+    cell.corners = nodes.size();
+    fields_.cells.push_back(cell);
+  }
+
+  void add_grain(std::size_t g) {
+    const auto& mesh = mesh_.grains()[g];
+    std::vector<NodeImage> nodes;
+    for (std::size_t n = 0; n < mesh.boundary_nodes; ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
+    const auto displacements = grain_displacements(mesh, grain_, displacements_of(*displacement_, nodes));
+    const auto elasticity = plane_strain_stiffness(grain_);
+    const double first_lame = grain_.bulk - 2.0 / 3.0 * grain_.shear;
+    const Eigen::Vector2d offset = displacement_->macroscopic() * affine_motion(mesh_.place(nodes[0])) * strain_;
+    std::vector<std::size_t> points(mesh.nodes.size());
+    std::vector<bool> is_added(mesh.nodes.size(), false);
+    for (const auto& triangle : mesh.triangles) {
+      const auto [at, linear_at, area] =
+          quadratic_triangle({mesh.nodes[triangle[0]], mesh.nodes[triangle[1]], mesh.nodes[triangle[2]]});
+      Eigen::Matrix<double, 12, 1> u;
+      for (std::size_t n = 0; n < triangle.size(); ++n) {
+        u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
+            displacements.segment<2>(2 * static_cast<Eigen::Index>(triangle[n]));
+      }
+      FilmCell cell{.part = FilmPart::grain, .corners = 3, .area = side_ * side_ * area};
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (const auto& gradients : at) {
+        const Eigen::Vector3d strain = strain_rows(gradients) * u;
+        mean += strain / 3.0;
+        cell.work += strain.dot(elasticity * strain) / 3.0;
+      }
+      const Eigen::Vector3d stress = elasticity * mean;
+      cell.strain = as_tensor(mean);
+      cell.stress = {stress[0], stress[1], first_lame * (mean[0] + mean[1]), stress[2]};
+      for (std::size_t n = 0; n < cell.corners; ++n) {
+        const auto node = triangle[n];
+        if (!is_added[node]) {
+          const Eigen::Vector2d displacement = displacements.segment<2>(2 * static_cast<Eigen::Index>(node));
+          points[node] = add_point(mesh.nodes[node], displacement + offset);
+          is_added[node] = true;
+        }
+        fields_.corners.push_back(points[node]);
+      }
+      fields_.cells.push_back(cell);
+    }
+  }
+
+  [[nodiscard]] double flow(const FilmVector& of, std::size_t film, int element, int end) const {
+    return of.unknowns()[mesh_.unknowns().flow(film, element, end)];
+  }
+
+  /// Flows of a film at the ends of its elements: the means of what two elements have there.
+  [[nodiscard]] std::vector<double> flows_between(std::size_t f) const {
+    const int segments = mesh_.network().films[f].segments;
+    std::vector<double> flows;
+    for (int place = 0; place <= segments; ++place) {
+      const bool is_first = place == 0, is_last = place == segments;
+      if (holds_walls_ && ((is_first && mesh_.ends_at_wall(f, 0)) || (is_last && mesh_.ends_at_wall(f, 1)))) {
+        flows.push_back(0.0);
+        continue;
+      }
+      const double before = is_first ? flow(*displacement_, f, 0, 0) : flow(*displacement_, f, place - 1, 1);
+      const double behind = is_last ? before : flow(*displacement_, f, place, 0);
+      flows.push_back(0.5 * (before + behind));
+    }
+    return flows;
+  }
+
+  void add_film(std::size_t f, const std::array<double, 2>& end_lengths_of_film) {
+    const auto& film = mesh_.network().films[f];
+    const auto flows = flows_between(f);
+    for (int element = 0; element < film.segments; ++element) {
+      const auto first = static_cast<std::size_t>(element);
+      add_stretch(f, element, {flows[first], flows[first + 1]}, work_of_ends(f, element, end_lengths_of_film));
+    }
+    const auto first = mesh_.stretch(f, 0).ends, last = mesh_.stretch(f, film.segments - 1).ends;
+    inflow_[film.junctions[0]] -= strain_by(first[1][0] - first[0][0], flows.front() * film.direction);
+    inflow_[film.junctions[1]] -= strain_by(last[0][1] - last[1][1], flows.back() * film.direction);
+  }
+
+  /// Work of the bends at the ends of a film in its first and last element.
+  [[nodiscard]] double work_of_ends(std::size_t f, int element, const std::array<double, 2>& lengths) const {
+    double work = 0.0;
+    for (int end = 0; end < 2; ++end) {
+      const int last = end == 0 ? 0 : mesh_.network().films[f].segments - 1;
+      if (element != last || mesh_.ends_at_wall(f, end)) continue;
+      work += 12.0 * lengths[static_cast<std::size_t>(end)] * flow(*displacement_, f, element, end) *
+              flow(*shear_, f, element, end);
+    }
+    return work;
+  }
+
+  [[nodiscard]] Eigen::VectorXd unknowns_of_stretch(const FilmVector& of, std::size_t f, int element) const {
+    auto all = displacements_of(of, mesh_.nodes_of_stretch(f, element), FilmElement::flows);
+    for (int end = 0; end < 2; ++end) all[FilmElement::displacements + end] = flow(of, f, element, end);
+    return all;
+  }
+
+  void add_stretch(std::size_t f, int element, const std::array<double, 2>& flows, double work_of_ends) {
+    const auto& film = mesh_.network().films[f];
+    const auto nodes = mesh_.nodes_of_stretch(f, element);
+    const auto matrices = film_element(mesh_.stretch(f, element));
+    const auto u = unknowns_of_stretch(*displacement_, f, element);
+    const Eigen::VectorXd shear_forces = matrices.shear * unknowns_of_stretch(*shear_, f, element);
+    Eigen::Vector3d dilatation, negative_pressure;
+    const auto pressures = mesh_.unknowns().pressures(mesh_.network(), f, element);
+    for (Eigen::Index k = 0; k < FilmElement::pressures; ++k) {
+      dilatation[k] = volumetric_strain_[pressures[static_cast<std::size_t>(k)]];
+      negative_pressure[k] = negative_pressure_[pressures[static_cast<std::size_t>(k)]];
+    }
+    const double area = matrices.volume.sum();
+    const auto at = [&u](Eigen::Index node) -> Eigen::Vector2d { return u.segment<2>(2 * node); };
+    const Eigen::Vector2d first = mean_of(at(0), at(1), at(2)), second = mean_of(at(3), at(4), at(5));
+    const auto place = [&](std::size_t node) { return mesh_.place(nodes[node]); };
+    const Eigen::Vector3d strain = strain_by(place(0) - place(2), first) + strain_by(place(5) - place(3), second) +
+                                   strain_by(place(3) - place(0), 0.5 * (at(0) + at(3)) + flows[0] * film.direction) +
+                                   strain_by(place(2) - place(5), 0.5 * (at(2) + at(5)) + flows[1] * film.direction);
+    FilmCell cell{.part = FilmPart::film, .area = side_ * side_ * area};
+    cell.strain = as_tensor(strain / area);
+    cell.stress =
+        stress_of(mean_deviator(nodes, shear_forces, area), -(matrices.volume * negative_pressure).sum() / area);
+    cell.work = (u.dot(shear_forces) + dilatation.dot(matrices.volume * negative_pressure) + work_of_ends) / area;
+    cell.slip = side_ * (second - first).dot(film.direction);
+    cell.opening = side_ * (second - first).dot(film.normal);
+    cell.flow = 0.5 * side_ * (u[FilmElement::displacements] + u[FilmElement::displacements + 1]);
+    add_cell(cell, std::array{nodes[2], nodes[0], nodes[3], nodes[5]});
+  }
+
+  /// Mean stress of the forces on nodes that are in equilibrium with it: those forces' work on macroscopic motions.
+  [[nodiscard]] Eigen::Vector3d mean_deviator(std::span<const NodeImage> nodes, const Eigen::VectorXd& forces,
+                                              double area) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      sum += affine_motion(mesh_.place(nodes[n]) - mesh_.place(nodes[0])).transpose() *
+             forces.segment<2>(2 * static_cast<Eigen::Index>(n));
+    }
+    return sum / area;
+  }
+
+  void add_junction(std::size_t j) {
+    const auto nodes = mesh_.nodes_of(mesh_.network().junctions[j]);
+    if (nodes.size() < 3) return;  // the end of a film at a wall has no area
+    std::vector<Eigen::Vector2d> places;
+    for (const auto& node : nodes) places.push_back(mesh_.place(node));
+    const auto element = junction_element(places);
+    const auto u = displacements_of(*displacement_, nodes);
+    const Eigen::VectorXd shear_forces = element.shear * displacements_of(*shear_, nodes);
+    Eigen::Vector3d strain = inflow_[j];
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      const auto next = (n + 1) % nodes.size();
+      strain += strain_by(places[next] - places[n], 0.5 * (u.segment<2>(2 * static_cast<Eigen::Index>(n)) +
+                                                           u.segment<2>(2 * static_cast<Eigen::Index>(next))));
+    }
+    const auto pressure = static_cast<Eigen::Index>(j);
+    FilmCell cell{.part = FilmPart::junction, .area = side_ * side_ * element.area};
+    cell.strain = as_tensor(strain / element.area);
+    cell.stress = stress_of(mean_deviator(nodes, shear_forces, element.area), -negative_pressure_[pressure]);
+    cell.work =
+        (u.dot(shear_forces) + std::abs(element.area) * volumetric_strain_[pressure] * negative_pressure_[pressure]) /
+        element.area;
+    add_cell(cell, nodes);
+  }
+
+  FilmMesh mesh_;
+  Moduli grain_;
+  double side_;
+  bool holds_walls_;
+  Eigen::Vector3d strain_;
+  const FilmVector *displacement_, *shear_;
+  Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< by number of the pressure
+  std::vector<Eigen::Vector3d> inflow_;  ///< by junction: integral of the strain that the flow into it adds
+  FilmFields fields_;
+};
+
+}  // namespace
+
+FilmFields fields_of(const FilmComposite& composite, const FilmProblem& problem, Load load,
+                     const quasistatic::CompositeState<FilmVector>& state) {
+  if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
+  return Recovery(composite, problem, load, state).fields();
+}
+
+}  // namespace breccia::films

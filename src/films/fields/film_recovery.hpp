@@ -1,0 +1,17 @@
+#pragma once
+
+#include "breccia/discretisation/load.hpp"
+#include "breccia/films/film_fields.hpp"
+#include "breccia/films/film_problem.hpp"
+#include "breccia/quasistatic/composite_state.hpp"
+
+#include "film_composite.hpp"
+
+namespace breccia::films {
+
+/// Fields of grains and films in a state under a load (theory, Eqs. 67 to 69). The composite is the one of the problem.
+/// Throws like the constructor of the composite, and InputError for resolved films.
+[[nodiscard]] FilmFields fields_of(const FilmComposite& composite, const FilmProblem& problem, Load load,
+                                   const quasistatic::CompositeState<FilmVector>& state);
+
+}  // namespace breccia::films

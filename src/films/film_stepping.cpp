@@ -1,0 +1,36 @@
+#include "breccia/films/film_stepping.hpp"
+
+#include <vector>
+
+#include "breccia/quasistatic/linear_effort_state.hpp"
+#include "breccia/quasistatic/log_time_runs.hpp"
+
+#include "fields/film_recovery.hpp"
+#include "film_composite.hpp"
+
+namespace breccia {
+
+FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material& binder, std::span<const Load> loads,
+                                     std::span<const double> times, const ShareObserver& observer,
+                                     std::span<const double> field_times, Checkpoint* checkpoint) {
+  quasistatic::require_steps(loads, times);
+  const films::FilmComposite composite(problem);
+  std::vector<const PronySeries*> series(composite.parameters().size());
+  series[films::FilmComposite::shear] = &binder.shear;
+  series[films::FilmComposite::bulk] = &binder.bulk;
+  films::FilmSolver solver(composite);
+  quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
+  if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
+    runs.restore(*earlier);
+    solver.count_from(read_effort(*earlier, "/effort"));
+  }
+  quasistatic::take_all_steps(runs, solver, observer, checkpoint,
+                              [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
+  FilmSteppingResult result = {runs.responses(), {}, solver.effort()};
+  for (const auto& [time, state] : runs.kept()) {
+    result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
+  }
+  return result;
+}
+
+}  // namespace breccia

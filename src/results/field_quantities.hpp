@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/study/stage.hpp"
+#include "breccia/study/test_id.hpp"
+
+namespace breccia {
+
+/// What a map of a field shows, in words, and the unit of its labels in the unit of the values.
+struct FieldQuantity {
+  std::string words;
+  double unit_size = 1.0;
+};
+
+/// The stress component of a load, relative to the applied strain or stress, whose mean over the box is given.
+FieldQuantity stress_quantity(Boundary boundary, Load load, double mean);
+
+/// The largest shear strain over the mean shear strain or dilatation of the load, which is given.
+FieldQuantity strain_quantity(Load load, double mean);
+
+/// The title of a map of a test at a time [s].
+std::string field_title(const Stage& stage, const TestId& test, double time);
+
+}  // namespace breccia
