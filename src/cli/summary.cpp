@@ -207,7 +207,8 @@ std::string describe(const Tests& tests) {
     text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
   }
   if (tests.model == Model::films) {
-    text += fmt::format("    films    elements along the faces up to {:.4g} of a grain\n", tests.films.face_share);
+    text += fmt::format("    films    elements along the faces up to {:.4g} of a grain{}\n", tests.films.face_share,
+                        tests.films.layers ? fmt::format(", {} layers across", *tests.films.layers) : "");
   }
   text += describe(tests.mixing);
   for (const auto method : tests.methods) {

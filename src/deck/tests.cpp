@@ -135,6 +135,8 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
     if (const auto films = section.optional_section("films")) {
       tests.films.face_share =
           films->optional_number("face_share", allowed::face_share).value_or(tests.films.face_share);
+      const auto layers = films->optional_integer("layers", allowed::layers);
+      if (layers) tests.films.layers = static_cast<int>(*layers);
     }
   } else {
     section.refuse({"films"}, R"(it belongs to model = "films")");

@@ -21,6 +21,9 @@ void require_sound(const FilmProblem& problem) {
   require_positive(problem.grain.bulk, "the bulk modulus of the grains", " Pa");
   require_positive(problem.grain.shear, "the shear modulus of the grains", " Pa");
   require_positive(problem.face_share, "the length of the elements", "");
+  if (problem.layers && *problem.layers < 1) {
+    mistakes.push_back(fmt::format("the number of layers across the films must be positive, got {}", *problem.layers));
+  }
   const bool is_periodic = problem.tessellation.walls() == Walls::periodic;
   if (is_periodic != (problem.boundary == Boundary::periodic)) {
     mistakes.push_back(fmt::format("a {} tessellation does not go with a {} boundary",

@@ -107,7 +107,11 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
 double film_unknowns(const Tests& tests, std::size_t grains) {
   // Grains have about six faces; shorter elements make more of them along the faces, not across the condensed grains.
   constexpr double per_grain = 29.0;
-  return static_cast<double>(grains) * per_grain / tests.films.face_share;
+  // Resolved films have most of their elements near the corners of the grains, whatever the length of the longest.
+  constexpr double of_a_layer = 570.0, growth = 1.34;
+  const double of_grain =
+      tests.films.layers ? of_a_layer * std::pow(*tests.films.layers, growth) : per_grain / tests.films.face_share;
+  return static_cast<double>(grains) * of_grain;
 }
 
 double film_memory(double unknowns) {

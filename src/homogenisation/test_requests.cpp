@@ -105,9 +105,10 @@ QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Mat
                          .thickness = grains.film,
                          .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
                          .boundary = boundary,
-                         .face_share = study.tests.films.face_share};
+                         .face_share = study.tests.films.face_share,
+                         .layers = study.tests.films.layers};
   auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
-  test.field_times = study.tests.field_times;
+  if (!study.tests.films.layers) test.field_times = study.tests.field_times;
   return test;
 }
 

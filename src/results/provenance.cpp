@@ -119,6 +119,7 @@ struct DescribeRecord {
     Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)}};
     if (grid.is_films()) {
       json["face_share"] = options.films.face_share;
+      if (options.films.layers) json["layers"] = *options.films.layers;
     } else {
       json["volumetric"] = name_of(options.quasistatic.volumetric);
       json["mixing"] = name_of(options.mixing);

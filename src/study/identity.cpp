@@ -235,8 +235,10 @@ class Content {
     if (model == Model::films) add_all(std::string("films"), films);
   }
   void add(const FilmOptions& options) {
-    const auto& [face_share] = options;
+    const auto& [face_share, layers] = options;
     add(face_share);
+    // Nothing for thin films, as before there were others.
+    if (layers) add_all(std::string("layers"), *layers);
   }
   void add(const VariedMaterial& material) {
     const auto& [name, shear, bulk] = material;

@@ -112,6 +112,9 @@ void check_tests(const Tests& tests, StudyMistakes& mistakes) {
   mistakes.check_integer(tests_part, "points per decade", tests.points_per_decade, allowed::points_per_decade);
   mistakes.check_number(tests_part, "tolerance of the fit", tests.fit_tolerance, allowed::fit_tolerance);
   mistakes.check_number("tests, films", "length of the elements", tests.films.face_share, allowed::face_share);
+  if (tests.films.layers) {
+    mistakes.check_integer("tests, films", "number of layers", *tests.films.layers, allowed::layers);
+  }
   check_quasistatic(tests.quasistatic, mistakes);
   check_dynamic(tests.dynamic, mistakes);
 }

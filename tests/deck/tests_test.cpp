@@ -77,6 +77,15 @@ TEST_F(DeckTests, GrainsComputedWithFilmsNeedNoCells) {
   EXPECT_EQ(directory.study(stepping).tests.quasistatic.solver, Solver::stepping);
 }
 
+TEST_F(DeckTests, FilmsMayBeResolvedByLayers) {
+  const auto deck_of = [&](std::string_view lines) {
+    return test::join(test::materials, grains, "[tests]\n", times, "model = \"films\"\n", lines);
+  };
+  EXPECT_FALSE(directory.study(deck_of("")).tests.films.layers);
+  EXPECT_EQ(directory.study(deck_of("films = { layers = 4 }\n")).tests.films.layers, 4);
+  EXPECT_THAT(directory.mistakes(deck_of("films = { layers = 0 }\n")), HasSubstr("layers"));
+}
+
 TEST_F(DeckTests, GrainsThatTheWallsCutHaveBothBounds) {
   const auto cut = test::replaced(std::string(grains), "\"laguerre\"", "\"laguerre\", walls = \"cut\"");
   const auto study = directory.study(test::join(test::materials, cut, "[tests]\n", times, "model = \"films\"\n"));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/microstructure/tessellation.hpp"
@@ -17,10 +19,13 @@ struct FilmProblem {
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
   /// beside it [-]. With 0.3 most faces have two elements.
   double face_share = 0.3;
+  /// Number of layers of elements that resolve the binder across every film (theory, Eq. 66a), whatever its length.
+  /// Without, films are thin: a row of elements each.
+  std::optional<int> layers = {};
 };
 
-/// Throws InputError, with every mistake: a thickness, a share or a modulus that is not positive, a boundary that does
-/// not go with the walls of the tessellation.
+/// Throws InputError, with every mistake: a thickness, a share, a modulus or a number of layers that is not positive, a
+/// boundary that does not go with the walls of the tessellation.
 void require_sound(const FilmProblem& problem);
 
 }  // namespace breccia

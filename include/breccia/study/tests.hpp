@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
@@ -37,6 +38,8 @@ struct FilmOptions {
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains
   /// beside it [-].
   double face_share = 0.3;
+  /// Number of layers of elements that resolve the binder across every film. Without, films are thin.
+  std::optional<int> layers = {};
 };
 
 /// The virtual tests of every stage.

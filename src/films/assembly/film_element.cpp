@@ -1,28 +1,11 @@
 #include "assembly/film_element.hpp"
 
-#include <cmath>
+#include <cstddef>
 
 #include "assembly/plane_strain.hpp"
+#include "assembly/quadrature.hpp"
 
 namespace breccia::films {
-namespace {
-
-/// Points and weights of Gauss' rule on [-1, 1], exact to the fifth order.
-const std::array<double, 3> gauss_places = {-std::sqrt(0.6), 0.0, std::sqrt(0.6)};
-constexpr std::array<double, 3> gauss_weights = {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0};
-
-/// Quadratic functions of begin, middle and end of a stretch, at a place x from -1 to 1.
-Eigen::Vector3d quadratic(double x) {
-  return {0.5 * x * (x - 1.0), 1.0 - x * x, 0.5 * x * (x + 1.0)};
-}
-Eigen::Vector3d quadratic_slope(double x) {
-  return {x - 0.5, -2.0 * x, x + 0.5};
-}
-Eigen::Vector2d linear(double x) {
-  return {0.5 * (1.0 - x), 0.5 * (1.0 + x)};
-}
-
-}  // namespace
 
 FilmElement film_element(const FilmStretch& stretch) {
   FilmElement element;
@@ -34,6 +17,7 @@ FilmElement film_element(const FilmStretch& stretch) {
   const Eigen::Vector2d lengths{(first[1] - first[0]).dot(stretch.direction),
                                 (second[1] - second[0]).dot(stretch.direction)};
   const double mean_length = lengths.mean();
+  const auto& [gauss_places, gauss_weights] = gauss_rule();
   const auto deviatoric = plane_strain_stiffness({.bulk = 0.0, .shear = 1.0});
 
   for (std::size_t i = 0; i < gauss_places.size(); ++i) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <vector>
-
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -10,6 +7,7 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_problem.hpp"
 
+#include "assembly/film_matrices.hpp"
 #include "assembly/film_vector.hpp"
 
 namespace breccia::films {
@@ -18,15 +16,17 @@ namespace breccia::films {
 /// for a unit shear and a unit bulk modulus of the binder.
 class FilmOperator {
  public:
-  using Sparse = Eigen::SparseMatrix<double>;
+  using Sparse = FilmMatrices::Sparse;
 
   explicit FilmOperator(const FilmProblem& problem);
 
   [[nodiscard]] Boundary boundary() const noexcept { return boundary_; }
-  [[nodiscard]] int unknowns() const noexcept { return static_cast<int>(grains_.rows()) - macroscopic; }
-  [[nodiscard]] int pressures() const noexcept { return static_cast<int>(volume_.rows()); }
-  /// Area of grains, films and junctions, of a box of area 1.
-  [[nodiscard]] double area() const noexcept { return area_; }
+  [[nodiscard]] int unknowns() const noexcept {
+    return static_cast<int>(matrices_.grains.rows()) - FilmMatrices::macroscopic;
+  }
+  [[nodiscard]] int pressures() const noexcept { return static_cast<int>(matrices_.volume.rows()); }
+  /// Area of grains and binder, of a box of area 1.
+  [[nodiscard]] double area() const noexcept { return matrices_.area; }
 
   [[nodiscard]] FilmVector zero() const { return {0.0, Eigen::VectorXd::Zero(unknowns())}; }
   /// The uniform strain of a load, without flow in the films.
@@ -50,23 +50,12 @@ class FilmOperator {
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
-  static constexpr int macroscopic = 3;  ///< strains xx, yy and the engineering shear follow the unknowns
-
-  class Assembly;
-
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
 
   Boundary boundary_;
-  double area_ = 0.0;
-  Sparse grains_, shear_;  ///< lower triangles of K_0 and K_G, with the macroscopic strains
-  Sparse dilatation_;      ///< volume change by pressure and unknown
-  Sparse volume_;          ///< lower triangle of the products of the pressures' functions
+  FilmMatrices matrices_;
   Eigen::SimplicialLLT<Sparse> volume_factors_;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> tractions_;    ///< forces of the stresses xx, yy and xy on the boundary
-  Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient_;  ///< displacements of the gradients 11, 12, 21 and 22
-  /// From the first node to the one that a traction boundary keeps from moving along the second axis.
-  Eigen::Vector2d held_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace breccia::films

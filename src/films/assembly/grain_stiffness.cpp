@@ -5,8 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
-#include "assembly/grain_triangle.hpp"
 #include "assembly/plane_strain.hpp"
+#include "assembly/quadratic_triangle.hpp"
 
 namespace breccia::films {
 namespace {
@@ -25,12 +25,8 @@ Eigen::MatrixXd whole_stiffness(const GrainMesh& mesh, const Moduli& moduli) {
   const auto elasticity = plane_strain_stiffness(moduli);
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(Sizes(mesh).all, Sizes(mesh).all);
   for (const auto& nodes : mesh.triangles) {
-    const auto [at, area] = triangle_gradients(mesh, nodes);
-    Eigen::Matrix<double, 12, 12> element = Eigen::Matrix<double, 12, 12>::Zero();
-    for (const auto& gradients : at) {
-      const auto strain = strain_rows(gradients);
-      element += area / 3.0 * strain.transpose() * elasticity * strain;
-    }
+    const auto element = triangle_stiffness(
+        quadratic_triangle({mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]]}), elasticity);
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) {
         whole.block<2, 2>(2 * static_cast<Eigen::Index>(nodes[static_cast<std::size_t>(i)]),

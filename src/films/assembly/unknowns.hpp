@@ -8,6 +8,7 @@
 
 #include "breccia/discretisation/boundary.hpp"
 
+#include "assembly/film_matrices.hpp"
 #include "mesh/film_network.hpp"
 #include "mesh/grain_mesh.hpp"
 
@@ -21,8 +22,6 @@ namespace breccia::films {
 /// are held at zero under the other boundaries.
 class Unknowns {
  public:
-  static constexpr int held = -1;
-
   Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary);
 
   [[nodiscard]] int count() const noexcept { return count_; }

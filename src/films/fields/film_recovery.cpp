@@ -8,13 +8,15 @@
 
 #include <Eigen/Core>
 
+#include "breccia/error.hpp"
+
 #include "assembly/film_element.hpp"
 #include "assembly/film_end.hpp"
 #include "assembly/film_mesh.hpp"
 #include "assembly/grain_stiffness.hpp"
-#include "assembly/grain_triangle.hpp"
 #include "assembly/junction_element.hpp"
 #include "assembly/macroscopic.hpp"
+#include "assembly/quadratic_triangle.hpp"
 
 namespace breccia::films {
 namespace {
@@ -72,7 +74,7 @@ class Recovery {
     Eigen::Vector2d displacement = of.macroscopic() * affine_motion(mesh_.place(node) - from) * strain_;
     for (int i = 0; i < 2; ++i) {
       const int number = mesh_.unknowns().displacement(node.grain, node.number, i);
-      if (number != Unknowns::held) displacement[i] += of.unknowns()[number];
+      if (number != held) displacement[i] += of.unknowns()[number];
     }
     return displacement;
   }
@@ -114,7 +116,8 @@ class Recovery {
     std::vector<std::size_t> points(mesh.nodes.size());
     std::vector<bool> is_added(mesh.nodes.size(), false);
     for (const auto& triangle : mesh.triangles) {
-      const auto [at, area] = triangle_gradients(mesh, triangle);
+      const auto [at, linear_at, area] =
+          quadratic_triangle({mesh.nodes[triangle[0]], mesh.nodes[triangle[1]], mesh.nodes[triangle[2]]});
       Eigen::Matrix<double, 12, 1> u;
       for (std::size_t n = 0; n < triangle.size(); ++n) {
         u.segment<2>(2 * static_cast<Eigen::Index>(n)) =
@@ -274,6 +277,7 @@ class Recovery {
 
 FilmFields fields_of(const FilmComposite& composite, const FilmProblem& problem, Load load,
                      const quasistatic::CompositeState<FilmVector>& state) {
+  if (problem.layers) throw InputError("films: there are no fields of resolved films, only of thin ones");
   return Recovery(composite, problem, load, state).fields();
 }
 

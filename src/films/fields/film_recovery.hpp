@@ -10,7 +10,7 @@
 namespace breccia::films {
 
 /// Fields of grains and films in a state under a load (theory, Eqs. 67 to 69). The composite is the one of the problem.
-/// Throws like the constructor of the composite.
+/// Throws like the constructor of the composite, and InputError for resolved films.
 [[nodiscard]] FilmFields fields_of(const FilmComposite& composite, const FilmProblem& problem, Load load,
                                    const quasistatic::CompositeState<FilmVector>& state);
 

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "mesh/grading.hpp"
+
 namespace breccia::films {
 namespace {
 
@@ -28,13 +30,6 @@ double perimeter(const std::vector<Eigen::Vector2d>& polygon) {
   double length = 0.0;
   for (std::size_t i = 0; i < polygon.size(); ++i) length += (polygon[(i + 1) % polygon.size()] - polygon[i]).norm();
   return length;
-}
-
-/// Where along a face the share x of its elements ends: they are shorter near the corners, where the pressure of a film
-/// becomes that of the junction.
-double graded(double x) {
-  constexpr double grading = 0.7;
-  return x - grading / (2.0 * std::numbers::pi) * std::sin(2.0 * std::numbers::pi * x);
 }
 
 /// Triangles of three corners that fill a polygon, to whose vertices those inside are added.
@@ -69,10 +64,19 @@ std::vector<Triangle> fill(std::vector<Eigen::Vector2d>& vertices) {
 }  // namespace
 
 GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const int> segments) {
+  std::vector<std::vector<double>> divisions;
+  for (const int of_face : segments) {
+    auto& shares = divisions.emplace_back();
+    for (int k = 0; k < of_face; ++k) shares.push_back(graded(1.0 * k / of_face));
+  }
+  return grain_mesh(grain, divisions);
+}
+
+GrainMesh grain_mesh(const GrainPolygon& grain, std::span<const std::vector<double>> divisions) {
   std::vector<Eigen::Vector2d> vertices;
   for (std::size_t c = 0; c < grain.corners.size(); ++c) {
     const auto &begin = grain.corners[c], &end = grain.corners[grain.next_corner(c)];
-    for (int k = 0; k < segments[c]; ++k) vertices.emplace_back(begin + graded(1.0 * k / segments[c]) * (end - begin));
+    for (const double share : divisions[c]) vertices.emplace_back(begin + share * (end - begin));
   }
   const std::size_t on_boundary = vertices.size();
   const auto triangles = fill(vertices);

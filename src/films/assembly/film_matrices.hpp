@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+namespace breccia::films {
+
+/// Number of an unknown that a boundary holds at zero.
+inline constexpr int held = -1;
+
+/// The matrices of grains and films (theory, Eq. 65), in units of the side of the box. The unknowns are displacements
+/// and, of thin films, flows; the macroscopic strains xx, yy and the engineering shear follow them.
+struct FilmMatrices {
+  using Sparse = Eigen::SparseMatrix<double>;
+  static constexpr int macroscopic = 3;  ///< number of macroscopic strains
+
+  Sparse grains;                                       ///< lower triangle of K_0, at the moduli of the grains [Pa]
+  Sparse shear;                                        ///< lower triangle of K_G, of a unit shear modulus of the binder
+  Sparse dilatation;                                   ///< volume change by pressure and unknown
+  Sparse volume;                                       ///< lower triangle of the products of the pressures' functions
+  Eigen::Matrix<double, Eigen::Dynamic, 3> tractions;  ///< forces of the stresses xx, yy and xy on the boundary
+  Eigen::Matrix<double, Eigen::Dynamic, 4> by_gradient;  ///< unknowns of the displacement gradients 11, 12, 21 and 22
+  /// From the first node to the one that a traction boundary keeps from moving along the second axis.
+  Eigen::Vector2d farthest_held = Eigen::Vector2d::Zero();
+  double area = 0.0;  ///< of grains and binder, of a box of area 1
+};
+
+}  // namespace breccia::films

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include "assembly/film_matrices.hpp"
+
+namespace breccia::films {
+
+/// Force on a line by the stresses xx, yy and xy; `line` has the body on its left.
+[[nodiscard]] Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line);
+
+/// Unknowns of an element: their numbers, and what each of them is by the macroscopic strains.
+struct ElementUnknowns {
+  std::vector<int> numbers;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> macroscopic;
+};
+
+/// Adds up the matrices of elements, whatever they are. Nothing is added for an unknown that is held.
+class MatrixAssembly {
+ public:
+  MatrixAssembly(int unknowns, int pressures);
+
+  void add_grain(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
+  void add_shear(const ElementUnknowns& unknowns, const Eigen::MatrixXd& stiffness);
+  /// A resistance to a single unknown, of a unit shear modulus.
+  void add_resistance(int unknown, double stiffness);
+  void add_dilatation(std::span<const int> pressures, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix);
+  /// The volume that a single unknown takes from a pressure.
+  void add_outflow(int pressure, int unknown, double volume);
+  void add_volume(std::span<const int> pressures, const Eigen::MatrixXd& matrix);
+  void add_area(double area) { result_.area += area; }
+  /// Forces of the stresses xx, yy and xy on an unknown.
+  void add_traction(int unknown, const Eigen::RowVector3d& forces);
+  /// The component of a displacement at a place, seen from the first node.
+  void set_place(int unknown, int component, const Eigen::Vector2d& place);
+  /// The place, seen from the first node, of the one that a traction boundary holds against rotation.
+  void set_farthest_held(const Eigen::Vector2d& place) { result_.farthest_held = place; }
+
+  [[nodiscard]] FilmMatrices finish();
+
+ private:
+  using Entries = std::vector<Eigen::Triplet<double>>;
+
+  void add_symmetric(Entries& entries, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix) const;
+
+  int unknowns_, pressures_;
+  FilmMatrices result_;
+  Entries grains_, shear_, dilatation_, volume_;
+};
+
+}  // namespace breccia::films

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "breccia/films/film_problem.hpp"
+
+#include "assembly/film_matrices.hpp"
+
+namespace breccia::films {
+
+/// The matrices of grains and a binder that is resolved by elements of displacements and pressures, several across
+/// each film (theory, Eq. 66a). Throws InputError when there is no mesh of the binder (see resolved_mesh()).
+[[nodiscard]] FilmMatrices resolved_films(const FilmProblem& problem);
+
+}  // namespace breccia::films

@@ -1,0 +1,178 @@
+#include "assembly/thin_films.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "assembly/film_element.hpp"
+#include "assembly/film_end.hpp"
+#include "assembly/film_mesh.hpp"
+#include "assembly/grain_stiffness.hpp"
+#include "assembly/junction_element.hpp"
+#include "assembly/macroscopic.hpp"
+#include "assembly/matrix_assembly.hpp"
+
+namespace breccia::films {
+namespace {
+
+/// Adds up the matrices of grains, thin films and junctions.
+class ThinFilms {
+ public:
+  ThinFilms(const FilmMesh& mesh, Boundary boundary)
+      : mesh_(mesh),
+        network_(mesh.network()),
+        meshes_(mesh.grains()),
+        boundary_(boundary),
+        unknowns_(mesh.unknowns()),
+        sum_(unknowns_.count(), unknowns_.pressures()) {}
+
+  void add_grains(const Moduli& moduli) {
+    for (std::size_t g = 0; g < meshes_.size(); ++g) {
+      std::vector<NodeImage> nodes;
+      for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
+      sum_.add_grain(unknowns_of(nodes, {}), grain_stiffness(meshes_[g], moduli));
+      sum_.add_area(films::area(network_.grains[g].corners));
+    }
+  }
+
+  void add_films() {
+    const auto lengths = end_lengths(network_);
+    for (std::size_t f = 0; f < network_.films.size(); ++f) {
+      for (int element = 0; element < network_.films[f].segments; ++element) add_stretch(f, element);
+      for (int end = 0; end < 2; ++end) add_end(f, end, lengths[f][static_cast<std::size_t>(end)]);
+    }
+  }
+
+  void add_junctions() {
+    for (std::size_t j = 0; j < network_.junctions.size(); ++j) {
+      std::vector<Eigen::Vector2d> places;
+      for (const auto& corner : network_.junctions[j].corners) places.push_back(network_.place(corner));
+      const auto element = junction_element(places);
+      const auto unknowns = unknowns_of(mesh_.nodes_of(network_.junctions[j]), {});
+      const std::array pressures = {static_cast<int>(j)};
+      sum_.add_shear(unknowns, element.shear);
+      sum_.add_dilatation(pressures, unknowns, element.dilatation);
+      sum_.add_volume(pressures, Eigen::MatrixXd::Constant(1, 1, std::abs(element.area)));
+      sum_.add_area(element.area);
+    }
+  }
+
+  /// Uniform tractions on what is cut by the walls.
+  void add_tractions() {
+    for (std::size_t g = 0; g < network_.grains.size(); ++g) {
+      for (const auto& edge : network_.grains[g].edges) {
+        if (!edge.neighbour && edge.face) add_face_traction(g, *edge.face);
+      }
+    }
+    for (const auto& junction : network_.junctions) {
+      if (!junction.is_at_wall) continue;
+      const auto force =
+          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
+      for (const auto& corner : {junction.corners.front(), junction.corners.back()}) {
+        add_node_force(mesh_.node_of(corner), 0.5 * force);
+      }
+    }
+  }
+
+  /// What the unknowns are in a uniform displacement gradient that leaves the first node where it is.
+  void add_uniform_gradients() {
+    const auto& first = meshes_[0].nodes[0];
+    for (std::size_t g = 0; g < meshes_.size(); ++g) {
+      for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) {
+        const Eigen::Vector2d place = meshes_[g].nodes[n] - first;
+        for (int i = 0; i < 2; ++i) sum_.set_place(unknowns_.displacement(g, n, i), i, place);
+      }
+    }
+    sum_.set_farthest_held(unknowns_.farthest_held() - first);
+  }
+
+  [[nodiscard]] FilmMatrices finish() { return sum_.finish(); }
+
+ private:
+  /// The displacements of nodes, and flows. The macroscopic motion is taken from the first node: a translation does no
+  /// work on an element, and the motion from the origin of the box would add its rounding to the element's forces.
+  [[nodiscard]] ElementUnknowns unknowns_of(std::span<const NodeImage> nodes, std::span<const int> flows) const {
+    ElementUnknowns unknowns;
+    unknowns.macroscopic.setZero(static_cast<Eigen::Index>(2 * nodes.size() + flows.size()), 3);
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      unknowns.macroscopic.middleRows<2>(2 * static_cast<Eigen::Index>(n)) =
+          affine_motion(mesh_.place(nodes[n]) - mesh_.place(nodes[0]));
+      for (int i = 0; i < 2; ++i) {
+        unknowns.numbers.push_back(unknowns_.displacement(nodes[n].grain, nodes[n].number, i));
+      }
+    }
+    unknowns.numbers.insert(unknowns.numbers.end(), flows.begin(), flows.end());
+    return unknowns;
+  }
+
+  void add_stretch(std::size_t f, int element) {
+    const auto matrices = film_element(mesh_.stretch(f, element));
+    const std::array flows = {unknowns_.flow(f, element, 0), unknowns_.flow(f, element, 1)};
+    const auto unknowns = unknowns_of(mesh_.nodes_of_stretch(f, element), flows);
+    const auto pressures = unknowns_.pressures(network_, f, element);
+    sum_.add_shear(unknowns, matrices.shear);
+    sum_.add_dilatation(pressures, unknowns, matrices.dilatation);
+    sum_.add_volume(pressures, matrices.volume);
+    sum_.add_area(matrices.volume.sum());
+  }
+
+  /// Where a film flows into a junction, the flow has to turn; at a wall without displacements it flows out freely.
+  void add_end(std::size_t f, int end, double end_length) {
+    const auto& film = network_.films[f];
+    const auto number = film.junctions[static_cast<std::size_t>(end)];
+    const auto& junction = network_.junctions[number];
+    const int flow = unknowns_.flow(f, end == 0 ? 0 : film.segments - 1, end);
+    if (!mesh_.ends_at_wall(f, end)) {
+      sum_.add_resistance(flow, 12.0 * end_length);
+    } else if (boundary_ == Boundary::traction) {
+      const double outward = end == 0 ? -1.0 : 1.0;
+      sum_.add_outflow(static_cast<int>(number), flow, outward * film.thickness);
+      const auto force =
+          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
+      sum_.add_traction(flow, film.direction.transpose() * force);
+    }
+  }
+
+  void add_face_traction(std::size_t grain, std::size_t face) {
+    constexpr std::array<double, 3> shares = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
+    for (int element = 0; element < network_.segments[grain][face]; ++element) {
+      std::array<NodeImage, 3> nodes;
+      for (int k = 0; k < 3; ++k) {
+        nodes[static_cast<std::size_t>(k)] = {grain, unknowns_.node(grain, face, 2 * element + k),
+                                              Eigen::Vector2i::Zero()};
+      }
+      const auto force = traction_on(mesh_.place(nodes[2]) - mesh_.place(nodes[0]));
+      for (std::size_t k = 0; k < 3; ++k) add_node_force(nodes[k], shares[k] * force);
+    }
+  }
+
+  void add_node_force(const NodeImage& node, const Eigen::Matrix<double, 2, 3>& force) {
+    for (int i = 0; i < 2; ++i) {
+      sum_.add_traction(unknowns_.displacement(node.grain, node.number, i), force.row(i));
+    }
+  }
+
+  const FilmMesh& mesh_;
+  const FilmNetwork& network_;
+  const std::vector<GrainMesh>& meshes_;
+  Boundary boundary_;
+  const Unknowns& unknowns_;
+  MatrixAssembly sum_;
+};
+
+}  // namespace
+
+FilmMatrices thin_films(const FilmProblem& problem) {
+  const FilmMesh mesh(problem);
+  ThinFilms films(mesh, problem.boundary);
+  films.add_grains(problem.grain);
+  films.add_tractions();
+  if (problem.boundary == Boundary::traction) films.add_uniform_gradients();
+  films.add_films();
+  films.add_junctions();
+  return films.finish();
+}
+
+}  // namespace breccia::films

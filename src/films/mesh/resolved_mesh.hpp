@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "breccia/films/film_problem.hpp"
+
+namespace breccia::films {
+
+/// An element with straight edges: its corners counter-clockwise, then the middles of the edges that begin at them and,
+/// of a quadrilateral, its centre. Places are those of the image of the box in which the element is.
+template <std::size_t corners, std::size_t count>
+struct MeshElement {
+  std::array<std::size_t, count> nodes;
+  std::array<Eigen::Vector2d, corners> places;  ///< of the corners
+};
+using MeshTriangle = MeshElement<3, 6>;
+using MeshQuadrilateral = MeshElement<4, 9>;
+
+/// A box of grains and binder as conforming elements, several of them across each film. Lengths are in sides.
+struct ResolvedMesh {
+  std::vector<Eigen::Vector2d> nodes;  ///< of elements of quadratic displacements
+  std::vector<MeshTriangle> grains;
+  /// Of the binder: the films, and the junctions around their centres.
+  std::vector<MeshQuadrilateral> quadrilaterals;
+  std::vector<MeshTriangle> triangles;
+};
+
+/// The mesh of a problem with layers. Across a film elements are thinner at its faces, and along it shorter at its
+/// ends, where corners of grains concentrate the shear (theory, section 17). Throws InputError when a film leaves
+/// nothing of a grain or a junction has a shape that no mesh fits.
+[[nodiscard]] ResolvedMesh resolved_mesh(const FilmProblem& problem);
+
+}  // namespace breccia::films
