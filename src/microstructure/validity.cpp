@@ -14,12 +14,12 @@
 #include "breccia/error.hpp"
 
 #include "close_pairs.hpp"
+#include "mistake_list.hpp"
 
 namespace breccia {
 
 namespace {
 
-constexpr std::size_t most_listed = 20;
 constexpr double roundoff = 1e-12;  // of a diameter or the side
 
 template <int dim>
@@ -98,12 +98,7 @@ void require_valid(const Microstructure<dim>& microstructure) {
   }
   auto mistakes = mistakes_of_balls(microstructure);
   if (mistakes.empty()) mistakes = overlaps(microstructure);
-  if (mistakes.empty()) return;
-  std::string message =
-      fmt::format("microstructure: a box of side {:.6g} m cannot hold these {}s:", microstructure.side, ball_word<dim>);
-  for (std::size_t k = 0; k < std::min(most_listed, mistakes.size()); ++k) message += "\n  " + mistakes[k];
-  if (mistakes.size() > most_listed) message += fmt::format("\n  and {} more", mistakes.size() - most_listed);
-  throw InputError(message);
+  require_no_mistakes(mistakes, microstructure.side, fmt::format("{}s", ball_word<dim>));
 }
 
 template void require_valid(const Microstructure<2>&);

@@ -11,6 +11,7 @@
 #include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
+#include "breccia/microstructure/ellipsoid_locator.hpp"
 #include "breccia/microstructure/sphere_overlap.hpp"
 
 namespace breccia {
@@ -123,6 +124,19 @@ TEST(MixedCubes, OfALabellingAreNearTheExactOnes) {
   EXPECT_LE(std::sqrt(std::max(0.0, sum / crossed - rounding * rounding)), 0.004);
   EXPECT_LE(largest, 0.5 / mixture_steps + 1.0 / cube_label_subdivisions);
   EXPECT_THROW(discretise_mixed(unit_cube(2), in_sphere, 1), InputError);
+}
+
+TEST(MixedCubes, OfEllipsoidsHoldTheirVolumes) {
+  EllipsoidBox box = {1.0, Walls::periodic};
+  box.particles = {{{0.1, 0.4, 0.3}, {0.8, 0.4, 0.3}, turned({1.0, 0.2, 0.5, -0.3})},
+                   {{0.6, 0.8, 0.8}, {0.5, 0.3, 0.3}, turned({0.3, 1.0, -0.4, 0.7})}};
+  ASSERT_NO_THROW(require_valid(box));
+  const EllipsoidLocator locator(box);
+  const auto in_ellipsoid = [&](const Vector<3>& place) {
+    const auto distance = locator.at(place).distance;
+    return PhaseAt{static_cast<PhaseIndex>(distance <= 0.0 ? 1 : 0), std::abs(distance)};
+  };
+  EXPECT_NEAR(discretise_mixed(unit_cube(24), in_ellipsoid, 2).fractions(2)[1], volume_fraction(box), 2e-4);
 }
 
 /// Voxels of two labels in a pattern without a symmetry.

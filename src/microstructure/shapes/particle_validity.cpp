@@ -12,6 +12,7 @@
 
 #include "breccia/error.hpp"
 
+#include "mistake_list.hpp"
 #include "particle_pairs.hpp"
 
 namespace breccia {
@@ -88,12 +89,7 @@ void require_valid(const ParticleBox& box) {
   }
   auto mistakes = mistakes_of_particles(box);
   if (mistakes.empty()) mistakes = overlaps(box);
-  if (mistakes.empty()) return;
-  constexpr std::size_t most_listed = 20;
-  auto message = fmt::format("microstructure: a box of side {:.6g} m cannot hold these particles:", box.side);
-  for (std::size_t k = 0; k < std::min(most_listed, mistakes.size()); ++k) message += "\n  " + mistakes[k];
-  if (mistakes.size() > most_listed) message += fmt::format("\n  and {} more", mistakes.size() - most_listed);
-  throw InputError(message);
+  require_no_mistakes(mistakes, box.side, "particles");
 }
 
 }  // namespace breccia

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+
+#include "breccia/microstructure/vector.hpp"
+
+namespace breccia {
+
+/// How a body is turned: the directions of its three axes, of length 1 and perpendicular to each other.
+using AxisDirections = std::array<Vector<3>, 3>;
+
+/// The axes of a body along x, y and z.
+inline constexpr AxisDirections unturned = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
+/// The axes that a rotation turns x, y and z into. The rotation is a quaternion of any length but 0, its scalar part
+/// first; four numbers from a normal distribution make all rotations equally likely.
+[[nodiscard]] AxisDirections turned(const std::array<double, 4>& quaternion);
+
+/// An ellipsoid in a box. With two equal axes it is one of revolution.
+struct Ellipsoid {
+  Vector<3> centre;                      ///< [m]
+  Vector<3> axes;                        ///< whole lengths [m]
+  AxisDirections directions = unturned;  ///< of the axes
+
+  /// True for places inside and on the surface.
+  [[nodiscard]] bool contains(const Vector<3>& place) const noexcept;
+
+  friend bool operator==(const Ellipsoid&, const Ellipsoid&) = default;
+};
+
+[[nodiscard]] double volume(const Ellipsoid& ellipsoid) noexcept;        ///< [m^3]
+[[nodiscard]] double surface(const Ellipsoid& ellipsoid);                ///< to 1e-12 of its value [m^2]
+[[nodiscard]] double circumradius(const Ellipsoid& ellipsoid) noexcept;  ///< largest distance from the centre [m]
+
+/// How far it reaches from its centre along x, y and z, either way [m].
+[[nodiscard]] Vector<3> extent(const Ellipsoid& ellipsoid) noexcept;
+
+/// Distance of a place from the surface [m], negative inside; exact to rounding.
+[[nodiscard]] double signed_distance(const Ellipsoid& ellipsoid, const Vector<3>& place);
+
+/// Distance between the surfaces of two ellipsoids [m] (theory, Eq. 52): never above the true one, and no more than
+/// 1e-13 of the distance of their centres below it. Negative where they overlap: moved by as much along some direction,
+/// the second one is clear of the first.
+[[nodiscard]] double gap(const Ellipsoid& one, const Ellipsoid& other);
+
+}  // namespace breccia

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "breccia/microstructure/ellipsoid.hpp"
+#include "breccia/microstructure/microstructure.hpp"
+
+namespace breccia {
+
+/// A cubic box [0, side]^3 with ellipsoids. Those of a periodic box are listed once, with their centre in the box.
+struct EllipsoidBox {
+  double side = 0.0;  ///< [m]
+  Walls walls = Walls::hard;
+  std::vector<Ellipsoid> particles = {};
+  /// The number of the filler that each particle belongs to, from 0; empty where all belong to the first.
+  std::vector<std::size_t> fillers = {};
+  /// Thickness of the coating around each particle [m]: the places that are so near to it. Empty where none has one.
+  std::vector<double> coatings = {};
+
+  [[nodiscard]] std::size_t filler_of(std::size_t particle) const { return fillers.empty() ? 0 : fillers.at(particle); }
+  [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
+};
+
+/// Volume of the particles per volume of the box, without coatings.
+[[nodiscard]] double volume_fraction(const EllipsoidBox& box);
+/// Surface of the particles per volume of the box [1/m].
+[[nodiscard]] double specific_surface(const EllipsoidBox& box);
+/// Smallest distance between two particles with their coatings [m], across the sides too if the box is periodic (where
+/// a particle also faces its own image). Negative if two overlap, infinite if there are no two.
+[[nodiscard]] double smallest_gap(const EllipsoidBox& box);
+/// Smallest distance between a particle with its coating and a hard wall [m]. Negative if one crosses a wall, infinite
+/// if there are no particles or no walls.
+[[nodiscard]] double smallest_wall_gap(const EllipsoidBox& box);
+
+/// Throws InputError if the particles cannot be where they are: an axis that is not positive, directions of axes that
+/// are not perpendicular and of length 1, a centre outside the box, a particle or its coating across a hard wall, two
+/// of them that overlap by more than roundoff. The message lists every one of them (up to twenty), counting particles
+/// from 1.
+void require_valid(const EllipsoidBox& box);
+
+}  // namespace breccia

@@ -1,0 +1,70 @@
+#include "breccia/microstructure/ellipsoid_locator.hpp"
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "level_grid.hpp"
+#include "periodic_images.hpp"
+#include "vector_algebra.hpp"
+
+namespace breccia {
+namespace {
+
+/// Radii of balls around the particles with their coatings [m].
+std::vector<double> coated_radii(const EllipsoidBox& box) {
+  std::vector<double> radii;
+  for (std::size_t particle = 0; particle < box.particles.size(); ++particle) {
+    radii.push_back(circumradius(box.particles[particle]) + box.coating_of(particle));
+  }
+  return radii;
+}
+
+}  // namespace
+
+struct EllipsoidLocator::Search {
+  explicit Search(EllipsoidBox particles)
+      : box(std::move(particles)),
+        radii(coated_radii(box)),
+        reach(0.5 * box.side / std::cbrt(1.0 + static_cast<double>(box.particles.size()))),
+        grid(box.side, box.walls, radii),
+        images(box.side) {
+    for (std::uint32_t particle = 0; particle < radii.size(); ++particle) {
+      grid.insert(particle, box.particles[particle].centre);
+    }
+  }
+
+  EllipsoidBox box;
+  std::vector<double> radii;
+  double reach;  // farther away a particle need not be found
+  LevelGrid<3> grid;
+  PeriodicImages<3> images;
+};
+
+EllipsoidLocator::EllipsoidLocator(EllipsoidBox box) : search_(std::make_unique<Search>(std::move(box))) {}
+EllipsoidLocator::EllipsoidLocator(EllipsoidLocator&&) noexcept = default;
+EllipsoidLocator& EllipsoidLocator::operator=(EllipsoidLocator&&) noexcept = default;
+EllipsoidLocator::~EllipsoidLocator() = default;
+
+const EllipsoidBox& EllipsoidLocator::box() const noexcept {
+  return search_->box;
+}
+
+ParticlePlace EllipsoidLocator::at(const Vector<3>& position) const {
+  const auto& search = *search_;
+  ParticlePlace nearest = {{}, search.reach};
+  double coated = search.reach;  // distance from the coating of the nearest
+  search.grid.visit_near(position, search.reach, [&](std::uint32_t number, std::uint32_t image) {
+    auto particle = search.box.particles[number];
+    particle.centre = displaced(particle.centre, 1.0, search.images.shift(image));
+    if (norm(difference(position, particle.centre)) - search.radii[number] >= coated) return;
+    const double distance = signed_distance(particle, position);
+    if (distance - search.box.coating_of(number) >= coated) return;
+    coated = distance - search.box.coating_of(number);
+    nearest = {number, distance};
+  });
+  return nearest;
+}
+
+}  // namespace breccia

@@ -1,0 +1,146 @@
+#include "breccia/microstructure/ellipsoid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "random_ellipsoids.hpp"
+#include "vector_algebra.hpp"
+
+namespace breccia {
+namespace {
+
+using test::random_direction;
+using test::random_ellipsoid;
+using test::uniform_between;
+
+constexpr double pi = std::numbers::pi;
+constexpr AxisDirections cyclic = {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
+
+Vector<3> support(const Ellipsoid& ellipsoid, const Vector<3>& direction) {
+  Vector<3> place{};
+  double height = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double half = 0.5 * ellipsoid.axes[axis], along = dot(ellipsoid.directions[axis], direction);
+    place = displaced(place, half * half * along, ellipsoid.directions[axis]);
+    height += half * half * along * along;
+  }
+  return displaced(ellipsoid.centre, 1.0 / std::sqrt(height), place);
+}
+
+TEST(Ellipsoid, HasItsVolumeAndSurface) {
+  const Ellipsoid sphere = {{0.0, 0.0, 0.0}, {2.0, 2.0, 2.0}};
+  EXPECT_DOUBLE_EQ(volume(sphere), 4.0 / 3.0 * pi);
+  EXPECT_DOUBLE_EQ(surface(sphere), 4.0 * pi);
+  // 2 pi a^2 (1 + (c / (a e)) asin e) for c > a, with e^2 = 1 - a^2 / c^2.
+  const double e = std::sqrt(3.0) / 2.0;
+  EXPECT_NEAR(surface({{}, {4.0, 2.0, 2.0}}), 2.0 * pi * (1.0 + 2.0 / e * std::asin(e)), 3e-11);
+  // 2 pi a^2 (1 + (1 - e^2) / e atanh e) for c < a, with e^2 = 1 - c^2 / a^2.
+  EXPECT_NEAR(surface({{}, {4.0, 2.0, 4.0}}), 8.0 * pi * (1.0 + 0.25 / e * std::atanh(e)), 3e-11);
+  EXPECT_NEAR(surface({{}, {4.0, 2.0, 6.0}}), 48.882146302582059675, 5e-11);
+  // Nearly a sphere: 4 pi (1 + 2 d / 3) for one half axis of 1 + d.
+  EXPECT_NEAR(surface({{}, {2.0, 2.0 + 2e-9, 2.0}}), 4.0 * pi * (1.0 + 2e-9 / 3.0), 1e-11);
+  EXPECT_DOUBLE_EQ(volume({{}, {4.0, 2.0, 6.0}}), 8.0 * pi);
+  EXPECT_EQ(circumradius({{}, {4.0, 2.0, 6.0}}), 3.0);
+}
+
+TEST(Ellipsoid, IsTurned) {
+  // A third of a turn around the diagonal takes x to y to z.
+  const auto directions = turned({1.0, 1.0, 1.0, 1.0});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t row = 0; row < 3; ++row) EXPECT_NEAR(directions[axis][row], cyclic[axis][row], 1e-15);
+  }
+  const Ellipsoid along_y = {{1.0, 0.0, 0.0}, {4.0, 2.0, 1.0}, cyclic};
+  EXPECT_EQ(extent(along_y), (Vector<3>{0.5, 2.0, 1.0}));
+  EXPECT_TRUE(along_y.contains({1.0, 1.99, 0.0}));
+  EXPECT_FALSE(along_y.contains({1.0, 0.0, 1.01}));
+  EXPECT_TRUE(along_y.contains({1.5, 0.0, 0.0}));
+}
+
+TEST(Ellipsoid, DistancesOfASphereAreExact) {
+  const Ellipsoid sphere = {{1.0, 2.0, 3.0}, {2.0, 2.0, 2.0}};
+  EXPECT_NEAR(signed_distance(sphere, {1.0, 2.0, 6.0}), 2.0, 1e-15);
+  EXPECT_NEAR(signed_distance(sphere, {1.0, 2.3, 3.4}), -0.5, 1e-15);
+  EXPECT_NEAR(signed_distance(sphere, {1.0, 2.0, 3.0}), -1.0, 1e-15);
+  EXPECT_NEAR(gap(sphere, {{4.0, 6.0, 3.0}, {3.0, 3.0, 3.0}}), 2.5, 1e-14);
+  EXPECT_NEAR(gap(sphere, {{1.0, 2.0, 4.0}, {1.0, 1.0, 1.0}}), -0.5, 1e-14);
+  EXPECT_NEAR(gap(sphere, sphere), -2.0, 1e-14);
+}
+
+// Along the normal of a place of the surface the distance is that from this place, outside and, up to the smallest
+// radius of curvature, inside.
+TEST(Ellipsoid, DistancesAlongNormalsAreExact) {
+  std::mt19937_64 engine(5);
+  for (int count = 0; count < 500; ++count) {
+    const auto ellipsoid = random_ellipsoid(engine);
+    const auto normal = random_direction(engine);
+    const auto place = support(ellipsoid, normal);
+    const auto [shortest, longest] = std::ranges::minmax(ellipsoid.axes);
+    for (const double distance : {0.0, 1e-6, 0.1, 3.0, -0.9 * 0.5 * shortest * shortest / longest}) {
+      EXPECT_NEAR(signed_distance(ellipsoid, displaced(place, distance, normal)), distance, 1e-13);
+    }
+  }
+}
+
+TEST(Ellipsoid, DistancesOnPlanesOfSymmetry) {
+  const Ellipsoid ellipsoid = {{0.0, 0.0, 0.0}, {6.0, 4.0, 2.0}};
+  EXPECT_NEAR(signed_distance(ellipsoid, {0.0, 0.0, 0.0}), -1.0, 1e-15);
+  // The nearest places to (x, 0, 0) are above and below, where x of the surface is x / (1 - 1/9).
+  EXPECT_NEAR(signed_distance(ellipsoid, {0.8, 0.0, 0.0}), -std::hypot(0.1, std::sqrt(1.0 - 0.09)), 1e-14);
+  EXPECT_NEAR(signed_distance(ellipsoid, {2.9, 0.0, 0.0}), -0.1, 1e-14);
+  EXPECT_NEAR(signed_distance(ellipsoid, {0.0, 0.0, 1e-17}), -1.0, 1e-15);
+  EXPECT_NEAR(signed_distance(ellipsoid, {1e-17, 5.0, 0.0}), 3.0, 1e-15);
+}
+
+// Both bounds: no direction separates them farther, and no two places are nearer.
+TEST(Ellipsoid, GapsAreBetweenTheirBounds) {
+  std::mt19937_64 engine(11);
+  int apart = 0;
+  for (int count = 0; count < 300; ++count) {
+    const auto one = random_ellipsoid(engine), other = random_ellipsoid(engine);
+    const double found = gap(one, other);
+    EXPECT_NEAR(found, gap(other, one), 1e-13);
+    for (int trial = 0; trial < 50; ++trial) {
+      const auto direction = random_direction(engine);
+      const Vector<3> back = {-direction[0], -direction[1], -direction[2]};
+      const double along = dot(direction, difference(support(other, back), support(one, direction)));
+      if (found > 0.0) {
+        EXPECT_LE(along, found + 1e-13);
+      } else {
+        EXPECT_LE(along, 1e-13);  // no direction separates particles that overlap
+      }
+    }
+    if (found <= 0.0) continue;
+    ++apart;
+    // No place of the other one is nearer than the gap.
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int trial = 0; trial < 200; ++trial) {
+      nearest = std::min(nearest, signed_distance(one, support(other, random_direction(engine))));
+    }
+    EXPECT_GE(nearest, found - 1e-13);
+  }
+  EXPECT_GT(apart, 50);
+}
+
+// An ellipsoid that touches another one along a common normal, moved away by a known distance.
+TEST(Ellipsoid, GapsAlongACommonNormalAreExact) {
+  std::mt19937_64 engine(17);
+  for (int count = 0; count < 300; ++count) {
+    const auto one = random_ellipsoid(engine);
+    auto other = random_ellipsoid(engine);
+    const auto normal = random_direction(engine);
+    const Vector<3> back = {-normal[0], -normal[1], -normal[2]};
+    const double width = uniform_between(engine, 0.0, 1.0) * (count % 3 == 0 ? 1e-6 : 1.0);
+    const auto wanted = displaced(support(one, normal), width, normal);
+    other.centre = displaced(other.centre, 1.0, difference(wanted, support(other, back)));
+    EXPECT_NEAR(gap(one, other), width, 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace breccia
