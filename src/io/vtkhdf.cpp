@@ -40,7 +40,7 @@ void check(const std::filesystem::path& path, const PolygonMesh& mesh) {
       fmt::format("{}: the corners of the polygons do not fit their numbers or the points", path.string()));
 }
 
-PolygonMesh squares_of(const Lattice& lattice) {
+PolygonMesh squares_of(const PlaneLattice& lattice) {
   PolygonMesh mesh;
   for (std::size_t row = 0; row <= lattice.ny; ++row) {
     for (std::size_t column = 0; column <= lattice.nx; ++column) {
@@ -103,7 +103,7 @@ void write_fields(Hdf5Writer& file, const std::string& group, std::size_t count,
 
 }  // namespace
 
-void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<MeshField>& fields,
+void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<MeshField>& fields,
                   const std::vector<FieldNumber>& numbers) {
   write_vtkhdf(path, squares_of(lattice), fields, {}, numbers);
 }

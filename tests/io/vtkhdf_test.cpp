@@ -21,7 +21,7 @@ class VtkHdf : public testing::Test {
  protected:
   test::TemporaryDirectory directory;
   std::filesystem::path path = directory.path() / "fields.vtkhdf";
-  Lattice lattice{.nx = 3, .ny = 2, .origin = {0.25, 0.75}, .spacing = 0.5};
+  PlaneLattice lattice{.nx = 3, .ny = 2, .origin = {0.25, 0.75}, .spacing = 0.5};
 };
 
 // The layout that the VTK file format documentation prescribes for version 1.0 of UnstructuredGrid.

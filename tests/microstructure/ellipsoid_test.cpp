@@ -19,7 +19,7 @@ using test::random_direction;
 using test::random_ellipsoid;
 using test::uniform_between;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr AxisDirections cyclic = {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
 
 Vector<3> support(const Ellipsoid& ellipsoid, const Vector<3>& direction) {

@@ -10,7 +10,7 @@
 namespace breccia {
 
 /// A regular lattice of nx times ny equal squares in the plane.
-struct Lattice {
+struct PlaneLattice {
   std::size_t nx = 0;
   std::size_t ny = 0;
   std::array<double, 2> origin{};  ///< lower left corner of the lattice [m]
@@ -43,7 +43,7 @@ struct FieldNumber {
 /// Writes fields as a compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral for each square),
 /// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. Throws
 /// FileError, and InputError when a field does not fit the lattice.
-void write_vtkhdf(const std::filesystem::path& path, const Lattice& lattice, const std::vector<MeshField>& fields,
+void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<MeshField>& fields,
                   const std::vector<FieldNumber>& numbers = {});
 
 /// The same for fields of the polygons of a mesh, and of its points. Throws FileError, and InputError when a field does
