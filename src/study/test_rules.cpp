@@ -92,6 +92,17 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   return mistakes;
 }
 
+/// Loads that a box of two dimensions does not have.
+std::vector<std::string> loads_out_of_the_plane(const Study& study) {
+  if (study.stages.empty() || study.stages.front().dimensions == 3) return {};
+  std::vector<std::string> mistakes;
+  for (const auto load : study.tests.loads) {
+    if (has_load<2>(load)) continue;
+    mistakes.push_back(fmt::format("the load \"{}\" is one of three dimensions", name_of(load)));
+  }
+  return mistakes;
+}
+
 /// Only a reduced basis samples over moduli.
 std::optional<std::string> vary_without_samples(const Tests& tests) {
   if (tests.varied.empty()) return std::nullopt;
@@ -168,6 +179,7 @@ std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   std::ranges::move(lacking_in_space(study), std::back_inserter(mistakes));
+  std::ranges::move(loads_out_of_the_plane(study), std::back_inserter(mistakes));
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));

@@ -103,10 +103,6 @@ void check_tests(const Tests& tests, StudyMistakes& mistakes) {
     mistakes.add_all("tests, times of fields", mistakes_of_field_times(tests.field_times, times));
   }
   check_list(tests.loads, "load", mistakes);
-  for (const auto load : tests.loads) {
-    if (has_load<2>(load)) continue;
-    mistakes.add(tests_part, fmt::format("the load \"{}\" is one of three dimensions", name_of(load)));
-  }
   check_list(tests.boundaries, "boundary condition", mistakes);
   check_list(tests.methods, "method", mistakes);
   mistakes.check_integer(tests_part, "points per decade", tests.points_per_decade, allowed::points_per_decade);

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -89,6 +90,14 @@ TEST_F(DeckInSpace, RefusesWhatIsFlat) {
               HasSubstr("three dimensions: expected method \"quasistatic\""));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular")", "fields = [\"1 ms\"]\n"),
               HasSubstr("three dimensions: expected no times of fields"));
+}
+
+TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
+  constexpr auto loads = "loads = [\"shear-yz\", \"shear-zx\", \"shear-yy-zz\"]\n";
+  const auto study = directory.study(deck(one_size, R"(method = "regular")", loads));
+  EXPECT_EQ(study.tests.loads, (std::vector{Load::shear_yz, Load::shear_zx, Load::diagonal_shear_yz}));
+  EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, test::tests, loads)),
+              AllOf(HasSubstr("the load \"shear-yz\" is one of three dimensions"), HasSubstr("\"shear-yy-zz\"")));
 }
 
 TEST_F(DeckInSpace, LatticesAreForThreeDimensions) {
