@@ -49,7 +49,7 @@ void write_state(const std::filesystem::path& path, std::string_view text) {
 
 /// Two discs grow on from the state, and are where discs can be if they come to their size.
 void go_on_packing(const StateReader& state, Walls walls) {
-  PackingRun<2> run({1e-3, walls, {1e-4, 2e-4}}, read_packing_state(state));
+  PackingRun<2> run({1e-3, walls, {1e-4, 2e-4}}, read_packing_state<2>(state));
   try {
     for (int epoch = 0; epoch < 20 && !run.is_done(); ++epoch) run.advance();
     if (run.is_done()) require_valid<2>({1e-3, walls, run.packing().balls});

@@ -89,7 +89,8 @@ Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary,
   const double unknowns = quasistatic_unknowns(stage, cells);
   const double bytes = quasistatic_memory(study, stage, cells), seconds = quasistatic_time(study, stage, unknowns);
   return {fmt::format("  {} {}, quasi-static: {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
-                      bound_of(boundary), cells_in_words(stage, cells), unknowns, memory(bytes), display_duration(seconds, 1)),
+                      bound_of(boundary), cells_in_words(stage, cells), unknowns, memory(bytes),
+                      display_duration(seconds, 1)),
           seconds, bytes};
 }
 
@@ -150,7 +151,9 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
   // Between grains no rule is known for points, which take far more cells.
   const bool has_no_rule = packed.grains && mixing == Mixing::points;
-  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
+  // The rule was measured with discs.
+  const bool is_flat = stage.dimensions == 2;
+  if (!is_flat || !std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
   std::vector<std::string> advice;
   for (const double error : errors) {
     const double per_gap = packed.grains ? cells_per_film_for(error) : cells_per_gap_for(mixing, error);

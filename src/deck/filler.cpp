@@ -148,8 +148,8 @@ void check_together(const Section& section, const Stage& stage) {
     section.report("filler",
                    fmt::format("expected at most {} fillers, got {}", allowed::most_fillers, stage.fillers.size()));
   }
-  const bool is_regular = std::holds_alternative<RegularPacking>(stage.packing) ||
-                          std::holds_alternative<LatticePacking>(stage.packing);
+  const bool is_regular =
+      std::holds_alternative<RegularPacking>(stage.packing) || std::holds_alternative<LatticePacking>(stage.packing);
   if (is_regular && stage.fillers.size() > 1) {
     section.report("filler", fmt::format("expected one filler for a regular packing, got {}", stage.fillers.size()));
   }

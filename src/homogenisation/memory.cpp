@@ -29,8 +29,7 @@ namespace {
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Neither the positions of the particles matter nor the grid on which the time domains are planned.
   constexpr int few = 2;
-  const auto discretisation =
-      discretise<2>(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
+  const auto discretisation = discretise<2>(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
   const double refinement = static_cast<double>(cells) / few;
   double most = 0.0;
   try {
@@ -77,7 +76,8 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = quasistatic_unknowns(stage, cells);
   // Strains of the second phase of mixed cells beside the displacements a cell of each nodal vector.
   const int modes = stage.dimensions == 3 ? CellShape<3>::modes : CellShape<2>::modes;
-  const double vectors = 1.0 + modes / static_cast<double>(stage.dimensions) * share_of_mixed_cells(study, stage, cells);
+  const double vectors =
+      1.0 + modes / static_cast<double>(stage.dimensions) * share_of_mixed_cells(study, stage, cells);
   constexpr double dozen = 12.0 * sizeof(double);
   constexpr double vector = sizeof(double);
   // The residual of a reduced basis takes a nodal vector for each modulus that varies, among the dozen for the matrix.

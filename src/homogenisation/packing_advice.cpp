@@ -77,7 +77,8 @@ std::optional<int> cells_for(const Stage& stage, double gap) {
 std::optional<double> largest_fraction(const Stage& stage, const PackingRequest& request, double safe) {
   const double largest = std::ranges::max(request.diameters) / stage.side;
   const double half_a_particle = 0.5 * unit_ball(stage) * std::pow(largest, stage.dimensions);
-  const double fraction = *stage.fillers.front().fraction * safe / inflated_fraction_of(stage, request) - half_a_particle;
+  const double fraction =
+      *stage.fillers.front().fraction * safe / inflated_fraction_of(stage, request) - half_a_particle;
   return fraction > 0.0 ? std::optional(rounded_down_to_two_digits(fraction)) : std::nullopt;
 }
 
@@ -152,7 +153,10 @@ std::string message_on(const Stage& stage, const PackingRequest& request, const 
   const double attainable = 100.0 * error.attainable_fraction();
   const bool jams = error.obstacle() == PackingObstacle::jam;
   return fmt::format("{} with {} {}: {}, and {} {:.1f} %; {}", particles_of(stage, request), gap,
-                     jams ? "jam" : "cannot be packed", how, jams ? "are stuck at" : stage.dimensions == 3 ? "such spheres fill at most" : "such discs fill at most",
+                     jams ? "jam" : "cannot be packed", how,
+                     jams                    ? "are stuck at"
+                     : stage.dimensions == 3 ? "such spheres fill at most"
+                                             : "such discs fill at most",
                      attainable, advice);
 }
 

@@ -24,7 +24,8 @@ void require_good_fit(const Study& study, const Stage& stage, const StageMateria
   // A NaN fails this comparison, too.
   const auto& result = fitted.result;
   if (!(result.shear_error <= study.tests.fit_tolerance)) refuse("G(t)", result.shear_error);
-  if (!(result.bulk_error <= study.tests.fit_tolerance)) refuse(stage.dimensions == 3 ? "K(t)" : "K(t) + G(t)/3", result.bulk_error);
+  if (!(result.bulk_error <= study.tests.fit_tolerance))
+    refuse(stage.dimensions == 3 ? "K(t)" : "K(t) + G(t)/3", result.bulk_error);
 }
 
 }  // namespace

@@ -203,9 +203,7 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
   if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
   return std::visit(
       Overloaded{
-          [&](const LubachevskyStillingerPacking& method) {
-            return pack_at_random<2>(stage, method, packing, result);
-          },
+          [&](const LubachevskyStillingerPacking& method) { return pack_at_random<2>(stage, method, packing, result); },
           [&](const LatticePacking&) -> Microstructure<2> {
             throw InputError("a cubic lattice is for three dimensions");
           },

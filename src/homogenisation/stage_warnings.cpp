@@ -139,11 +139,12 @@ std::optional<std::string> warning_of_short_films(const StageMicrostructure& pac
       100.0 * packed.grains->short_films, readable(packed.grains->film, Dimension::length));
 }
 
-bool has_particles_across_sides(const Microstructure<2>& microstructure) {
+template <int dim>
+bool has_particles_across_sides(const Microstructure<dim>& microstructure) {
   if (microstructure.walls != Walls::periodic) return false;
-  return std::ranges::any_of(microstructure.particles, [side = microstructure.side](const Disc& disc) {
-    const double radius = 0.5 * disc.diameter;
-    return std::ranges::any_of(disc.centre, [&](double x) { return x < radius || side - x < radius; });
+  return std::ranges::any_of(microstructure.particles, [side = microstructure.side](const Ball<dim>& ball) {
+    const double radius = 0.5 * ball.diameter;
+    return std::ranges::any_of(ball.centre, [&](double x) { return x < radius || side - x < radius; });
   });
 }
 
@@ -163,7 +164,9 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
   }
   const bool has_shapes_across =
       packed.shaped && packed.shaped->walls == Walls::periodic && smallest_side_distance(*packed.shaped) < 0.0;
-  if (!cuts || !(has_shapes_across || has_particles_across_sides(packed.microstructure))) return std::nullopt;
+  const bool has_balls_across =
+      packed.spheres ? has_particles_across_sides(*packed.spheres) : has_particles_across_sides(packed.microstructure);
+  if (!cuts || !(has_shapes_across || has_balls_across)) return std::nullopt;
   return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
          "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
          "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "

@@ -223,16 +223,16 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
     return;
   }
   if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
-  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles,
-                               &spheres = spheres] {
-    if (!spheres.empty()) {
-      require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
-    } else if (!particles.empty()) {
-      require_valid(particle_box(stage, *stage.listed()));
-    } else {
-      require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
-    }
-  });
+  mistakes.add_error_of(
+      part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles, &spheres = spheres] {
+        if (!spheres.empty()) {
+          require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
+        } else if (!particles.empty()) {
+          require_valid(particle_box(stage, *stage.listed()));
+        } else {
+          require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
+        }
+      });
 }
 
 }  // namespace

@@ -257,9 +257,15 @@ class Content {
     add_all(tolerance, most_snapshots);
   }
   void add(const LinearOptions& options) {
-    const auto& [method, most_unknowns_direct, most_unknowns_direct_on_several, tolerance, threads] = options;
+    const auto& [method, most_unknowns_direct, most_unknowns_direct_in_3d, most_unknowns_direct_on_several, tolerance,
+                 energy_tolerance, threads] = options;
     add_all(method, most_unknowns_direct, most_unknowns_direct_on_several, tolerance);
     static_cast<void>(threads);
+    // A study with the defaults keeps the content that it had before there were three dimensions.
+    const LinearOptions defaults;
+    const bool has_defaults = most_unknowns_direct_in_3d == defaults.most_unknowns_direct_in_3d &&
+                              energy_tolerance == defaults.energy_tolerance;
+    if (!has_defaults) add_all(std::string("linear in 3D"), most_unknowns_direct_in_3d, energy_tolerance);
   }
   void add(const DynamicOptions& options) {
     const auto& [formulation, start, volumetric, courant, ramp_transits, creep_ramp_transits, ramp_time,

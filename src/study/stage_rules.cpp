@@ -119,8 +119,8 @@ std::vector<std::string> mistakes_of_packing(const Stage& stage) {
     if (!is_cubic) return {};
     return {"a cubic lattice is for three dimensions"};
   }
-  const bool has_spheres = is_cubic || std::holds_alternative<LubachevskyStillingerPacking>(stage.packing) ||
-                           stage.listed() != nullptr;
+  const bool has_spheres =
+      is_cubic || std::holds_alternative<LubachevskyStillingerPacking>(stage.packing) || stage.listed() != nullptr;
   if (has_spheres) return {};
   return {"three dimensions: expected spheres packed at random, on a cubic lattice or from a list"};
 }

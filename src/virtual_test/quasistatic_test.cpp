@@ -104,8 +104,8 @@ std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticT
                                     QuasistaticTestResult& result) {
   std::vector<Moduli> of_binder;
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
-  auto sampled = sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow,
-                                       checkpoint);
+  auto sampled =
+      sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow, checkpoint);
   for (const double time : test.field_times) result.film_fields.push_back({time, sampled.fields(0, materials, time)});
   result.effort = sampled.effort;
   return std::move(sampled.responses);
@@ -206,8 +206,7 @@ std::vector<SteppedResponse> step(const FilmProblem& films, const QuasistaticTes
                                   const std::vector<double>& steps, const std::vector<double>& field_steps,
                                   const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
   const auto& binder = test.materials[test.varying.front().index];
-  auto stepped =
-      run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
+  auto stepped = run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
   result.film_fields = std::move(stepped.fields);
   result.effort = stepped.effort;
   return std::move(stepped.responses);

@@ -62,11 +62,10 @@ double shear_of_rubber(double time) {
 }
 
 TEST(Space, AHomogeneousCubeHasTheModuliOfItsMaterial) {
-  StudyDirectory study(
-      fmt::format("{}{}{}boundaries = [\"displacement\", \"traction\", \"periodic\"]\n", materials,
-                  "[[stages]]\nname = \"A\"\nmatrix = \"rubber\"\nbox = \"1 mm\"\ncells = 3\n"
-                  "[[stages]]\nname = \"B\"\nmatrix = \"A\"\nbox = \"1 mm\"\ncells = 2\n",
-                  tests));
+  StudyDirectory study(fmt::format("{}{}{}boundaries = [\"displacement\", \"traction\", \"periodic\"]\n", materials,
+                                   "[[stages]]\nname = \"A\"\nmatrix = \"rubber\"\nbox = \"1 mm\"\ncells = 3\n"
+                                   "[[stages]]\nname = \"B\"\nmatrix = \"A\"\nbox = \"1 mm\"\ncells = 2\n",
+                                   tests));
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   for (const std::string stage : {"A", "B"}) {

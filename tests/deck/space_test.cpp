@@ -101,11 +101,10 @@ TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
 }
 
 TEST_F(DeckInSpace, LatticesAreForThreeDimensions) {
-  const auto flat = directory.mistakes(test::join(
-      test::materials,
-      "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 12\n",
-      "filler = { material = \"hmx\", sizes = { diameter = \"0.4 mm\" } }\n",
-      "packing = { method = \"regular\", lattice = \"sc\" }\n", test::tests));
+  const auto flat = directory.mistakes(
+      test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 12\n",
+                 "filler = { material = \"hmx\", sizes = { diameter = \"0.4 mm\" } }\n",
+                 "packing = { method = \"regular\", lattice = \"sc\" }\n", test::tests));
   EXPECT_THAT(flat, AllOf(HasSubstr("packing.lattice"), HasSubstr("dimensions = 3")));
   EXPECT_THAT(directory.mistakes(test::join("dimensions = 4\n", test::materials, test::stage, test::tests)),
               HasSubstr("dimensions"));

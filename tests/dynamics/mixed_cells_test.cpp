@@ -30,7 +30,7 @@ using testing_materials::stiff;
 /// A disc of material 1 in a box of material 0, with mixed cells.
 DynamicProblem<2> disc_in_box(int cells, Boundary boundary) {
   constexpr std::array<PhaseIndex, 1> disc = {1};
-  auto discretisation = discretise_mixed({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells, 0, disc, 2);
+  auto discretisation = discretise_mixed<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells, 0, disc, 2);
   auto materials = with_mixtures(discretisation, {relaxing, stiff});
   DynamicProblem<2> problem{std::move(discretisation), std::move(materials)};
   problem.boundary = boundary;

@@ -48,7 +48,7 @@ void print() {
   using testing_materials::stiff;
   const DynamicProblem<2> points{testing_materials::disc_in_box(21), {relaxing, stiff}};
   constexpr std::array<PhaseIndex, 1> disc = {1};
-  const auto box = discretise_mixed({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, 21, 0, disc, 2);
+  const auto box = discretise_mixed<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, 21, 0, disc, 2);
   const DynamicProblem<2> mixed{box, with_mixtures(box, {relaxing, stiff})};
   std::string all;
   for (const auto boundary : {Boundary::displacement, Boundary::traction, Boundary::periodic}) {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "microstructure/vector_algebra.hpp"
 #include "random_ellipsoids.hpp"
-#include "vector_algebra.hpp"
 
 namespace breccia {
 namespace {

@@ -9,7 +9,8 @@
 
 namespace breccia {
 
-/// What is at the material points of a stage, in the order of Grid::point_index: x runs fastest, then y upwards, then z.
+/// What is at the material points of a stage, in the order of Grid::point_index: x runs fastest, then y upwards, then
+/// z.
 struct PointLabels {
   std::vector<PhaseIndex> phases;  ///< by the numbers of phases_of(stage)
   /// The particle with its coating, or the grain, counted from 0; -1 in the matrix. Empty for an image, whose pixels do

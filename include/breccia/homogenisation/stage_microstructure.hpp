@@ -38,13 +38,13 @@ struct StageMicrostructure {
   /// Without particles where there are grains, pixels, spheres or other shapes than discs.
   Microstructure<2> microstructure;
   std::optional<Microstructure<3>> spheres = {};  ///< in a box of three dimensions
-  std::optional<StageGrains> grains = {};  ///< in place of particles
-  std::optional<ParticleBox> shaped = {};  ///< particles of which not all are discs, with their coatings
+  std::optional<StageGrains> grains = {};         ///< in place of particles
+  std::optional<ParticleBox> shaped = {};         ///< particles of which not all are discs, with their coatings
   double fraction = 0.0;            ///< area of the particles per area of the box, or volume per volume [-]
   double interface_per_area = 0.0;  ///< length of the interface per area of the box, or area per volume [1/m]
-  double wall_gap = 0.0;  ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
-  double gap = 0.0;       ///< smallest gap between two coated particles, or film between grains [m]; infinite
-                          ///< without two particles
+  double wall_gap = 0.0;            ///< smallest gap of a coated particle to a hard wall [m]; infinite without either
+  double gap = 0.0;                 ///< smallest gap between two coated particles, or film between grains [m]; infinite
+                                    ///< without two particles
   std::vector<FillerStatistics> fillers = {};  ///< in the order of the stage
   std::uint64_t events = 0;                    ///< number of events of the packing
   double seconds = 0.0;                        ///< wall time of the packing [s]

@@ -8,7 +8,7 @@
 namespace breccia::allowed {
 
 inline constexpr Range side = {.lower = 1e-12, .upper = 1e6};                ///< of a box [m]
-inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};             ///< of a box
+inline constexpr Range dimensions = {.lower = 2.0, .upper = 3.0};            ///< of a box
 inline constexpr Range cells = {.lower = 2.0, .upper = 1048576.0};           ///< per side
 inline constexpr std::size_t most_grids = 3;                                 ///< of a stage
 inline constexpr std::size_t most_fillers = 100;                             ///< of a stage

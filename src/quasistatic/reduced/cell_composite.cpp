@@ -34,7 +34,7 @@ Forces CellComposite<dim>::forces(std::span<const double> parameters, Load load,
 
 template <int dim>
 Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Load load,
-                                     const Displacement& displacement) const {
+                                          const Displacement& displacement) const {
   return elastic_operator_.forces(stiffness_.varying_moduli_at(parameters), load, displacement);
 }
 
