@@ -59,7 +59,7 @@ TEST_F(DeckInSpace, HasCubicLattices) {
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "hcp")"),
               AllOf(HasSubstr("packing.lattice"), HasSubstr("\"sc\""), HasSubstr("\"fcc\"")));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "fcc", repeats = 2)"),
-              HasSubstr("particles of 0.4 mm touch at a regular spacing of 0.353553 mm"));
+              HasSubstr("particles of 400 um touch at a regular spacing of 353.553 um"));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", columns = 2, rows = 2)"),
               AllOf(HasSubstr("packing.columns"), HasSubstr("lattice = \"sc\", \"bcc\" or \"fcc\"")));
 }
@@ -86,15 +86,15 @@ TEST_F(DeckInSpace, HasSpheresOfAList) {
 
 TEST_F(DeckInSpace, RefusesWhatIsFlat) {
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre")"), HasSubstr("\"lubachevsky-stillinger\""));
-  EXPECT_THAT(mistakes(one_size, R"(method = "regular")", "method = \"dynamic\"\n"),
+  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "method = \"dynamic\"\n"),
               HasSubstr("three dimensions: expected method \"quasistatic\""));
-  EXPECT_THAT(mistakes(one_size, R"(method = "regular")", "fields = [\"1 ms\"]\n"),
+  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "fields = [\"1 ms\"]\n"),
               HasSubstr("three dimensions: expected no times of fields"));
 }
 
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
   constexpr auto loads = "loads = [\"shear-yz\", \"shear-zx\", \"shear-yy-zz\"]\n";
-  const auto study = directory.study(deck(one_size, R"(method = "regular")", loads));
+  const auto study = directory.study(deck(one_size, R"(method = "regular", lattice = "sc")", loads));
   EXPECT_EQ(study.tests.loads, (std::vector{Load::shear_yz, Load::shear_zx, Load::diagonal_shear_yz}));
   EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, test::tests, loads)),
               AllOf(HasSubstr("the load \"shear-yz\" is one of three dimensions"), HasSubstr("\"shear-yy-zz\"")));

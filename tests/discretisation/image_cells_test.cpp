@@ -65,15 +65,15 @@ TEST(ImageCells, GiveEachOfTwicePixelsOnePoint) {
 
 TEST(ImageCells, APointBetweenPixelsIsInThatOfTheGreaterCoordinate) {
   // The points of a cell of 4 x 4 pixels are in the corners of pixels.
-  const auto labelled = discretise<2>({{1, 1}, 3.0},
-                                      {{4, 4},
-                                       0.75,
-                                       Walls::hard,
-                                       {0, 0, 0, 0,  //
-                                        0, 1, 0, 2,  //
-                                        0, 0, 0, 0,  //
-                                        0, 2, 0, 1}},
-                                      same_phases);
+  const auto labelled = discretise(Grid<2>{{1, 1}, 3.0},
+                                   LabelImage<2>{{4, 4},
+                                                 0.75,
+                                                 Walls::hard,
+                                                 {0, 0, 0, 0,  //
+                                                  0, 1, 0, 2,  //
+                                                  0, 0, 0, 0,  //
+                                                  0, 2, 0, 1}},
+                                   same_phases);
   EXPECT_THAT(labelled.cell({0, 0}), ElementsAre(1, 2, 2, 1));
 }
 
