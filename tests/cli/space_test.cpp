@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -68,15 +69,16 @@ TEST(Space, AHomogeneousCubeHasTheModuliOfItsMaterial) {
                                    tests));
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  for (const std::string stage : {"A", "B"}) {
+  // The matrix of B is a fit to the curves of A, within a thirtieth of tests.fit_tolerance.
+  for (const auto& [stage, tolerance] : {std::pair<std::string, double>{"A", 1e-6}, {"B", 1e-3}}) {
     for (const std::string load : {"shear", "shear-xx-yy"}) {
       const auto curve = read_curve(study.result("curves.csv"), stage, load);
       ASSERT_FALSE(curve.empty());
-      for (const auto& [time, modulus] : curve) EXPECT_NEAR(modulus / shear_of_rubber(time), 1.0, 1e-6) << stage;
+      for (const auto& [time, modulus] : curve) EXPECT_NEAR(modulus / shear_of_rubber(time), 1.0, tolerance) << stage;
     }
     // K itself, not K + G/3.
     for (const auto& [time, modulus] : read_curve(study.result("curves.csv"), stage, "bulk")) {
-      EXPECT_NEAR(modulus / 2e9, 1.0, 1e-6) << stage;
+      EXPECT_NEAR(modulus / 2e9, 1.0, tolerance) << stage;
     }
   }
 }

@@ -257,7 +257,7 @@ TEST(RequireSound, NamesEachMistakeOfListedParticles) {
   expect_each({{[&](Study& study) {
                   packing_of(study).discs = {{{2e-3, 2e-3}, 1e-3}};
                 },
-                "expected discs, or particles of other shapes and none"}},
+                "expected discs, or particles of other shapes, or spheres, and nothing beside them"}},
               sound);
   auto flat = sound;
   packing_of(flat).particles[0].shape = Ellipse{{0.0, 1e-3}};
