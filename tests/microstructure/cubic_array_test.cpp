@@ -18,7 +18,7 @@ namespace {
 
 using test::expect_error;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct LatticeFacts {
   Lattice lattice;

@@ -8,7 +8,7 @@
 namespace breccia {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Disc unit_disc = {{0.0, 0.0}, 2.0};
 
 TEST(OverlapArea, OfRectanglesThatHoldTheDiscItsHalfAndItsQuarter) {

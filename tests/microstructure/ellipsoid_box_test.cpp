@@ -22,7 +22,7 @@ using test::expect_error;
 using test::random_ellipsoid;
 using test::uniform_between;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr AxisDirections along_y = {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
 
 /// Two ellipsoids of revolution whose tips face each other across a gap of 2 along x.

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "microstructure/vector_algebra.hpp"
 #include "random_ellipsoids.hpp"
-#include "vector_algebra.hpp"
 
 namespace breccia {
 namespace {
@@ -19,7 +19,7 @@ using test::random_direction;
 using test::random_ellipsoid;
 using test::uniform_between;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr AxisDirections cyclic = {{{0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}}};
 
 Vector<3> support(const Ellipsoid& ellipsoid, const Vector<3>& direction) {

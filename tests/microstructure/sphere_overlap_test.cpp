@@ -10,7 +10,7 @@
 namespace breccia {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const Sphere unit_sphere = {{0.0, 0.0, 0.0}, 2.0};
 
 TEST(OverlapVolume, OfBoxesThatHoldTheSphereAndPartsOfIt) {
