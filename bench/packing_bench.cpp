@@ -1,4 +1,4 @@
-// Times the packings that Breccia is used for, and the limits of the method; some minutes.
+// Times the packings that Breccia is used for, of discs and of spheres, and the limits of the method; some minutes.
 
 #include <chrono>
 #include <cmath>
@@ -78,6 +78,7 @@ std::vector<Case> spheres() {
       counted<3>("equal, walls", equal, 0.55, 1000, Walls::hard),
       counted<3>("equal, periodic", equal, 0.62, 10000, Walls::periodic),
       counted<3>("lognormal 10:1, periodic", lognormal(3e-6, 30e-6), 0.70, 10000, Walls::periodic),
+      counted<3>("lognormal 100:1, periodic", lognormal(1e-6, 100e-6), 0.70, 100000, Walls::periodic),
   };
 }
 

@@ -61,26 +61,6 @@ std::vector<std::vector<PixelShare>> pixels_of_cells(std::int64_t cells, std::in
   return of_cells;
 }
 
-template <int dim>
-Discretisation<dim> points_of(const Grid<dim>& grid, const LabelImage<dim>& image, std::span<const PhaseIndex> phases) {
-  require_phases_of_labels(image, phases);
-  Discretisation<dim> discretisation(grid);
-  std::array<std::vector<std::int64_t>, static_cast<std::size_t>(dim)> pixels;
-  for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
-    pixels[axis] = pixels_of_points(grid.cells[axis], image.pixels[axis]);
-  }
-  const double spacing = 0.5 * grid.cell_side;
-  discretisation.label([&](const Vector<dim>& position) {
-    // Points are in the middle of halves of cells, far from where rounding would matter.
-    Pixel<dim> pixel{};
-    for (std::size_t axis = 0; axis < pixel.size(); ++axis) {
-      pixel[axis] = pixels[axis][static_cast<std::size_t>(position[axis] / spacing)];
-    }
-    return phases[label_of(image, pixel)];
-  });
-  return discretisation;
-}
-
 /// The pixels that a cell reaches over, along each axis.
 template <int dim>
 using PixelsOfCell = std::array<std::span<const PixelShare>, static_cast<std::size_t>(dim)>;
@@ -103,9 +83,32 @@ void add_volumes(const LabelImage<dim>& image, std::span<const PhaseIndex> phase
   });
 }
 
+}  // namespace
+
 template <int dim>
-Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const LabelImage<dim>& image,
-                                   std::span<const PhaseIndex> phases, std::size_t phase_count) {
+Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image,
+                               std::span<const PhaseIndex> phases) {
+  require_phases_of_labels(image, phases);
+  Discretisation<dim> discretisation(grid);
+  std::array<std::vector<std::int64_t>, static_cast<std::size_t>(dim)> pixels;
+  for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
+    pixels[axis] = pixels_of_points(grid.cells[axis], image.pixels[axis]);
+  }
+  const double spacing = 0.5 * grid.cell_side;
+  discretisation.label([&](const Vector<dim>& position) {
+    // Points are in the middle of halves of cells, far from where rounding would matter.
+    Pixel<dim> pixel{};
+    for (std::size_t axis = 0; axis < pixel.size(); ++axis) {
+      pixel[axis] = pixels[axis][static_cast<std::size_t>(position[axis] / spacing)];
+    }
+    return phases[label_of(image, pixel)];
+  });
+  return discretisation;
+}
+
+template <int dim>
+Discretisation<dim> discretise_mixed(const Grid<dim>& grid, const LabelImage<dim>& image,
+                                     std::span<const PhaseIndex> phases, std::size_t phase_count) {
   require_phases_of_labels(image, phases);
   if (std::ranges::any_of(phases, [&](PhaseIndex phase) { return phase >= phase_count; })) {
     throw InputError(fmt::format("discretisation: a label has a phase beyond the {} that there are", phase_count));
@@ -129,24 +132,11 @@ Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const LabelImage<dim>&
   return discretisation;
 }
 
-}  // namespace
-
-Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases) {
-  return points_of(grid, image, phases);
-}
-
-Discretisation<3> discretise(const Grid<3>& grid, const LabelImage<3>& image, std::span<const PhaseIndex> phases) {
-  return points_of(grid, image, phases);
-}
-
-Discretisation<2> discretise_mixed(const Grid<2>& grid, const LabelImage<2>& image, std::span<const PhaseIndex> phases,
-                                   std::size_t phase_count) {
-  return mixed_cells_of(grid, image, phases, phase_count);
-}
-
-Discretisation<3> discretise_mixed(const Grid<3>& grid, const LabelImage<3>& image, std::span<const PhaseIndex> phases,
-                                   std::size_t phase_count) {
-  return mixed_cells_of(grid, image, phases, phase_count);
-}
+template Discretisation<2> discretise(const Grid<2>&, const LabelImage<2>&, std::span<const PhaseIndex>);
+template Discretisation<3> discretise(const Grid<3>&, const LabelImage<3>&, std::span<const PhaseIndex>);
+template Discretisation<2> discretise_mixed(const Grid<2>&, const LabelImage<2>&, std::span<const PhaseIndex>,
+                                            std::size_t);
+template Discretisation<3> discretise_mixed(const Grid<3>&, const LabelImage<3>&, std::span<const PhaseIndex>,
+                                            std::size_t);
 
 }  // namespace breccia

@@ -10,22 +10,27 @@ namespace breccia {
 
 // The material points of an image of labels that fills the box of a grid. Cells may be larger or smaller than pixels,
 // and their sides need not be those of pixels: places are counted in whole numbers, so that nothing is rounded.
-// `phases` holds the phase of each label. The functions throw InputError when the image is not valid or a label has no
+// `phases` holds the phase of each label. All of them throw InputError when the image is not valid or a label has no
 // phase.
 
 /// Every point has the phase of the pixel at its place; a point on the border of two pixels has that of the greater
-/// coordinate.
-[[nodiscard]] Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image,
-                                           std::span<const PhaseIndex> phases);
-[[nodiscard]] Discretisation<3> discretise(const Grid<3>& grid, const LabelImage<3>& image,
-                                           std::span<const PhaseIndex> phases);
+/// coordinate. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image,
+                                             std::span<const PhaseIndex> phases);
+
+/// The same in two dimensions, for arguments in braces, from which these cannot be deduced.
+[[nodiscard]] inline Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image,
+                                                  std::span<const PhaseIndex> phases) {
+  return discretise<2>(grid, image, phases);
+}
 
 /// A cell in pixels of several phases is a mixture (theory, Eq. 40) by the areas (volumes) of the pixels in it, which
 /// are exact but for the rounding to mixture_steps. `phase_count` is the number of phases, which the numbers of the
-/// mixtures follow. Throws InputError, too, when there are more mixtures than a PhaseIndex can number.
-[[nodiscard]] Discretisation<2> discretise_mixed(const Grid<2>& grid, const LabelImage<2>& image,
-                                                 std::span<const PhaseIndex> phases, std::size_t phase_count);
-[[nodiscard]] Discretisation<3> discretise_mixed(const Grid<3>& grid, const LabelImage<3>& image,
-                                                 std::span<const PhaseIndex> phases, std::size_t phase_count);
+/// mixtures follow. Throws InputError, too, when there are more mixtures than a PhaseIndex can number. Instantiated for
+/// 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Discretisation<dim> discretise_mixed(const Grid<dim>& grid, const LabelImage<dim>& image,
+                                                   std::span<const PhaseIndex> phases, std::size_t phase_count);
 
 }  // namespace breccia
