@@ -56,7 +56,8 @@ void write_vtkhdf(const fs::path& path, const TimedFilmFields& timed) {
     mesh.corner_counts.push_back(static_cast<std::int64_t>(cell.corners));
     material.push_back(cell.part == FilmPart::grain ? 1 : 0);
     part.push_back(static_cast<std::uint8_t>(cell.part));
-    const auto &e = cell.strain, &s = cell.stress;
+    const auto& e = cell.strain;
+    const auto& s = cell.stress;
     append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
     append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
     append(work, {cell.work});

@@ -55,7 +55,8 @@ TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {
 
 // Elastic grains between films of the binder. The mean stress over the fields is the modulus.
 TEST(RunQuasistaticTest, BothSolversAgreeOnGrainsAndFilms) {
-  LaguerreSites<2> sites = {.side = 6e-3};
+  LaguerreSites<2> sites;
+  sites.side = 6e-3;
   for (const auto& place :
        {Vector<2>{0.8e-3, 1.1e-3}, {3.9e-3, 1.4e-3}, {2.2e-3, 3.2e-3}, {5.2e-3, 4.1e-3}, {1.9e-3, 5.3e-3}}) {
     sites.sites.push_back({place, 0.0});
