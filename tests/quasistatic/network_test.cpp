@@ -1,4 +1,4 @@
-#include "reduced/network.hpp"
+#include "breccia/quasistatic/network.hpp"
 
 #include <array>
 #include <cmath>

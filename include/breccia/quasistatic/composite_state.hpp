@@ -1,12 +1,8 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "breccia/quasistatic/reduced_response.hpp"
-#include "breccia/viscoelasticity/material.hpp"
 
 namespace breccia::quasistatic {
 
@@ -20,10 +16,5 @@ struct CompositeState {
 
 /// The same of a reduced response: weights of the r vectors of its basis.
 using ReducedState = CompositeState<Eigen::VectorXd>;
-
-/// State of a reduced response whose varying phases are of these materials, at a time [s] after its load was applied
-/// and held: the unit load e under a traction boundary, the unit strain e' c = 1 under the others (theory, Eq. 34).
-[[nodiscard]] ReducedState network_state(const ReducedResponse& response, std::span<const Material> of_phases,
-                                         double time);
 
 }  // namespace breccia::quasistatic

@@ -13,6 +13,7 @@
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/quasistatic/affine_composite.hpp"
 #include "breccia/quasistatic/composite_state.hpp"
+#include "breccia/quasistatic/network.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/reduced_response_state.hpp"
 

@@ -10,10 +10,10 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/quasistatic/network.hpp"
 #include "breccia/quasistatic/residual_rounding.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
-#include "reduced/network.hpp"
 #include "reduced/part_series.hpp"
 
 namespace breccia {
