@@ -63,14 +63,15 @@ double shear_of_rubber(double time) {
 }
 
 TEST(Space, AHomogeneousCubeHasTheModuliOfItsMaterial) {
-  StudyDirectory study(fmt::format("{}{}{}boundaries = [\"displacement\", \"traction\", \"periodic\"]\n", materials,
-                                   "[[stages]]\nname = \"A\"\nmatrix = \"rubber\"\nbox = \"1 mm\"\ncells = 3\n"
-                                   "[[stages]]\nname = \"B\"\nmatrix = \"A\"\nbox = \"1 mm\"\ncells = 2\n",
-                                   tests));
+  StudyDirectory study(fmt::format(
+      "{}{}{}boundaries = [\"displacement\", \"traction\", \"periodic\"]\nfit_tolerance = 0.005\n", materials,
+      "[[stages]]\nname = \"A\"\nmatrix = \"rubber\"\nbox = \"1 mm\"\ncells = 3\n"
+      "[[stages]]\nname = \"B\"\nmatrix = \"A\"\nbox = \"1 mm\"\ncells = 2\n",
+      tests));
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
-  // The matrix of B is a fit to the curves of A, within a thirtieth of tests.fit_tolerance.
-  for (const auto& [stage, tolerance] : {std::pair<std::string, double>{"A", 1e-6}, {"B", 1e-3}}) {
+  // The matrix of B is a fit to the curves of A, within tests.fit_tolerance.
+  for (const auto& [stage, tolerance] : {std::pair<std::string, double>{"A", 1e-6}, {"B", 5e-3}}) {
     for (const std::string load : {"shear", "shear-xx-yy"}) {
       const auto curve = read_curve(study.result("curves.csv"), stage, load);
       ASSERT_FALSE(curve.empty());

@@ -18,7 +18,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::array loads = {Load::bulk, Load::diagonal_shear, Load::shear};
+constexpr std::array tested_loads = {Load::bulk, Load::diagonal_shear, Load::shear};
 
 struct Reference {
   Lattice lattice;
@@ -74,7 +74,7 @@ std::array<double, 3> errors(const Reference& reference, int cells) {
       .materials = {{"matrix", 1.0, PronySeries(reference.matrix.bulk), PronySeries(reference.matrix.shear)},
                     {"sphere", 1.0, PronySeries(reference.filler.bulk), PronySeries(reference.filler.shear)}},
       .boundary = Boundary::periodic};
-  const auto moduli = apparent_moduli(problem, loads);
+  const auto moduli = apparent_moduli(problem, tested_loads);
   std::array<double, 3> found{};
   for (std::size_t i = 0; i < found.size(); ++i) found[i] = moduli[i] / reference.moduli[i] - 1.0;
   return found;
@@ -84,7 +84,7 @@ void expect_within(const std::vector<Reference>& references, int cells, double t
   for (const auto& reference : references) {
     const auto found = errors(reference, cells);
     for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_LT(std::abs(found[i]), tolerance) << reference << ", " << name_of(loads[i]) << ", " << found[i];
+      EXPECT_LT(std::abs(found[i]), tolerance) << reference << ", " << name_of(tested_loads[i]) << ", " << found[i];
     }
   }
 }
