@@ -99,6 +99,9 @@ def main():
     ):
         if of_case := curves(results, pattern):
             row(name, over_measured(mean_of(of_case)))
+    for boundary in ("displacement", "traction"):
+        if of_case := curves(results, "bounds-50-*", boundary):
+            row(f"50 to 500 µm, {boundary}", over_measured(mean_of(of_case)))
     faster = [Case(directory).curve(faster=10.0) for directory in sorted(results.glob("periodic-1000-*"))]
     row("1000 grains, binder ten times faster", over_measured(mean_of(faster)))
     if len(sys.argv) == 3:

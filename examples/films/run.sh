@@ -50,9 +50,10 @@ for fraction in 0.90 0.92 0.95; do
   run "fraction-$fraction" --set 'stages.0.box="1772 um"' --set "stages.0.filler.fraction=$fraction"
 done
 
-# Sizes of HMX, periodic
+# Sizes of HMX, periodic, and both bounds
 for ((seed = 1; seed <= 10; ++seed)); do
   sizes "sizes-50-seed$seed" "50 um" "500 um" "2 mm" --set "stages.0.packing.seed=$seed"
+  sizes "bounds-50-seed$seed" "50 um" "500 um" "2 mm" --set "stages.0.packing.seed=$seed" --set 'stages.0.packing.walls="cut"'
 done
 for ((seed = 1; seed <= 3; ++seed)); do
   sizes "sizes-20-seed$seed" "20 um" "1 mm" "2.75 mm" --set "stages.0.packing.seed=$seed"

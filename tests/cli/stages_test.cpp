@@ -164,7 +164,7 @@ shear   = { terms = [{ time = "10 ms", modulus = "0.5 MPa" }] }
   // A stage by name takes the material itself, for which this one was not sampled.
   const auto alone = respond({"--stage", "B"});
   EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_THAT(alone.errors, HasSubstr("stage B: from 1 ms to 50 ms same shows a bulk modulus from 1 MPa to 1 MPa"));
+  EXPECT_THAT(alone.errors, HasSubstr("stage B: from 1 ms to 50 ms same shows a bulk modulus of 1 MPa"));
 
   std::filesystem::remove_all(study.result("A"));
   const auto incomplete = respond({});
