@@ -123,7 +123,7 @@ TEST(MixedCubes, OfALabellingAreNearTheExactOnes) {
   const double rounding = 1.0 / mixture_steps / std::sqrt(12.0);
   EXPECT_LE(std::sqrt(std::max(0.0, sum / crossed - rounding * rounding)), 0.004);
   EXPECT_LE(largest, 0.5 / mixture_steps + 1.0 / cube_label_subdivisions);
-  EXPECT_THROW(discretise_mixed(unit_cube(2), in_sphere, 1), InputError);
+  EXPECT_THROW((void)discretise_mixed(unit_cube(2), in_sphere, 1), InputError);
 }
 
 TEST(MixedCubes, OfEllipsoidsHoldTheirVolumes) {

@@ -45,11 +45,12 @@ TEST_P(CubicArray, HasItsNeighboursAndItsDensity) {
   EXPECT_DOUBLE_EQ(nearest_distance(lattice), nearest);
   for (std::size_t first = 0; first < spheres; ++first) {
     std::size_t neighbours = 0;
+    const double closest = GetParam().nearest * cell;
     for_each_image(array, [&](std::size_t, const Sphere& other) {
       const auto& centre = array.particles[first].centre;
       const double apart =
           std::hypot(centre[0] - other.centre[0], centre[1] - other.centre[1], centre[2] - other.centre[2]);
-      if (std::abs(apart - nearest * cell) < 1e-12) ++neighbours;
+      if (std::abs(apart - closest) < 1e-12) ++neighbours;
     });
     EXPECT_EQ(neighbours, touching);
   }

@@ -149,7 +149,8 @@ struct DensestPacking {
 class PackDensestSpheres : public ::testing::TestWithParam<DensestPacking> {};
 
 TEST_P(PackDensestSpheres, IsReachedAndNotPassed) {
-  const auto& [spheres, diameter] = GetParam();
+  const std::size_t spheres = GetParam().spheres;
+  const double diameter = GetParam().diameter;
   EXPECT_EQ(pack<3>({1.0, Walls::hard, std::vector<double>(spheres, 0.9999 * diameter)}).balls.size(), spheres);
   expect_error<PackingError>(
       [&] {
