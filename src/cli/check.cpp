@@ -68,8 +68,8 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest& test, int cells) {
   return {text, seconds, bytes};
 }
 
-bool is_direct(const Study& study, double unknowns) {
-  return study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1);
+bool is_direct(const Study& study, const Stage& stage, double unknowns) {
+  return study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions);
 }
 
 /// Approximate wall time [s] on a core of the year 2020, by an empirical formula.
@@ -77,7 +77,7 @@ double quasistatic_time(const Study& study, const Stage& stage, double unknowns)
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   constexpr double warm_up_decades = 3.0;
   const double snapshots = expected_snapshots(study.tests, stage);
-  const bool direct = is_direct(study, unknowns);
+  const bool direct = is_direct(study, stage, unknowns);
   const double factorisation = direct ? 2.2e-6 : 1.2e-6, solve = direct ? 0.8e-6 : 1.5e-6;
   if (study.tests.quasistatic.solver == Solver::reduced) return snapshots * unknowns * (factorisation + solve * loads);
   const double decades = warm_up_decades + std::log10(study.tests.last_time / study.tests.first_time);

@@ -94,10 +94,12 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
     }
     further = 2.0 * vector * vectors * static_cast<double>(terms * loads_of(study, stage).size());
   }
-  if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1)) {
+  if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions)) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
     return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + further);
   }
+  // Fields of the iteration, a dozen nodal vectors, and the fractions and labels of the cells.
+  if (stage.dimensions == 3) return unknowns * (60.0 + dozen * vectors + further);
   // Substructures and a dozen nodal vectors; fields take as much again.
   constexpr double substructures = 340.0 - dozen;
   const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;

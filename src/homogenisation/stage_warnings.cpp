@@ -67,6 +67,7 @@ const char* name_of_gap(const StageMicrostructure& packed) {
 
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
                                                   Mixing mixing) {
+  if (stage.dimensions == 3) return std::nullopt;  // the rule was measured with discs
   const auto [cells_per_gap, consequence] = packed.grains ? film_rule(mixing) : gap_rule(mixing);
   constexpr double rounding = 1e-9;
   const double gap = std::min(packed.gap, packed.wall_gap);
