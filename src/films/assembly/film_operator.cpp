@@ -1,9 +1,5 @@
 #include "assembly/film_operator.hpp"
 
-#include <cmath>
-
-#include <fmt/format.h>
-
 #include "breccia/error.hpp"
 
 #include "assembly/macroscopic.hpp"
@@ -28,19 +24,6 @@ FilmOperator::FilmOperator(const FilmProblem& problem) : boundary_(problem.bound
   if (volume_factors_.info() != Eigen::Success) {
     throw NumericalError("films: the volumes of films and junctions cannot be inverted; a film may be too thin");
   }
-  require_patch(1.0 - grain_fraction(problem.tessellation, problem.thickness));
-}
-
-void FilmOperator::require_patch(double binder) const {
-  const auto strain = uniform_strain(Load::shear);
-  const double energy = work(shear_forces(Load::shear, strain), strain);
-  constexpr double rounding = 1e-6;
-  if (std::abs(energy - binder) <= rounding * binder) return;
-  throw NumericalError(fmt::format(
-      "films: in a uniform strain the films and junctions count for {:.4g} of the box, but fill {:.4g}: one of them is "
-      "folded over, as happens where a grain is all but taken by its films; a film of another thickness, or other "
-      "sizes, avoid it, and so do cells",
-      energy, binder));
 }
 
 FilmVector FilmOperator::load_forces(Load load) const {

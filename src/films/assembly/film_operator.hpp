@@ -50,8 +50,6 @@ class FilmOperator {
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
-  /// Throws NumericalError where a uniform strain has not the shear energy of the binder's share of the box.
-  void require_patch(double binder) const;
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
 
