@@ -1,5 +1,9 @@
 #include "assembly/film_operator.hpp"
 
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "breccia/error.hpp"
 
 #include "assembly/macroscopic.hpp"
@@ -24,6 +28,20 @@ FilmOperator::FilmOperator(const FilmProblem& problem) : boundary_(problem.bound
   if (volume_factors_.info() != Eigen::Success) {
     throw NumericalError("films: the volumes of films and junctions cannot be inverted; a film may be too thin");
   }
+  require_patch(problem.grain.shear);
+}
+
+void FilmOperator::require_patch(double grain_shear) const {
+  const auto strain = uniform_strain(Load::shear);
+  const double grains = work(grain_forces(Load::shear, strain), strain) / grain_shear;
+  const double found = grains + work(shear_forces(Load::shear, strain), strain);
+  constexpr double rounding = 1e-6;
+  if (std::abs(found - area()) <= rounding * area()) return;
+  throw NumericalError(fmt::format(
+      "films: in a uniform strain grains and films count for {:.6g} times the area that they fill: the elements of a "
+      "grain that is all but taken by its films have lost their digits; a film of another thickness, or other sizes, "
+      "avoid it, and so do cells",
+      found / area()));
 }
 
 FilmVector FilmOperator::load_forces(Load load) const {

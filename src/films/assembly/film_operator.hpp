@@ -50,6 +50,8 @@ class FilmOperator {
   [[nodiscard]] Sparse matrix(const Moduli& binder) const;
 
  private:
+  /// Throws NumericalError where a uniform strain has another shear energy than that of the areas of grains and binder.
+  void require_patch(double grain_shear) const;
   [[nodiscard]] Eigen::VectorXd extended(Load load, const FilmVector& displacement) const;
   [[nodiscard]] FilmVector reduced(Load load, const Eigen::VectorXd& forces) const;
 
