@@ -84,7 +84,7 @@ function(breccia_library)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in
     ${PROJECT_BINARY_DIR}/brecciaConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-  install(FILES ${PROJECT_BINARY_DIR}/brecciaConfig.cmake ${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake
+  install(FILES ${PROJECT_BINARY_DIR}/brecciaConfig.cmake ${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/SparseFactors.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
 endfunction()
 

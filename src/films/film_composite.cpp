@@ -39,7 +39,14 @@ FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, 
   return sum;
 }
 
-FilmSolver::FilmSolver(const FilmComposite& composite) : composite_(&composite) {
+namespace {
+
+/// What factors may take in the memory [B]. Not the memory that is left decides: the last digits differ.
+constexpr double memory_of_factors = 2e9;
+
+}  // namespace
+
+FilmSolver::FilmSolver(const FilmComposite& composite) : composite_(&composite), factors_(memory_of_factors) {
   effort_.unknowns = composite.film_operator().unknowns() + composite.film_operator().pressures();
 }
 

@@ -61,8 +61,6 @@ class FilmSolver {
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
   void count_from(const LinearEffort& earlier) { effort_ = earlier; }
-  /// Entries of the factors for the present binder.
-  [[nodiscard]] double entries() const { return factors_.entries(); }
 
  private:
   const FilmComposite* composite_;

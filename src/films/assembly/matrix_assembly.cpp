@@ -12,7 +12,8 @@ Eigen::Matrix<double, 2, 3> traction_on(const Eigen::Vector2d& line) {
   return force;
 }
 
-MatrixAssembly::MatrixAssembly(int unknowns, int pressures) : unknowns_(unknowns), pressures_(pressures) {
+MatrixAssembly::MatrixAssembly(int unknowns, int pressures)
+    : unknowns_(unknowns), pressures_(pressures), grains_(unknowns), shear_(unknowns) {
   result_.tractions.setZero(unknowns, 3);
   result_.by_gradient.setZero(unknowns, 4);
 }
@@ -26,32 +27,26 @@ void MatrixAssembly::add_shear(const ElementUnknowns& unknowns, const Eigen::Mat
 }
 
 void MatrixAssembly::add_resistance(int unknown, double stiffness) {
-  shear_.emplace_back(unknown, unknown, stiffness);
+  shear_.entries.emplace_back(unknown, unknown, stiffness);
 }
 
 /// Adds the lower triangle of an element's matrix, and its rows of the macroscopic strains.
-void MatrixAssembly::add_symmetric(Entries& entries, const ElementUnknowns& unknowns,
-                                   const Eigen::MatrixXd& matrix) const {
+void MatrixAssembly::add_symmetric(Part& part, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix) {
   const auto& numbers = unknowns.numbers;
   const Eigen::Matrix<double, Eigen::Dynamic, 3> of_strains = matrix * unknowns.macroscopic;
-  const Eigen::Matrix3d of_both = unknowns.macroscopic.transpose() * of_strains;
+  part.of_both += unknowns.macroscopic.transpose() * of_strains;
   for (std::size_t b = 0; b < numbers.size(); ++b) {
     const auto column = static_cast<Eigen::Index>(b);
     if (numbers[b] == held) continue;
     for (std::size_t a = 0; a < numbers.size(); ++a) {
       if (numbers[a] >= numbers[b]) {
-        entries.emplace_back(numbers[a], numbers[b], matrix(static_cast<Eigen::Index>(a), column));
+        part.entries.emplace_back(numbers[a], numbers[b], matrix(static_cast<Eigen::Index>(a), column));
       }
     }
-    for (int i = 0; i < FilmMatrices::macroscopic; ++i) {
-      entries.emplace_back(unknowns_ + i, numbers[b], of_strains(column, i));
-    }
+    part.of_strains.row(numbers[b]) += of_strains.row(column);
   }
-  for (int j = 0; j < FilmMatrices::macroscopic; ++j) {
-    for (int i = j; i < FilmMatrices::macroscopic; ++i) {
-      entries.emplace_back(unknowns_ + i, unknowns_ + j, of_both(i, j));
-    }
-  }
+  constexpr std::size_t many = 10'000'000;
+  if (part.entries.size() > many) part.add_up();
 }
 
 void MatrixAssembly::add_dilatation(std::span<const int> pressures, const ElementUnknowns& unknowns,
@@ -91,16 +86,40 @@ void MatrixAssembly::set_place(int unknown, int component, const Eigen::Vector2d
   if (unknown != held) result_.by_gradient.row(unknown).segment<2>(2 * component) = place.transpose();
 }
 
+MatrixAssembly::Part::Part(int unknowns)
+    : sum(unknowns + FilmMatrices::macroscopic, unknowns + FilmMatrices::macroscopic) {
+  of_strains.setZero(unknowns, FilmMatrices::macroscopic);
+}
+
+void MatrixAssembly::Part::add_up() {
+  FilmMatrices::Sparse further(sum.rows(), sum.cols());
+  further.setFromTriplets(entries.begin(), entries.end());
+  entries.clear();
+  sum = sum.nonZeros() == 0 ? std::move(further) : FilmMatrices::Sparse(sum + further);
+}
+
+FilmMatrices::Sparse MatrixAssembly::Part::finish() {
+  const auto unknowns = static_cast<int>(of_strains.rows());
+  for (int j = 0; j < FilmMatrices::macroscopic; ++j) {
+    for (int unknown = 0; unknown < unknowns; ++unknown) {
+      if (of_strains(unknown, j) != 0.0) entries.emplace_back(unknowns + j, unknown, of_strains(unknown, j));
+    }
+    for (int i = j; i < FilmMatrices::macroscopic; ++i) entries.emplace_back(unknowns + i, unknowns + j, of_both(i, j));
+  }
+  add_up();
+  entries = {};
+  return std::move(sum);
+}
+
 FilmMatrices MatrixAssembly::finish() {
   const auto make = [](FilmMatrices::Sparse& matrix, int rows, int columns, Entries& entries) {
     matrix.resize(rows, columns);
     matrix.setFromTriplets(entries.begin(), entries.end());
     entries = {};
   };
-  const int all = unknowns_ + FilmMatrices::macroscopic;
-  make(result_.grains, all, all, grains_);
-  make(result_.shear, all, all, shear_);
-  make(result_.dilatation, pressures_, all, dilatation_);
+  result_.grains = grains_.finish();
+  result_.shear = shear_.finish();
+  make(result_.dilatation, pressures_, unknowns_ + FilmMatrices::macroscopic, dilatation_);
   make(result_.volume, pressures_, pressures_, volume_);
   return std::move(result_);
 }

@@ -45,11 +45,25 @@ class MatrixAssembly {
  private:
   using Entries = std::vector<Eigen::Triplet<double>>;
 
-  void add_symmetric(Entries& entries, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix) const;
+  /// A symmetric matrix that is added up: what has been added up, and further entries of its lower triangle; the forces
+  /// of the macroscopic strains on the unknowns, and their own stiffness.
+  struct Part {
+    explicit Part(int unknowns);
+    void add_up();
+    [[nodiscard]] FilmMatrices::Sparse finish();
+
+    FilmMatrices::Sparse sum;
+    Entries entries;
+    Eigen::Matrix<double, Eigen::Dynamic, FilmMatrices::macroscopic> of_strains;
+    Eigen::Matrix3d of_both = Eigen::Matrix3d::Zero();
+  };
+
+  static void add_symmetric(Part& part, const ElementUnknowns& unknowns, const Eigen::MatrixXd& matrix);
 
   int unknowns_, pressures_;
   FilmMatrices result_;
-  Entries grains_, shear_, dilatation_, volume_;
+  Part grains_, shear_;
+  Entries dilatation_, volume_;
 };
 
 }  // namespace breccia::films

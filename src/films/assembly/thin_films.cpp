@@ -9,10 +9,11 @@
 #include "assembly/film_element.hpp"
 #include "assembly/film_end.hpp"
 #include "assembly/film_mesh.hpp"
-#include "assembly/grain_stiffness.hpp"
 #include "assembly/junction_element.hpp"
 #include "assembly/macroscopic.hpp"
 #include "assembly/matrix_assembly.hpp"
+#include "assembly/plane_strain.hpp"
+#include "assembly/quadratic_triangle.hpp"
 
 namespace breccia::films {
 namespace {
@@ -29,10 +30,15 @@ class ThinFilms {
         sum_(unknowns_.count(), unknowns_.pressures()) {}
 
   void add_grains(const Moduli& moduli) {
+    const auto elasticity = plane_strain_stiffness(moduli);
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
-      std::vector<NodeImage> nodes;
-      for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
-      sum_.add_grain(unknowns_of(nodes, {}), grain_stiffness(meshes_[g], moduli));
+      const auto& places = meshes_[g].nodes;
+      for (const auto& triangle : meshes_[g].triangles) {
+        std::vector<NodeImage> nodes;
+        for (const auto node : triangle) nodes.push_back({g, node, Eigen::Vector2i::Zero()});
+        const auto functions = quadratic_triangle({places[triangle[0]], places[triangle[1]], places[triangle[2]]});
+        sum_.add_grain(unknowns_of(nodes, {}), triangle_stiffness(functions, elasticity));
+      }
       sum_.add_area(films::area(network_.grains[g].corners));
     }
   }
@@ -80,7 +86,7 @@ class ThinFilms {
   void add_uniform_gradients() {
     const auto& first = meshes_[0].nodes[0];
     for (std::size_t g = 0; g < meshes_.size(); ++g) {
-      for (std::size_t n = 0; n < meshes_[g].boundary_nodes; ++n) {
+      for (std::size_t n = 0; n < meshes_[g].nodes.size(); ++n) {
         const Eigen::Vector2d place = meshes_[g].nodes[n] - first;
         for (int i = 0; i < 2; ++i) sum_.set_place(unknowns_.displacement(g, n, i), i, place);
       }

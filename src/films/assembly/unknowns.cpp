@@ -6,7 +6,8 @@ namespace breccia::films {
 
 Unknowns::Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& meshes, Boundary boundary) {
   for (std::size_t g = 0; g < network.grains.size(); ++g) {
-    displacements_.emplace_back(2 * meshes[g].boundary_nodes, 0);
+    displacements_.emplace_back(2 * meshes[g].nodes.size(), 0);
+    boundary_nodes_.push_back(meshes[g].boundary_nodes);
     auto& first = first_nodes_.emplace_back();
     std::size_t node = 0;
     for (const int segments : network.segments[g]) {

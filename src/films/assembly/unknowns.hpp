@@ -14,9 +14,9 @@
 
 namespace breccia::films {
 
-/// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes on the boundaries
-/// of the grains, then the flows at both ends of each element of each film; the pressures are numbered by themselves,
-/// those of the junctions first.
+/// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes of the grains, then
+/// the flows at both ends of each element of each film; the pressures are numbered by themselves, those of the
+/// junctions first.
 ///
 /// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
 /// are held at zero under the other boundaries.
@@ -27,13 +27,13 @@ class Unknowns {
   [[nodiscard]] int count() const noexcept { return count_; }
   [[nodiscard]] int pressures() const noexcept { return pressures_; }
 
-  /// Of a component of a node on the boundary of a grain, or `held`.
+  /// Of a component of a node of a grain, or `held`.
   [[nodiscard]] int displacement(std::size_t grain, std::size_t node, int component) const noexcept {
     return displacements_[grain][2 * node + static_cast<std::size_t>(component)];
   }
   /// The node of the boundary of a grain at the beginning of an element of a face, or `past` it.
   [[nodiscard]] std::size_t node(std::size_t grain, std::size_t face, int past) const noexcept {
-    return (first_nodes_[grain][face] + static_cast<std::size_t>(past)) % (displacements_[grain].size() / 2);
+    return (first_nodes_[grain][face] + static_cast<std::size_t>(past)) % boundary_nodes_[grain];
   }
   /// Of the flow at the begin (0) or the end (1) of an element of a film.
   [[nodiscard]] int flow(std::size_t film, int element, int end) const noexcept {
@@ -50,6 +50,7 @@ class Unknowns {
   void hold_rotation(const std::vector<GrainMesh>& meshes);
 
   std::vector<std::vector<int>> displacements_;        ///< by grain and component
+  std::vector<std::size_t> boundary_nodes_;            ///< their number, by grain
   std::vector<std::vector<std::size_t>> first_nodes_;  ///< by grain and face
   std::vector<int> first_flows_, first_pressures_;     ///< by film
   Eigen::Vector2d farthest_held_ = Eigen::Vector2d::Zero();

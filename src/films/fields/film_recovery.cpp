@@ -13,7 +13,6 @@
 #include "assembly/film_element.hpp"
 #include "assembly/film_end.hpp"
 #include "assembly/film_mesh.hpp"
-#include "assembly/grain_stiffness.hpp"
 #include "assembly/junction_element.hpp"
 #include "assembly/macroscopic.hpp"
 #include "assembly/quadratic_triangle.hpp"
@@ -108,8 +107,8 @@ class Recovery {
   void add_grain(std::size_t g) {
     const auto& mesh = mesh_.grains()[g];
     std::vector<NodeImage> nodes;
-    for (std::size_t n = 0; n < mesh.boundary_nodes; ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
-    const auto displacements = grain_displacements(mesh, grain_, displacements_of(*displacement_, nodes));
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n) nodes.push_back({g, n, Eigen::Vector2i::Zero()});
+    const auto displacements = displacements_of(*displacement_, nodes);
     const auto elasticity = plane_strain_stiffness(grain_);
     const double first_lame = grain_.bulk - 2.0 / 3.0 * grain_.shear;
     const Eigen::Vector2d offset = displacement_->macroscopic() * affine_motion(mesh_.place(nodes[0])) * strain_;

@@ -1,60 +1,138 @@
 #include "solver/symmetric_factors.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
+#include <mpi.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
 
+#include "solver/elimination_order.hpp"
+
 namespace breccia::films {
+namespace {
 
-using parallel::check;
+// The numbers by which MUMPS knows its jobs and its parameters ("Users' guide", 5.5.1), the latter from 1.
+enum Job { begin = -1, end = -2, analysis = 1, factorisation = 2, solution = 3 };
+enum Control {
+  errors = 1,
+  diagnostics = 2,
+  statistics = 3,
+  verbosity = 4,
+  ordering = 7,
+  more_memory = 14,
+  use_files = 22
+};
+enum Information { status = 1, detail = 2, megabytes = 17 };
+constexpr int singular = -10, no_files = -90;  // what the status may be
 
-SymmetricFactors::~SymmetricFactors() {
-  MatDestroy(&factors_);
-  MatDestroy(&view_);
+std::string directory_of_files() {
+  std::error_code error;
+  const auto directory = std::filesystem::temp_directory_path(error);
+  if (error) {
+    throw InputError(
+        "films: the factors of the matrix are kept in files, and there is no directory for temporary files: the "
+        "environment variable TMPDIR names none");
+  }
+  return directory.string();
+}
+
+int& control(DMUMPS_STRUC_C& mumps, Control number) {
+  return mumps.icntl[number - 1];
+}
+
+int information(const DMUMPS_STRUC_C& mumps, Information number) {
+  return mumps.infog[number - 1];
+}
+
+/// Runs a job. Throws NumericalError when it fails.
+void run(DMUMPS_STRUC_C& mumps, Job job) {
+  mumps.job = job;
+  dmumps_c(&mumps);
+  const int found = information(mumps, status);
+  if (found >= 0) return;
+  if (found == singular) {
+    throw NumericalError("films: the matrix is singular; a modulus of the binder may not be positive");
+  }
+  if (found == no_files) {
+    throw NumericalError(
+        fmt::format("films: the factors of the matrix cannot be kept in files in {}: it may be full; the environment "
+                    "variable TMPDIR names another directory",
+                    directory_of_files()));
+  }
+  throw NumericalError(
+      fmt::format("films: the matrix cannot be factorised (MUMPS: {}, {}); memory may have run out, fewer grains take "
+                  "less",
+                  found, information(mumps, detail)));
+}
+
+}  // namespace
+
+void SymmetricFactors::End::operator()(DMUMPS_STRUC_C* instance) const {
+  instance->job = end;
+  dmumps_c(instance);
+  delete instance;
+}
+
+/// Orders the unknowns of the first matrix, whose pattern the others share.
+void SymmetricFactors::analyse() {
+  constexpr int symmetric = 2, works_too = 1, given = 1, silent = 0, no_unit = -1, per_cent = 30;
+  parallel::start();
+  mumps_.reset(new DMUMPS_STRUC_C{});
+  auto& mumps = *mumps_;
+  mumps.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+  mumps.par = works_too;
+  mumps.sym = symmetric;
+  run(mumps, begin);
+  for (const auto unit : {errors, diagnostics, statistics}) control(mumps, unit) = no_unit;
+  control(mumps, verbosity) = silent;
+  control(mumps, ordering) = given;
+  control(mumps, more_memory) = per_cent;
+
+  for (int column = 0; column < matrix_.outerSize(); ++column) {
+    for (Sparse::InnerIterator at(matrix_, column); at; ++at) {
+      rows_.push_back(static_cast<int>(at.row()) + 1);
+      columns_.push_back(column + 1);
+    }
+  }
+  mumps.n = static_cast<int>(matrix_.rows());
+  mumps.nnz = matrix_.nonZeros();
+  mumps.irn = rows_.data();
+  mumps.jcn = columns_.data();
+  auto places = elimination_order(matrix_);
+  for (int& place : places) ++place;
+  mumps.perm_in = places.data();
+  run(mumps, analysis);
+  mumps.perm_in = nullptr;
+  if (1e6 * information(mumps, megabytes) > memory_) {
+    control(mumps, use_files) = 1;
+    // Texts of a fixed length that end with zero.
+    const auto set_text = [](auto& text, const std::string& value) {
+      std::ranges::copy_n(value.c_str(), static_cast<std::ptrdiff_t>(std::min(value.size() + 1, sizeof text)), text);
+    };
+    set_text(mumps.ooc_tmpdir, directory_of_files());
+    set_text(mumps.ooc_prefix, "breccia-factors");
+  }
 }
 
 void SymmetricFactors::factorise(Sparse lower_triangle) {
-  constexpr const char* what = "factorising the matrix of the films";
-  parallel::start();
   matrix_ = std::move(lower_triangle);
   matrix_.makeCompressed();
-  const auto size = static_cast<PetscInt>(matrix_.rows());
-  MatDestroy(&view_);
-  check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, size, size, matrix_.outerIndexPtr(), matrix_.innerIndexPtr(),
-                                    matrix_.valuePtr(), &view_),
-        what);
-  MatFactorInfo info;
-  check(MatFactorInfoInitialize(&info), what);
-  if (factors_ == nullptr) {
-    check(MatGetFactor(view_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factors_), what);
-    constexpr PetscInt more_memory = 14, per_cent = 30;
-    check(MatMumpsSetIcntl(factors_, more_memory, per_cent), what);
-    check(MatCholeskyFactorSymbolic(factors_, view_, nullptr, &info), what);
-  }
-  check(MatCholeskyFactorNumeric(factors_, view_, &info), what);
-  MatFactorError error = MAT_FACTOR_NOERROR;
-  check(MatFactorGetError(factors_, &error), what);
-  if (error != MAT_FACTOR_NOERROR) {
-    throw NumericalError(
-        "films: the matrix cannot be factorised: memory may have run out (fewer grains take less), or a modulus of the "
-        "binder is not positive");
-  }
+  if (!mumps_) analyse();
+  mumps_->a = matrix_.valuePtr();
+  run(*mumps_, factorisation);
 }
 
 Eigen::VectorXd SymmetricFactors::solve_once(const Eigen::VectorXd& right_side) const {
-  constexpr const char* what = "solving for the displacements of the grains";
-  Eigen::VectorXd solution(right_side.size());
-  Vec b = nullptr, x = nullptr;
-  const auto size = static_cast<PetscInt>(right_side.size());
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, right_side.data(), &b), what);
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, solution.data(), &x), what);
-  check(MatSolve(factors_, b, x), what);
-  VecDestroy(&b);
-  VecDestroy(&x);
+  Eigen::VectorXd solution = right_side;
+  mumps_->rhs = solution.data();
+  run(*mumps_, Job::solution);
   return solution;
 }
 
@@ -72,11 +150,8 @@ Eigen::VectorXd SymmetricFactors::solve(const Eigen::VectorXd& right_side) {
   return solution;
 }
 
-double SymmetricFactors::entries() const {
-  constexpr PetscInt real_entries = 9;  // in millions, if negative
-  PetscInt count = 0;
-  check(MatMumpsGetInfog(factors_, real_entries, &count), "reading the size of the factors");
-  return count < 0 ? -1e6 * count : count;
+bool SymmetricFactors::are_in_files() const {
+  return control(*mumps_, use_files) != 0;
 }
 
 }  // namespace breccia::films

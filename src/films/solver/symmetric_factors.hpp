@@ -1,42 +1,47 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
-#include <petscmat.h>
+#include <dmumps_c.h>
 
 namespace breccia::films {
 
-/// The sparse factors L D L^T of one symmetric matrix after the other, all with the same pattern, by MUMPS through
-/// PETSc. Each process works alone.
+/// The sparse factors L D L^T of one symmetric matrix after the other, all with the same pattern, by MUMPS (Amestoy,
+/// Duff, L'Excellent and Koster 2001) in the order of elimination_order(). Factors that take more memory than they may
+/// are kept in files in the directory for temporary files until the end. Each process works alone.
 class SymmetricFactors {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
 
-  SymmetricFactors() = default;
-  SymmetricFactors(const SymmetricFactors&) = delete;
-  SymmetricFactors& operator=(const SymmetricFactors&) = delete;
-  SymmetricFactors(SymmetricFactors&&) = delete;
-  SymmetricFactors& operator=(SymmetricFactors&&) = delete;
-  ~SymmetricFactors();
+  /// `memory` [B] is what the factors may take with all that they need.
+  explicit SymmetricFactors(double memory) : memory_(memory) {}
 
-  /// Factorises a matrix of which the lower triangle is given. Throws NumericalError when that fails.
+  /// Factorises a matrix of which the lower triangle is given. Throws NumericalError when that fails, and InputError
+  /// when files are needed and there is no directory for temporary files.
   void factorise(Sparse lower_triangle);
   /// Solves by the factors, with a step of refinement. Throws NumericalError when the residual is large all the same.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_side);
 
   /// Residual after the last solve, relative to the right side in the Euclidean norm [-].
   [[nodiscard]] double residual() const noexcept { return residual_; }
-  /// Entries of the factors.
-  [[nodiscard]] double entries() const;
+  [[nodiscard]] bool are_in_files() const;
 
  private:
+  /// Ends an instance of MUMPS.
+  struct End {
+    void operator()(DMUMPS_STRUC_C* instance) const;
+  };
+
+  void analyse();
   [[nodiscard]] Eigen::VectorXd solve_once(const Eigen::VectorXd& right_side) const;
 
+  double memory_;
   Sparse matrix_;
-  Mat view_ = nullptr;  ///< of matrix_, whose columns are the rows of the upper triangle
-  Mat factors_ = nullptr;
+  std::vector<int> rows_, columns_;  ///< of the entries, from 1
+  std::unique_ptr<DMUMPS_STRUC_C, End> mumps_;
   double residual_ = 0.0;
 };
 

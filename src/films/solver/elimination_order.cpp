@@ -1,0 +1,111 @@
+#include "solver/elimination_order.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include <metis.h>
+
+#include "breccia/error.hpp"
+
+namespace breccia::films {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+/// Spreads the number of an unknown over 64 bits (the finaliser of MurmurHash3).
+std::uint64_t spread(std::uint64_t x) {
+  x = (x ^ (x >> 33U)) * 0xff51afd7ed558ccdULL;
+  x = (x ^ (x >> 33U)) * 0xc4ceb9fe1a85ec53ULL;
+  return x ^ (x >> 33U);
+}
+
+template <class Visit>
+void for_each_pair(const Sparse& lower_triangle, const Visit& visit) {
+  for (int column = 0; column < lower_triangle.outerSize(); ++column) {
+    for (Sparse::InnerIterator at(lower_triangle, column); at; ++at) {
+      if (at.row() > column) visit(static_cast<int>(at.row()), column);
+    }
+  }
+}
+
+/// The vertices of the graph: the unknowns from each of these to the next.
+std::vector<int> first_unknowns(const Sparse& lower_triangle) {
+  const auto count = static_cast<std::size_t>(lower_triangle.rows());
+  // Equal sums stand for the same neighbours, the unknown itself among them.
+  std::vector<std::uint64_t> neighbours(count);
+  for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i);
+  for_each_pair(lower_triangle, [&](int row, int column) {
+    neighbours[static_cast<std::size_t>(row)] += spread(static_cast<std::uint64_t>(column));
+    neighbours[static_cast<std::size_t>(column)] += spread(static_cast<std::uint64_t>(row));
+  });
+  std::vector<int> first;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i == 0 || neighbours[i] != neighbours[i - 1]) first.push_back(static_cast<int>(i));
+  }
+  first.push_back(static_cast<int>(count));
+  return first;
+}
+
+/// Vertices with their sizes, and the neighbours of each in compressed rows.
+struct Graph {
+  std::vector<idx_t> sizes, first_neighbour, neighbours;
+};
+
+Graph graph_of(const Sparse& lower_triangle, const std::vector<int>& first) {
+  const std::size_t vertices = first.size() - 1;
+  std::vector<int> vertex(static_cast<std::size_t>(first.back()));
+  Graph graph;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    graph.sizes.push_back(first[v + 1] - first[v]);
+    for (int i = first[v]; i < first[v + 1]; ++i) vertex[static_cast<std::size_t>(i)] = static_cast<int>(v);
+  }
+  // The first unknown of a vertex has the neighbours of all.
+  const auto for_each_edge = [&](const auto& visit) {
+    for_each_pair(lower_triangle, [&](int row, int column) {
+      const int a = vertex[static_cast<std::size_t>(row)], b = vertex[static_cast<std::size_t>(column)];
+      if (a != b && first[static_cast<std::size_t>(a)] == row && first[static_cast<std::size_t>(b)] == column) {
+        visit(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+      }
+    });
+  };
+  graph.first_neighbour.assign(vertices + 1, 0);
+  for_each_edge([&](std::size_t a, std::size_t b) {
+    ++graph.first_neighbour[a + 1];
+    ++graph.first_neighbour[b + 1];
+  });
+  for (std::size_t v = 0; v < vertices; ++v) graph.first_neighbour[v + 1] += graph.first_neighbour[v];
+  graph.neighbours.resize(static_cast<std::size_t>(graph.first_neighbour.back()));
+  auto next = graph.first_neighbour;
+  for_each_edge([&](std::size_t a, std::size_t b) {
+    graph.neighbours[static_cast<std::size_t>(next[a]++)] = static_cast<idx_t>(b);
+    graph.neighbours[static_cast<std::size_t>(next[b]++)] = static_cast<idx_t>(a);
+  });
+  return graph;
+}
+
+}  // namespace
+
+std::vector<int> elimination_order(const Sparse& lower_triangle) {
+  const auto first = first_unknowns(lower_triangle);
+  auto graph = graph_of(lower_triangle, first);
+  auto vertices = static_cast<idx_t>(graph.sizes.size());
+  std::vector<idx_t> vertex_at(graph.sizes.size()), place(graph.sizes.size());
+  std::array<idx_t, METIS_NOPTIONS> options{};
+  METIS_SetDefaultOptions(options.data());
+  options[METIS_OPTION_COMPRESS] = 0;
+  const int result = METIS_NodeND(&vertices, graph.first_neighbour.data(), graph.neighbours.data(), graph.sizes.data(),
+                                  options.data(), vertex_at.data(), place.data());
+  if (result != METIS_OK) {
+    throw NumericalError("films: the unknowns cannot be ordered; memory may have run out, fewer grains take less");
+  }
+  std::vector<int> places(static_cast<std::size_t>(first.back()));
+  int next = 0;
+  for (const auto vertex : vertex_at) {
+    const auto v = static_cast<std::size_t>(vertex);
+    for (int i = first[v]; i < first[v + 1]; ++i) places[static_cast<std::size_t>(i)] = next++;
+  }
+  return places;
+}
+
+}  // namespace breccia::films

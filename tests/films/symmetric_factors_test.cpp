@@ -1,0 +1,128 @@
+#include "solver/symmetric_factors.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "solver/elimination_order.hpp"
+
+namespace breccia::films {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+constexpr int side_of_grid = 40, components = 2;
+
+/// Lower triangle of a quasi-definite matrix on a square grid of nodes of two components, each coupled to both of the
+/// neighbours', and a negative unknown for every node (compare theory, Eq. 66).
+Sparse grid_matrix(double stiffness) {
+  constexpr int nodes = side_of_grid * side_of_grid;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto couple = [&](int a, int b) {
+    for (int i = 0; i < components; ++i) {
+      for (int j = 0; j < components; ++j) {
+        entries.emplace_back(components * std::max(a, b) + i, components * std::min(a, b) + j,
+                             i == j ? -stiffness : 0.1 * stiffness);
+      }
+    }
+  };
+  for (int node = 0; node < nodes; ++node) {
+    if (node % side_of_grid > 0) couple(node, node - 1);
+    if (node >= side_of_grid) couple(node, node - side_of_grid);
+    for (int i = 0; i < components; ++i) {
+      entries.emplace_back(components * node + i, components * node + i, 5.0 * stiffness);
+      entries.emplace_back(components * nodes + node, components * node + i, 1.0 + i);
+    }
+    entries.emplace_back(components * node + 1, components * node, 0.2 * stiffness);
+    entries.emplace_back(components * nodes + node, components * nodes + node, -1.0);
+  }
+  Sparse matrix(3 * nodes, 3 * nodes);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::VectorXd right_side(const Sparse& matrix) {
+  return Eigen::VectorXd::LinSpaced(matrix.rows(), -1.0, 2.0).array().sin();
+}
+
+TEST(EliminationOrder, HasEveryUnknownOnce) {
+  auto places = elimination_order(grid_matrix(1.0));
+  EXPECT_EQ(places, elimination_order(grid_matrix(3.0)));
+  // Both components of a node have the same entries and follow each other.
+  for (std::size_t node = 0; node < side_of_grid * side_of_grid; ++node) {
+    EXPECT_EQ(places[components * node] + 1, places[components * node + 1]);
+  }
+  std::ranges::sort(places);
+  std::vector<int> all(places.size());
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(places, all);
+}
+
+// Nested dissection leaves some 31 n log2(n) / 4 entries of a grid of n nodes, the order of the rows n^(3/2).
+TEST(EliminationOrder, EndsWithASeparator) {
+  const auto places = elimination_order(grid_matrix(1.0));
+  const auto count = places.size();
+  // Without its last unknowns, about two grid lines of nodes, the grid falls into parts of at most two thirds.
+  constexpr std::size_t separator = 2 * 3 * side_of_grid;
+  std::vector<int> part(count);
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](int at) {
+    while (part[static_cast<std::size_t>(at)] != at) at = part[static_cast<std::size_t>(at)];
+    return at;
+  };
+  const auto is_left = [&](int unknown) {
+    return static_cast<std::size_t>(places[static_cast<std::size_t>(unknown)]) + separator < count;
+  };
+  const auto matrix = grid_matrix(1.0);
+  for (int column = 0; column < matrix.outerSize(); ++column) {
+    for (Sparse::InnerIterator at(matrix, column); at; ++at) {
+      const auto row = static_cast<int>(at.row());
+      if (is_left(row) && is_left(column)) part[static_cast<std::size_t>(root(row))] = root(column);
+    }
+  }
+  std::vector<std::size_t> sizes(count, 0);
+  for (int unknown = 0; unknown < static_cast<int>(count); ++unknown) {
+    if (is_left(unknown)) ++sizes[static_cast<std::size_t>(root(unknown))];
+  }
+  EXPECT_LT(*std::ranges::max_element(sizes), count * 2 / 3);
+}
+
+TEST(SymmetricFactors, SolveForOneMatrixAfterTheOther) {
+  SymmetricFactors factors(std::numeric_limits<double>::infinity());
+  for (const double stiffness : {1.0, 1e3, 1e6}) {
+    const auto matrix = grid_matrix(stiffness);
+    factors.factorise(matrix);
+    const auto load = right_side(matrix);
+    const auto solution = factors.solve(load);
+    EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * solution - load).norm(), 1e-12 * load.norm());
+    EXPECT_LT(factors.residual(), 1e-12);
+  }
+  EXPECT_FALSE(factors.are_in_files());
+}
+
+TEST(SymmetricFactors, InFilesAreThoseInMemoryButForRounding) {
+  const auto matrix = grid_matrix(1e3);
+  SymmetricFactors in_memory(std::numeric_limits<double>::infinity()), in_files(0.0);
+  for (auto* factors : {&in_memory, &in_files}) factors->factorise(matrix);
+  EXPECT_TRUE(in_files.are_in_files());
+  const auto load = right_side(matrix);
+  const auto expected = in_memory.solve(load);
+  EXPECT_LT((in_files.solve(load) - expected).norm(), 1e-14 * expected.norm());
+}
+
+TEST(SymmetricFactors, OfASingularMatrixAreRefused) {
+  Sparse matrix(2, 2);
+  matrix.insert(0, 0) = 1.0;
+  matrix.insert(1, 0) = 1.0;
+  matrix.insert(1, 1) = 1.0;
+  SymmetricFactors factors(std::numeric_limits<double>::infinity());
+  EXPECT_THROW(factors.factorise(matrix), NumericalError);
+}
+
+}  // namespace
+}  // namespace breccia::films
