@@ -60,9 +60,8 @@ def mesh(n, angles):
     return np.array(places), np.array(triangles), corners, directions
 
 
-def lengths(n, angles):
-    """alpha of the three channels."""
-    vertices, triangles, corners, directions = mesh(n, angles)
+def taylor_hood(vertices, triangles):
+    """Matrices of viscosity and of volume, places of the nodes, and the three nodes of each edge of the boundary."""
     middles, places, elements, uses = {}, list(vertices), [], {}
     for t in triangles:
         element = list(t)
@@ -102,11 +101,18 @@ def lengths(n, angles):
     join = np.concatenate
     a = sparse.csr_matrix((join(values), (join(rows), join(columns))), shape=(2 * nodes, 2 * nodes))
     b = sparse.csr_matrix((join(b_values), (join(b_rows), join(b_columns))), shape=(pressures, 2 * nodes))
+    edges = [(i, j, middles[(i, j)]) for (i, j), count in uses.items() if count == 1]
+    return a, b, places, edges
 
+
+def lengths(n, angles):
+    """alpha of the three channels."""
+    vertices, triangles, corners, directions = mesh(n, angles)
+    a, b, places, edges = taylor_hood(vertices, triangles)
+    nodes = len(places)
     fixed = np.zeros(nodes, bool)
-    for (i, j), count in uses.items():
-        if count == 1:
-            fixed[[i, j, middles[(i, j)]]] = True
+    for edge in edges:
+        fixed[list(edge)] = True
     free = np.flatnonzero(np.repeat(~fixed, 2))
     # One pressure is held: the flows balance.
     system = sparse.bmat([[a[free][:, free], b[1:][:, free].T], [b[1:][:, free], None]], format="csc")

@@ -54,9 +54,9 @@ FilmStretch FilmMesh::stretch(std::size_t film, int element) const {
           .thickness = thickness};
 }
 
-bool FilmMesh::ends_at_wall(std::size_t film, int end) const {
-  const auto& junction = network_.junctions[network_.films[film].junctions[static_cast<std::size_t>(end)]];
-  return junction.is_at_wall && junction.corners.size() <= 2;
+Eigen::Vector2d FilmMesh::cut(std::size_t film, std::size_t end) const {
+  const auto& corners = network_.junctions[network_.films[film].junctions[end]].corners;
+  return network_.place(corners.front()) - network_.place(corners.back());
 }
 
 }  // namespace breccia::films

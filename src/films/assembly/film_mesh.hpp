@@ -9,6 +9,7 @@
 #include "breccia/films/film_problem.hpp"
 
 #include "assembly/film_element.hpp"
+#include "assembly/film_opening.hpp"
 #include "assembly/unknowns.hpp"
 #include "mesh/film_network.hpp"
 #include "mesh/grain_mesh.hpp"
@@ -41,8 +42,12 @@ class FilmMesh {
   [[nodiscard]] std::array<NodeImage, 6> nodes_of_stretch(std::size_t film, int element) const;
   /// The shape of an element of a film.
   [[nodiscard]] FilmStretch stretch(std::size_t film, int element) const;
-  /// Whether the begin (0) or the end (1) of a film is at a wall, and not at a junction with other films.
-  [[nodiscard]] bool ends_at_wall(std::size_t film, int end) const;
+  /// The line of a wall between the two sides of a film that ends there, with the body on its left.
+  [[nodiscard]] Eigen::Vector2d cut(std::size_t film, std::size_t end) const;
+  /// The opening of a film that ends at a wall.
+  [[nodiscard]] FilmOpening opening(std::size_t film, std::size_t end) const {
+    return film_opening(network_.films[film].direction, cut(film, end));
+  }
 
  private:
   [[nodiscard]] NodeImage node_of_side(const Film& film, std::size_t side, int place_along) const;

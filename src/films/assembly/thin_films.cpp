@@ -47,7 +47,13 @@ class ThinFilms {
     const auto lengths = end_lengths(network_);
     for (std::size_t f = 0; f < network_.films.size(); ++f) {
       for (int element = 0; element < network_.films[f].segments; ++element) add_stretch(f, element);
-      for (int end = 0; end < 2; ++end) add_end(f, end, lengths[f][static_cast<std::size_t>(end)]);
+      for (std::size_t end = 0; end < 2; ++end) {
+        if (!network_.ends_at_wall(f, end)) {
+          sum_.add_resistance(flow_at(f, end), 12.0 * lengths[f][end]);
+        } else if (boundary_ == Boundary::traction) {
+          add_opening(f, end);
+        }
+      }
     }
   }
 
@@ -124,21 +130,21 @@ class ThinFilms {
     sum_.add_area(matrices.volume.sum());
   }
 
-  /// Where a film flows into a junction, the flow has to turn; at a wall without displacements it flows out freely.
-  void add_end(std::size_t f, int end, double end_length) {
+  [[nodiscard]] int flow_at(std::size_t film, std::size_t end) const {
+    return end == 0 ? unknowns_.flow(film, 0, 0) : unknowns_.flow(film, network_.films[film].segments - 1, 1);
+  }
+
+  /// At a wall under tractions a film flows out, and its opening slips along the wall.
+  void add_opening(std::size_t f, std::size_t end) {
     const auto& film = network_.films[f];
-    const auto number = film.junctions[static_cast<std::size_t>(end)];
-    const auto& junction = network_.junctions[number];
-    const int flow = unknowns_.flow(f, end == 0 ? 0 : film.segments - 1, end);
-    if (!mesh_.ends_at_wall(f, end)) {
-      sum_.add_resistance(flow, 12.0 * end_length);
-    } else if (boundary_ == Boundary::traction) {
-      const double outward = end == 0 ? -1.0 : 1.0;
-      sum_.add_outflow(static_cast<int>(number), flow, outward * film.thickness);
-      const auto force =
-          traction_on(network_.place(junction.corners.front()) - network_.place(junction.corners.back()));
-      sum_.add_traction(flow, film.direction.transpose() * force);
-    }
+    const int flow = flow_at(f, end), slip = unknowns_.slip(f, end);
+    const auto opening = mesh_.opening(f, end);
+    sum_.add_shear({{flow, slip}, Eigen::Matrix<double, 2, 3>::Zero()}, opening.stiffness);
+    const double outward = end == 0 ? -1.0 : 1.0;
+    sum_.add_outflow(static_cast<int>(film.junctions[end]), flow, outward * film.thickness);
+    const auto force = traction_on(mesh_.cut(f, end));
+    sum_.add_traction(flow, film.direction.transpose() * force);
+    sum_.add_traction(slip, opening.slip.transpose() * force);
   }
 
   void add_face_traction(std::size_t grain, std::size_t face) {

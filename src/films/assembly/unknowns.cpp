@@ -33,6 +33,13 @@ Unknowns::Unknowns(const FilmNetwork& network, const std::vector<GrainMesh>& mes
     count_ += 2 * film.segments;
     pressures_ += 2 * film.segments - 1;
   }
+  for (std::size_t film = 0; film < network.films.size(); ++film) {
+    auto& of_film = slips_.emplace_back(std::array{held, held});
+    if (boundary != Boundary::traction) continue;
+    for (std::size_t end = 0; end < of_film.size(); ++end) {
+      if (network.ends_at_wall(film, end)) of_film[end] = count_++;
+    }
+  }
 }
 
 void Unknowns::hold_walls(const FilmNetwork& network) {

@@ -15,8 +15,8 @@
 namespace breccia::films {
 
 /// Numbers of the unknowns of a network of films: the fluctuations of the displacement of the nodes of the grains, then
-/// the flows at both ends of each element of each film; the pressures are numbered by themselves, those of the
-/// junctions first.
+/// the flows at both ends of each element of each film, and under a traction boundary the slip of each opening of a
+/// film in a wall; the pressures are numbered by themselves, those of the junctions first.
 ///
 /// A displacement boundary holds the fluctuation at zero on the walls; as many components as there are rigid motions
 /// are held at zero under the other boundaries.
@@ -39,6 +39,8 @@ class Unknowns {
   [[nodiscard]] int flow(std::size_t film, int element, int end) const noexcept {
     return first_flows_[film] + 2 * element + end;
   }
+  /// Of the slip of the opening at the begin (0) or the end (1) of a film, or `held` where there is none.
+  [[nodiscard]] int slip(std::size_t film, std::size_t end) const noexcept { return slips_[film][end]; }
   /// The place of the node that a traction boundary holds against a rotation about the first node.
   [[nodiscard]] const Eigen::Vector2d& farthest_held() const noexcept { return farthest_held_; }
   /// Of the pressures at begin, middle and end of an element of a film.
@@ -53,6 +55,7 @@ class Unknowns {
   std::vector<std::size_t> boundary_nodes_;            ///< their number, by grain
   std::vector<std::vector<std::size_t>> first_nodes_;  ///< by grain and face
   std::vector<int> first_flows_, first_pressures_;     ///< by film
+  std::vector<std::array<int, 2>> slips_;              ///< by film
   Eigen::Vector2d farthest_held_ = Eigen::Vector2d::Zero();
   int count_ = 0, pressures_ = 0;
 };

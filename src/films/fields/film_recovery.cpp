@@ -50,7 +50,7 @@ class Recovery {
       : mesh_(problem),
         grain_(problem.grain),
         side_(problem.tessellation.side()),
-        holds_walls_(problem.boundary == Boundary::displacement),
+        boundary_(problem.boundary),
         strain_(strain_of(load)),
         displacement_(&state.displacement),
         shear_(&state.applied[FilmComposite::shear]),
@@ -149,43 +149,54 @@ class Recovery {
     return of.unknowns()[mesh_.unknowns().flow(film, element, end)];
   }
 
-  /// Flows of a film at the ends of its elements: the means of what two elements have there.
-  [[nodiscard]] std::vector<double> flows_between(std::size_t f) const {
-    const int segments = mesh_.network().films[f].segments;
-    std::vector<double> flows;
-    for (int place = 0; place <= segments; ++place) {
-      const bool is_first = place == 0, is_last = place == segments;
-      if (holds_walls_ && ((is_first && mesh_.ends_at_wall(f, 0)) || (is_last && mesh_.ends_at_wall(f, 1)))) {
-        flows.push_back(0.0);
-        continue;
-      }
-      const double before = is_first ? flow(*displacement_, f, 0, 0) : flow(*displacement_, f, place - 1, 1);
-      const double behind = is_last ? before : flow(*displacement_, f, place, 0);
-      flows.push_back(0.5 * (before + behind));
+  [[nodiscard]] double slip(const FilmVector& of, std::size_t film, std::size_t end) const {
+    return of.unknowns()[mesh_.unknowns().slip(film, end)];
+  }
+
+  /// By what the binder moves more than the faces at the ends of the elements of a film: the flow, of which two
+  /// elements have the mean, and the slip of an opening.
+  [[nodiscard]] std::vector<Eigen::Vector2d> motions_between(std::size_t f) const {
+    const auto& film = mesh_.network().films[f];
+    std::vector<Eigen::Vector2d> motions = {flow(*displacement_, f, 0, 0) * film.direction};
+    for (int element = 1; element < film.segments; ++element) {
+      motions.emplace_back(0.5 * (flow(*displacement_, f, element - 1, 1) + flow(*displacement_, f, element, 0)) *
+                           film.direction);
     }
-    return flows;
+    motions.emplace_back(flow(*displacement_, f, film.segments - 1, 1) * film.direction);
+    for (std::size_t end = 0; end < 2; ++end) {
+      if (!mesh_.network().ends_at_wall(f, end)) continue;
+      auto& motion = end == 0 ? motions.front() : motions.back();
+      if (boundary_ == Boundary::displacement) motion.setZero();
+      if (boundary_ == Boundary::traction) motion += slip(*displacement_, f, end) * mesh_.opening(f, end).slip;
+    }
+    return motions;
   }
 
   void add_film(std::size_t f, const std::array<double, 2>& end_lengths_of_film) {
     const auto& film = mesh_.network().films[f];
-    const auto flows = flows_between(f);
+    const auto motions = motions_between(f);
     for (int element = 0; element < film.segments; ++element) {
       const auto first = static_cast<std::size_t>(element);
-      add_stretch(f, element, {flows[first], flows[first + 1]}, work_of_ends(f, element, end_lengths_of_film));
+      add_stretch(f, element, {motions[first], motions[first + 1]}, work_of_ends(f, element, end_lengths_of_film));
     }
     const auto first = mesh_.stretch(f, 0).ends, last = mesh_.stretch(f, film.segments - 1).ends;
-    inflow_[film.junctions[0]] -= strain_by(first[1][0] - first[0][0], flows.front() * film.direction);
-    inflow_[film.junctions[1]] -= strain_by(last[0][1] - last[1][1], flows.back() * film.direction);
+    inflow_[film.junctions[0]] -= strain_by(first[1][0] - first[0][0], motions.front());
+    inflow_[film.junctions[1]] -= strain_by(last[0][1] - last[1][1], motions.back());
   }
 
-  /// Work of the bends at the ends of a film in its first and last element.
+  /// Work of the bends at the ends of a film, and of its openings, in its first and last element.
   [[nodiscard]] double work_of_ends(std::size_t f, int element, const std::array<double, 2>& lengths) const {
     double work = 0.0;
-    for (int end = 0; end < 2; ++end) {
+    for (std::size_t end = 0; end < 2; ++end) {
       const int last = end == 0 ? 0 : mesh_.network().films[f].segments - 1;
-      if (element != last || mesh_.ends_at_wall(f, end)) continue;
-      work += 12.0 * lengths[static_cast<std::size_t>(end)] * flow(*displacement_, f, element, end) *
-              flow(*shear_, f, element, end);
+      if (element != last) continue;
+      const auto flow_of = [&](const FilmVector& of) { return flow(of, f, element, static_cast<int>(end)); };
+      if (!mesh_.network().ends_at_wall(f, end)) {
+        work += 12.0 * lengths[end] * flow_of(*displacement_) * flow_of(*shear_);
+      } else if (boundary_ == Boundary::traction) {
+        const auto both = [&](const FilmVector& of) { return Eigen::Vector2d(flow_of(of), slip(of, f, end)); };
+        work += both(*displacement_).dot(mesh_.opening(f, end).stiffness * both(*shear_));
+      }
     }
     return work;
   }
@@ -196,7 +207,7 @@ class Recovery {
     return all;
   }
 
-  void add_stretch(std::size_t f, int element, const std::array<double, 2>& flows, double work_of_ends) {
+  void add_stretch(std::size_t f, int element, const std::array<Eigen::Vector2d, 2>& motions, double work_of_ends) {
     const auto& film = mesh_.network().films[f];
     const auto nodes = mesh_.nodes_of_stretch(f, element);
     const auto matrices = film_element(mesh_.stretch(f, element));
@@ -213,8 +224,8 @@ class Recovery {
     const Eigen::Vector2d first = mean_of(at(0), at(1), at(2)), second = mean_of(at(3), at(4), at(5));
     const auto place = [&](std::size_t node) { return mesh_.place(nodes[node]); };
     const Eigen::Vector3d strain = strain_by(place(0) - place(2), first) + strain_by(place(5) - place(3), second) +
-                                   strain_by(place(3) - place(0), 0.5 * (at(0) + at(3)) + flows[0] * film.direction) +
-                                   strain_by(place(2) - place(5), 0.5 * (at(2) + at(5)) + flows[1] * film.direction);
+                                   strain_by(place(3) - place(0), 0.5 * (at(0) + at(3)) + motions[0]) +
+                                   strain_by(place(2) - place(5), 0.5 * (at(2) + at(5)) + motions[1]);
     FilmCell cell{.part = FilmPart::film, .area = side_ * side_ * area};
     cell.strain = as_tensor(strain / area);
     cell.stress =
@@ -264,7 +275,7 @@ class Recovery {
   FilmMesh mesh_;
   Moduli grain_;
   double side_;
-  bool holds_walls_;
+  Boundary boundary_;
   Eigen::Vector3d strain_;
   const FilmVector *displacement_, *shear_;
   Eigen::VectorXd volumetric_strain_, negative_pressure_;  ///< by number of the pressure

@@ -54,6 +54,11 @@ struct FilmNetwork {
   [[nodiscard]] Eigen::Vector2d place(const CornerImage& corner) const {
     return grains[corner.grain].corners[corner.corner] + corner.image.cast<double>();
   }
+  /// Whether the begin (0) or the end (1) of a film is at a wall, and not at a junction with other films.
+  [[nodiscard]] bool ends_at_wall(std::size_t film, std::size_t end) const {
+    const auto& junction = junctions[films[film].junctions[end]];
+    return junction.is_at_wall && junction.corners.size() <= 2;
+  }
 };
 
 /// The network of films of one thickness [sides] in a tessellation (theory, section 17). Elements along a face are not
