@@ -157,7 +157,8 @@ int segments_of(double length, double longest) {
   return std::max(1, static_cast<int>(std::ceil(length / longest - 1e-9)));
 }
 
-/// Equal numbers of elements on both sides of each film; walls have their own.
+/// Equal numbers of elements on both sides of each film; walls have their own. A film that a wall cuts has shorter
+/// elements: there pressure and motion change most.
 void set_segments(FilmNetwork& network, double face_share) {
   const auto longest = [&](std::size_t grain) { return face_share * std::sqrt(area(network.grains[grain].corners)); };
   for (std::size_t g = 0; g < network.grains.size(); ++g) {
@@ -167,12 +168,15 @@ void set_segments(FilmNetwork& network, double face_share) {
       segments.push_back(segments_of((corners[network.grains[g].next_corner(c)] - corners[c]).norm(), longest(g)));
     }
   }
-  for (auto& film : network.films) {
+  constexpr double at_walls = 0.5;
+  for (std::size_t f = 0; f < network.films.size(); ++f) {
+    auto& film = network.films[f];
     double length = 0.0, element = std::numeric_limits<double>::infinity();
     for (const auto& side : film.sides) {
       length = std::max(length, (network.place(side.end) - network.place(side.begin)).norm());
       element = std::min(element, longest(side.begin.grain));
     }
+    if (network.ends_at_wall(f, 0) || network.ends_at_wall(f, 1)) element *= at_walls;
     film.segments = segments_of(length, element);
     for (const auto& side : film.sides) {
       if (side.face) network.segments[side.begin.grain][*side.face] = film.segments;
