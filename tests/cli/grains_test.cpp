@@ -164,6 +164,21 @@ TEST(GrainsAndFilms, RefuseWhatTheyDoNotHaveAllAtOnce) {
   EXPECT_THAT(along_walls.errors, HasSubstr("no film of this model runs along a wall"));
 }
 
+TEST(GrainsAndFilms, ThatAreResolvedAnnounceNoFields) {
+  const VoronoiFilms study;
+  const auto layers = [&](const char* fields) {
+    return test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.films.layers=2", "--set", fields});
+  };
+  const auto refused = layers(R"(tests.fields=["1 us"])");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("films that are resolved leave no fields"));
+  const auto check = layers(R"(tests.fields="last")");
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, testing::Not(HasSubstr("    fields   at")));
+  const auto thin = test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.fields=\"last\""});
+  EXPECT_THAT(thin.output, HasSubstr("    fields   at 10 ms"));
+}
+
 TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   const StudyDirectory study(voronoi_deck);
   study.write("sites.csv", sites_in_millimetres());
