@@ -13,6 +13,8 @@
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/test_rules.hpp"
 
+#include "named_errors.hpp"
+
 namespace breccia {
 namespace {
 
@@ -69,7 +71,7 @@ double unknowns_of_grain(const Tests& tests, double film) {
 }  // namespace
 
 FilmedGrains expected_grains(const Stage& stage) {
-  const auto shares = shares_of_cells(stage);
+  const auto shares = name_errors(stage.name, [&stage] { return shares_of_cells(stage); });
   const auto count = static_cast<double>(shares.size());
   const auto& asked = stage.grains()->film;
   const double film =

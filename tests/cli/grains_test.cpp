@@ -179,6 +179,18 @@ TEST(GrainsAndFilms, ThatAreResolvedAnnounceNoFields) {
   EXPECT_THAT(thin.output, HasSubstr("    fields   at 10 ms"));
 }
 
+TEST(GrainsAndFilms, ThatDoNotFitIntoTheMemoryAreRefusedBeforeTheyArePlaced) {
+  const VoronoiFilms study;
+  const auto refused =
+      test::run_breccia(study.path(), {"run", BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films.toml", "--set",
+                                       "tests.films.layers=16", "--set", "stages.0.box=\"28 mm\"", "--out", "large"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("grains and films take about "));
+  EXPECT_THAT(refused.errors, HasSubstr("grains would fit"));
+  EXPECT_THAT(refused.errors, HasSubstr("--no-memory-check"));
+  EXPECT_FALSE(std::filesystem::exists(study.path() / "large" / "curves.csv"));
+}
+
 TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   const StudyDirectory study(voronoi_deck);
   study.write("sites.csv", sites_in_millimetres());
