@@ -8,14 +8,20 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <exception>
+#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <string>
+#include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "breccia/error.hpp"
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/microstructure/random_sites.hpp"
 #include "breccia/words.hpp"
@@ -26,7 +32,7 @@ using breccia::Load;
 namespace {
 
 struct Choice {
-  unsigned long long seed = 1;
+  std::uint64_t seed = 1;
   int grains = 12;
   double ratio = 2.0;
   double film = 0.06;  // over the smallest diameter
@@ -35,18 +41,48 @@ struct Choice {
   double face_share = 0.2;
 };
 
+// Reads numbers from arguments, and keeps what is wrong with these.
+struct Reader {
+  std::vector<std::string> mistakes = {};
+
+  // An argument that is a number of this kind and within limits.
+  template <class Number>
+  Number number(const std::string& argument, const char* name, Number least, Number most) {
+    const char* const end = argument.data() + argument.size();
+    Number value{};
+    const auto [rest, error] = std::from_chars(argument.data(), end, value);
+    if (error == std::errc() && rest == end && value >= least && value <= most) return value;
+    const char* const kind = std::is_integral_v<Number> ? "an integer" : "a number";
+    mistakes.push_back(fmt::format("{}: expected {} from {} to {}, got \"{}\"", name, kind, least, most, argument));
+    return least;
+  }
+
+  Boundary boundary(const std::string& argument) {
+    const auto found = breccia::value_named<Boundary>(argument);
+    if (!found) {
+      mistakes.push_back(fmt::format("BOUNDARY: expected displacement, traction or periodic, got \"{}\"", argument));
+    }
+    return found.value_or(Boundary::periodic);
+  }
+};
+
+// Throws InputError with all that is wrong with the arguments.
 Choice choice_of(const std::vector<std::string>& arguments) {
   Choice choice;
-  if (arguments.size() < 6) return choice;
-  choice.seed = std::stoull(arguments[0]);
-  choice.grains = std::stoi(arguments[1]);
-  choice.ratio = std::stod(arguments[2]);
-  choice.film = std::stod(arguments[3]);
-  for (const auto& [name, boundary] : breccia::words<Boundary>) {
-    if (arguments[4] == name) choice.boundary = boundary;
+  if (arguments.empty()) return choice;
+  if (arguments.size() != 6 && arguments.size() != 7) {
+    throw breccia::InputError(fmt::format(
+        "expected no argument, or SEED GRAINS RATIO FILM BOUNDARY LAYERS [FACE_SHARE]; got {}", arguments.size()));
   }
-  choice.layers = std::stoi(arguments[5]);
-  if (arguments.size() > 6) choice.face_share = std::stod(arguments[6]);
+  Reader read;
+  choice.seed = read.number(arguments[0], "SEED", std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max());
+  choice.grains = read.number(arguments[1], "GRAINS", 1, 100000);
+  choice.ratio = read.number(arguments[2], "RATIO", 1.0, 1e3);
+  choice.film = read.number(arguments[3], "FILM", 1e-4, 1.0);
+  choice.boundary = read.boundary(arguments[4]);
+  choice.layers = read.number(arguments[5], "LAYERS", 1, 16);
+  if (arguments.size() > 6) choice.face_share = read.number(arguments[6], "FACE_SHARE", 0.005, 1.0);
+  if (!read.mistakes.empty()) throw breccia::InputError(fmt::format("{}", fmt::join(read.mistakes, "\n")));
   return choice;
 }
 
@@ -117,7 +153,7 @@ int main(int count, char** values) try {
   }
   fmt::print("\nresolved, thin films, error of thin films: at most {:.2f} %\n", 100.0 * largest);
   return 0;
-} catch (const std::exception& error) {
+} catch (const breccia::Error& error) {
   fmt::print(stderr, "{}\n", error.what());
-  return 2;
+  return static_cast<int>(error.exit_code());
 }

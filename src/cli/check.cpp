@@ -12,6 +12,7 @@
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/available_memory.hpp"
 #include "breccia/homogenisation/expected_snapshots.hpp"
+#include "breccia/homogenisation/film_estimate.hpp"
 #include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
@@ -113,22 +114,20 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
   return plan;
 }
 
-/// The plan of a test of grains and films; an empirical formula for a core of the year 2020.
-Plan film_plan(const Study& study, const Stage& stage, const StageMicrostructure& packed, Boundary boundary) {
-  const double unknowns = film_unknowns(study.tests, packed.particles());
-  const double bytes = film_memory(unknowns);
-  constexpr double hundred_thousand = 1e5;
-  const double solution = 1.2e-5 * unknowns * std::pow(std::max(1.0, unknowns / hundred_thousand), 0.3);
-  const double seconds = expected_snapshots(study.tests, stage) * solution;
+/// The plan of a test of grains and films.
+Plan film_plan(const Study& study, const Stage& stage, const StageGrains& placed, Boundary boundary) {
+  const auto grains = placed_grains(stage, placed);
+  const double bytes = film_memory(study, stage, grains), seconds = film_time(study, stage, grains);
   return {fmt::format("  {} {}, quasi-static: {} grains and films, {:.0f} unknowns, about {}, some {}\n", stage.name,
-                      bound_of(boundary), packed.particles(), unknowns, memory(bytes), display_duration(seconds, 1)),
+                      bound_of(boundary), placed.count, film_unknowns(study.tests, grains), memory(bytes),
+                      display_duration(seconds, 1)),
           seconds, bytes};
 }
 
 Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
   Plan plan;
   if (model_of(study.tests, stage) == Model::films) {
-    for (const auto boundary : study.tests.boundaries) plan.add(film_plan(study, stage, packed, boundary));
+    for (const auto boundary : study.tests.boundaries) plan.add(film_plan(study, stage, *packed.grains, boundary));
     return plan;
   }
   for (const int cells : stage.grids()) {

@@ -194,14 +194,16 @@ std::string describe(Mixing mixing) {
                      mixing == Mixing::series ? "mixed in series" : "each point of the phase at its place");
 }
 
-std::string describe(const Tests& tests) {
+std::string describe(const Study& study) {
+  const auto& tests = study.tests;
   std::vector<std::string> loads, bounds;
   for (const auto load : tests.loads) loads.push_back(name_of(load));
   for (const auto boundary : tests.boundaries) bounds.push_back(bound_of(boundary));
   auto text =
       fmt::format("    loads    {}\n    bounds   {}\n    times    {} to {}, {} a decade\n", fmt::join(loads, ", "),
                   fmt::join(bounds, ", "), time(tests.first_time), time(tests.last_time), tests.points_per_decade);
-  if (!tests.field_times.empty()) {
+  const auto has_some = [&tests](const Stage& stage) { return has_fields(tests, stage); };
+  if (std::ranges::any_of(study.stages, has_some)) {
     std::vector<std::string> times;
     for (const double at : tests.field_times) times.push_back(time(at));
     text += fmt::format("    fields   at {}\n", fmt::join(times, ", "));
@@ -225,7 +227,7 @@ std::string summary(const Study& study) {
   for (const auto& material : study.materials) text += describe(material, study.tests);
   text += "\nstages\n";
   for (const auto& stage : study.stages) text += describe(stage, model_of(study.tests, stage));
-  return text + "\ntests\n" + describe(study.tests);
+  return text + "\ntests\n" + describe(study);
 }
 
 }  // namespace breccia::cli

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +15,7 @@
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/expected_snapshots.hpp"
+#include "breccia/homogenisation/film_estimate.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
@@ -65,6 +68,18 @@ double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
   return std::min(1.0, share);
 }
 
+/// Grains and films that need more than the available memory [B]: a message, with the number of grains that would fit.
+std::optional<std::string> lacking_for_films(const Study& study, const Stage& stage, double available) {
+  const auto grains = expected_grains(stage);
+  const double bytes = film_memory(study, stage, grains), left = std::max(0.0, available);
+  if (bytes <= left) return std::nullopt;
+  const double least = film_memory(study, stage, {0.0, grains.film});
+  const double fitting = std::floor(grains.count * (left - least) / (bytes - least));
+  return fmt::format("{}: {:.0f} grains and films take about {:.3g} GB, and {:.3g} GB are left{}", stage.name,
+                     grains.count, bytes / 1e9, left / 1e9,
+                     fitting >= 1.0 ? fmt::format("; {:.0f} grains would fit", fitting) : "");
+}
+
 }  // namespace
 
 double quasistatic_unknowns(const Stage& stage, int cells) {
@@ -106,25 +121,13 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   return unknowns * (fields * (substructures + dozen * vectors) + further);
 }
 
-double film_unknowns(const Tests& tests, std::size_t grains) {
-  // Grains have about six faces; shorter elements make more of them along the faces, not across the condensed grains.
-  constexpr double per_grain = 29.0;
-  // Resolved films have most of their elements near the corners of the grains, whatever the length of the longest.
-  constexpr double of_a_layer = 570.0, growth = 1.34;
-  const double of_grain =
-      tests.films.layers ? of_a_layer * std::pow(*tests.films.layers, growth) : per_grain / tests.films.face_share;
-  return static_cast<double>(grains) * of_grain;
-}
-
-double film_memory(double unknowns) {
-  // Factors by minimum fill in and minimum degree, and the mesh of the grains.
-  return 5e7 + 5.7e3 * unknowns;
-}
-
 std::vector<std::string> lacking_memory(const Study& study, double available) {
   std::vector<std::string> lines;
   for (const auto& stage : study.stages) {
-    if (model_of(study.tests, stage) == Model::films) continue;  // the grains are not known yet
+    if (model_of(study.tests, stage) == Model::films) {
+      if (auto line = lacking_for_films(study, stage, available)) lines.push_back(*std::move(line));
+      continue;
+    }
     const int cells = stage.cells;
     for (const auto method : study.tests.methods) {
       const double bytes =

@@ -9,6 +9,7 @@
 #include "breccia/homogenisation/varying_phases.hpp"
 #include "breccia/study/chain.hpp"
 #include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/test_rules.hpp"
 
 #include "mixtures.hpp"
 
@@ -17,8 +18,8 @@ namespace {
 
 /// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
 std::vector<double> field_times_of(const Study& study, const Stage& stage, int cells, Load load) {
-  const bool has_fields = load == study.tests.loads.front() && cells == stage.cells && stage.dimensions == 2;
-  return has_fields ? study.tests.field_times : std::vector<double>();
+  const bool are_wanted = load == study.tests.loads.front() && cells == stage.cells && has_fields(study.tests, stage);
+  return are_wanted ? study.tests.field_times : std::vector<double>();
 }
 
 /// All fillers of a stage taken for one.
@@ -108,7 +109,7 @@ QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Mat
                          .face_share = study.tests.films.face_share,
                          .layers = study.tests.films.layers};
   auto test = test_without_fields(study, stage, matrix, std::move(problem), boundary, threads);
-  if (!study.tests.films.layers) test.field_times = study.tests.field_times;
+  if (has_fields(study.tests, stage)) test.field_times = study.tests.field_times;
   return test;
 }
 

@@ -79,6 +79,10 @@ std::vector<std::string> lacking_in_films(const Study& study) {
     mistakes.emplace_back(R"(model "films" has no inertia: expected method "quasistatic")");
   if (!tests.varied.empty())
     mistakes.emplace_back(R"(model "films" cannot vary other moduli than those of the matrix)");
+  if (has_grains && tests.lists_field_times && tests.films.layers) {
+    mistakes.emplace_back(
+        "films.layers: films that are resolved leave no fields: expected no times of fields, or thin films");
+  }
   return mistakes;
 }
 
@@ -168,6 +172,11 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 Model model_of(const Tests& tests, const Stage& stage) {
   const bool has_grains = stage.grains() != nullptr && !stage.fillers.empty();
   return has_grains ? tests.model : Model::cells;
+}
+
+bool has_fields(const Tests& tests, const Stage& stage) {
+  if (tests.field_times.empty()) return false;
+  return model_of(tests, stage) == Model::films ? !tests.films.layers : stage.dimensions == 2;
 }
 
 bool has_standard_points(const Tests& tests) {

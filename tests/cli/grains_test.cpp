@@ -164,6 +164,33 @@ TEST(GrainsAndFilms, RefuseWhatTheyDoNotHaveAllAtOnce) {
   EXPECT_THAT(along_walls.errors, HasSubstr("no film of this model runs along a wall"));
 }
 
+TEST(GrainsAndFilms, ThatAreResolvedAnnounceNoFields) {
+  const VoronoiFilms study;
+  const auto layers = [&](const char* fields) {
+    return test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.films.layers=2", "--set", fields});
+  };
+  const auto refused = layers(R"(tests.fields=["1 us"])");
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("films that are resolved leave no fields"));
+  const auto check = layers(R"(tests.fields="last")");
+  EXPECT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, testing::Not(HasSubstr("    fields   at")));
+  const auto thin = test::run_breccia(study.path(), {"check", "deck.toml", "--set", "tests.fields=\"last\""});
+  EXPECT_THAT(thin.output, HasSubstr("    fields   at 10 ms"));
+}
+
+TEST(GrainsAndFilms, ThatDoNotFitIntoTheMemoryAreRefusedBeforeTheyArePlaced) {
+  const VoronoiFilms study;
+  const auto refused =
+      test::run_breccia(study.path(), {"run", BRECCIA_SOURCE_DIRECTORY "/examples/pbx9501-films.toml", "--set",
+                                       "tests.films.layers=16", "--set", "stages.0.box=\"28 mm\"", "--out", "large"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("grains and films take about "));
+  EXPECT_THAT(refused.errors, HasSubstr("grains would fit"));
+  EXPECT_THAT(refused.errors, HasSubstr("--no-memory-check"));
+  EXPECT_FALSE(std::filesystem::exists(study.path() / "large" / "curves.csv"));
+}
+
 TEST(Grains, TheirFilmsTellTheCellsForAnError) {
   const StudyDirectory study(voronoi_deck);
   study.write("sites.csv", sites_in_millimetres());

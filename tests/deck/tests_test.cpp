@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/study/test_rules.hpp"
+
 #include "decks.hpp"
 
 namespace breccia {
@@ -84,6 +86,18 @@ TEST_F(DeckTests, FilmsMayBeResolvedByLayers) {
   EXPECT_FALSE(directory.study(deck_of("")).tests.films.layers);
   EXPECT_EQ(directory.study(deck_of("films = { layers = 4 }\n")).tests.films.layers, 4);
   EXPECT_THAT(directory.mistakes(deck_of("films = { layers = 0 }\n")), HasSubstr("layers"));
+}
+
+TEST_F(DeckTests, ResolvedFilmsHaveNoFields) {
+  const auto deck_of = [&](std::string_view lines) {
+    return test::join(test::materials, grains, "[tests]\n", times, "model = \"films\"\n", lines);
+  };
+  EXPECT_THAT(directory.mistakes(deck_of("films = { layers = 2 }\nfields = [\"1 us\"]\n")),
+              HasSubstr("films.layers: films that are resolved leave no fields: expected no times of fields"));
+  const auto without_times = directory.study(deck_of("films = { layers = 2 }\n"));
+  EXPECT_FALSE(has_fields(without_times.tests, without_times.stages.front()));
+  const auto thin = directory.study(deck_of("fields = [\"1 us\"]\n"));
+  EXPECT_TRUE(has_fields(thin.tests, thin.stages.front()));
 }
 
 TEST_F(DeckTests, GrainsThatTheWallsCutHaveBothBounds) {

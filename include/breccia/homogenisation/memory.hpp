@@ -21,14 +21,8 @@ double quasistatic_unknowns(const Stage& stage, int cells);
 /// formula.
 double quasistatic_memory(const Study& study, const Stage& stage, int cells);
 
-/// Unknowns of grains and films; an empirical formula.
-double film_unknowns(const Tests& tests, std::size_t grains);
-
-/// Largest memory [B] of a test of grains and films with so many unknowns; an empirical formula.
-double film_memory(double unknowns);
-
-/// A message for every stage and method that needs more than the available memory [B], with the number of cells that
-/// would fit. It assumes a single process.
+/// A message for every stage and method that needs more than the available memory [B], with the number of cells, or of
+/// grains with films, that would fit. It assumes a single process.
 std::vector<std::string> lacking_memory(const Study& study, double available);
 
 /// Throws LackingMemory with those lines, if there are any.

@@ -1,0 +1,116 @@
+#include "breccia/homogenisation/film_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "breccia/homogenisation/expected_snapshots.hpp"
+#include "breccia/homogenisation/test_requests.hpp"
+#include "breccia/microstructure/draw_diameters.hpp"
+#include "breccia/study/chain.hpp"
+#include "breccia/study/filler_sizes.hpp"
+#include "breccia/study/test_rules.hpp"
+
+#include "named_errors.hpp"
+
+namespace breccia {
+namespace {
+
+/// Areas of the cells of a stage, scaled so that they fill the unit square; those of listed sites count alike.
+std::vector<double> shares_of_cells(const Stage& stage) {
+  const auto& method = *stage.grains();
+  if (!method.is_random())
+    return std::vector<double>(method.sites.size(), 1.0 / static_cast<double>(method.sites.size()));
+  const auto& filler = stage.fillers.front();
+  const auto distribution = distribution_of(filler);
+  constexpr double whole_box = 1.0 - 1e-12;
+  auto shares = distribution ? draw_diameters<2>(*distribution, whole_box, stage.side)
+                             : std::get<ListedSizes>(filler.sizes.value()).diameters;
+  double sum = 0.0;
+  for (double& share : shares) sum += share *= share;
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
+/// Thickness over the side of the box of the films that leave hexagons of these shares a fraction of it. A hexagon of
+/// the area a and the apothem r keeps a (1 - t / 2r)^2, a = 2 sqrt(3) r^2; the sum over all is quadratic in t.
+double film_between_hexagons(const std::vector<double>& shares, double fraction) {
+  const double of_apothem = 2.0 * std::numbers::sqrt3;
+  double apothems = 0.0;
+  for (const double share : shares) apothems += std::sqrt(share / of_apothem);
+  const double half = 0.5 * apothems, square = 0.25 * static_cast<double>(shares.size());
+  const double films = (1.0 - fraction) / of_apothem;  // films = 2 half t - square t^2
+  return films / (half + std::sqrt(std::max(0.0, half * half - square * films)));
+}
+
+/// Elements along a film between hexagons of the unit area that has so many layers (graded_divisions).
+double elements_along(const Tests& tests, double film) {
+  constexpr double growth = 1.5, grading = 0.7, side = 0.62;
+  const double layers = *tests.films.layers, turn = 2.0 * std::numbers::pi;
+  const double first = film * (1.0 / layers - grading / turn * std::sin(turn / layers));
+  const double half = 0.5 * std::max(film, side - film / std::numbers::sqrt3);
+  const double longest = std::max(first, tests.films.face_share);
+  const double in_growing = std::min(half, 2.0 * (longest - first));
+  return 1.0 + 2.0 * (std::log1p(0.5 * in_growing / first) / std::log(growth) + (half - in_growing) / longest);
+}
+
+double unknowns_of_grain(const Tests& tests, double film) {
+  if (!tests.films.layers) {
+    constexpr double least = 16.0, of_elements = 25.0;
+    return least + of_elements / tests.films.face_share;
+  }
+  // Three films and two junctions for each grain: nine nodes and a pressure for each quadrilateral, with those shared
+  // by others; and the triangles of the grain, of which there are as many as elements along its faces.
+  constexpr double of_layer = 27.0, of_junction_rows = 54.0, of_grain = 56.0;
+  const double layers = *tests.films.layers;
+  return of_junction_rows * layers * layers + elements_along(tests, film) * (of_layer * layers + of_grain);
+}
+
+}  // namespace
+
+FilmedGrains expected_grains(const Stage& stage) {
+  const auto shares = name_errors(stage.name, [&stage] { return shares_of_cells(stage); });
+  const auto count = static_cast<double>(shares.size());
+  const auto& asked = stage.grains()->film;
+  const double film =
+      asked ? *asked / stage.side : film_between_hexagons(shares, stage.fillers.front().fraction.value_or(1.0));
+  return {count, film * std::sqrt(count)};
+}
+
+FilmedGrains placed_grains(const Stage& stage, const StageGrains& grains) {
+  const auto count = static_cast<double>(grains.count);
+  return {count, grains.film / stage.side * std::sqrt(count)};
+}
+
+double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
+  return grains.count * unknowns_of_grain(tests, grains.film);
+}
+
+double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {
+  const double of_grain = unknowns_of_grain(study.tests, grains.film), unknowns = grains.count * of_grain;
+  const auto loads = static_cast<double>(loads_of(study, stage).size());
+  constexpr double program = 57e6;
+  // Thin films: factors, and the dense matrices of the condensed grains. Resolved ones have only sparse matrices.
+  const double bytes = study.tests.films.layers ? 2.05e3 : 1.75e3 + 31.0 * of_grain;
+  // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
+  const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
+  const auto matrix = expected_matrix(study, stage);
+  const auto terms = static_cast<double>(matrix.shear.terms().size() + matrix.bulk.terms().size());
+  const double vectors = is_reduced ? 3.0 * expected_snapshots(study.tests, stage) : 2.0 * terms;
+  const double solution = program + unknowns * (bytes + sizeof(double) * loads * vectors);
+  // Fields are written when the factors are gone.
+  constexpr double of_files = 100e6, of_grain_in_files = 1e5;
+  return has_fields(study.tests, stage) ? std::max(solution, of_files + of_grain_in_files * grains.count) : solution;
+}
+
+double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
+  const double of_grain = unknowns_of_grain(study.tests, grains.film), unknowns = grains.count * of_grain;
+  const double size = std::max(1.0, unknowns / 1e5);
+  const double solution = study.tests.films.layers ? 4e-6 * unknowns * std::pow(size, 0.16)
+                                                   : 1.2e-7 * of_grain * unknowns * std::pow(size, 0.3);
+  return expected_snapshots(study.tests, stage) * solution;
+}
+
+}  // namespace breccia

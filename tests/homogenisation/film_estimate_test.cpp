@@ -1,0 +1,114 @@
+#include "breccia/homogenisation/film_estimate.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/homogenisation/memory.hpp"
+
+namespace breccia {
+namespace {
+
+/// Equal grains of 0.1 mm that fill 93.7 % of a box of this side [m], whole curve under both shears without fields.
+Study study_of_grains(double side) {
+  Study study;
+  Filler filler;
+  filler.material = {"hmx", 1.85e3, PronySeries(13.4e9), PronySeries(5.84e9)};
+  filler.fraction = 0.937;
+  filler.sizes = SingleSize{1e-4};
+  Stage stage;
+  stage.name = "grains";
+  stage.matrix = Material{"binder", 1.48e3, PronySeries(3.6e9), PronySeries(0.0, {{1e-3, 1e6}})};
+  stage.side = side;
+  stage.fillers = {filler};
+  stage.packing = LaguerrePacking{};
+  study.stages = {stage};
+  study.tests.model = Model::films;
+  study.tests.boundaries = {Boundary::periodic};
+  study.tests.loads = {Load::shear, Load::diagonal_shear};
+  return study;
+}
+
+/// What runs of examples/pbx9501-films.toml took (docs/performance.md, "Grains and films").
+struct MeasuredFilms {
+  double side;  ///< of the box [m]
+  double face_share;
+  std::optional<int> layers;
+  double unknowns, bytes;
+};
+
+const std::vector<MeasuredFilms> measured_films = {
+    {0.443e-3, 0.3, {}, 2385, 69e6},    {0.443e-3, 0.1, {}, 6249, 111e6},  {0.443e-3, 0.3, 2, 40575, 160e6},
+    {0.443e-3, 0.1, 2, 43699, 165e6},   {0.443e-3, 0.3, 4, 96627, 312e6},  {0.886e-3, 0.3, {}, 9618, 106e6},
+    {0.886e-3, 0.1, {}, 25074, 295e6},  {0.886e-3, 0.3, 2, 161836, 452e6}, {0.886e-3, 0.1, 2, 174824, 484e6},
+    {0.886e-3, 0.3, 4, 386572, 1063e6}, {2.8e-3, 0.3, {}, 94020, 550e6},   {2.8e-3, 0.1, {}, 248460, 2640e6},
+    {2.8e-3, 0.3, 2, 1634984, 4261e6},
+};
+
+TEST(FilmEstimate, OfMemoryIsWithinAThirdOfThatOfMeasuredRuns) {
+  for (const auto& [side, face_share, layers, unknowns, bytes] : measured_films) {
+    auto study = study_of_grains(side);
+    study.tests.films = {.face_share = face_share, .layers = layers};
+    const auto grains = expected_grains(study.stages.front());
+    EXPECT_NEAR(film_unknowns(study.tests, grains) / unknowns, 1.0, 0.15) << side << " " << face_share;
+    EXPECT_NEAR(film_memory(study, study.stages.front(), grains) / bytes, 1.0, 0.3) << side << " " << face_share;
+  }
+}
+
+// The layers near the faces are thinner in thinner films, and so are the elements along them; 25 grains.
+TEST(FilmEstimate, OfUnknownsGrowsAsResolvedFilmsBecomeThinner) {
+  constexpr std::array<std::array<double, 3>, 4> counted = {
+      {{0.85, 27895, 138501}, {0.937, 40575, 166097}, {0.98, 57351, 200273}, {0.995, 79065, 240257}}};
+  for (const auto& [fraction, of_two, of_six] : counted) {
+    auto study = study_of_grains(0.443e-3);
+    study.stages.front().fillers.front().fraction = fraction;
+    const auto grains = expected_grains(study.stages.front());
+    study.tests.films.layers = 2;
+    EXPECT_NEAR(film_unknowns(study.tests, grains) / of_two, 1.0, 0.2) << fraction;
+    study.tests.films.layers = 6;
+    EXPECT_NEAR(film_unknowns(study.tests, grains) / of_six, 1.0, 0.2) << fraction;
+  }
+}
+
+// A hexagon of the area a keeps (1 - t / 2r)^2 of it, with the apothem r = sqrt(a / 2 sqrt(3)).
+TEST(FilmEstimate, ExpectsTheFilmsOfHexagons) {
+  const auto equal = expected_grains(study_of_grains(0.886e-3).stages.front());
+  EXPECT_NEAR(equal.count, 100.0, 1.0);
+  EXPECT_NEAR(equal.film, 2.0 * std::sqrt(1.0 / (2.0 * std::sqrt(3.0))) * (1.0 - std::sqrt(0.937)), 1e-12);
+
+  auto listed = study_of_grains(1e-3).stages.front();
+  listed.fillers.front().fraction = {};
+  listed.packing = LaguerrePacking{.film = 2e-6, .sites = std::vector<Site<2>>(16)};
+  EXPECT_EQ(expected_grains(listed).count, 16.0);
+  EXPECT_NEAR(expected_grains(listed).film, 2e-3 * 4.0, 1e-15);
+}
+
+TEST(FilmEstimate, FieldsTakeTheirFiles) {
+  auto study = study_of_grains(0.443e-3);
+  const auto& stage = study.stages.front();
+  const auto grains = expected_grains(stage);
+  const double without = film_memory(study, stage, grains);
+  study.tests.field_times = {1e-2};
+  EXPECT_NEAR(film_memory(study, stage, grains), 103e6, 10e6) << "measured";
+  study.tests.films.layers = 2;
+  EXPECT_GT(film_memory(study, stage, grains), without) << "resolved films have no fields";
+}
+
+TEST(FilmEstimate, LackingMemoryIsToldWithTheGrainsThatWouldFit) {
+  const auto study = study_of_grains(2.8e-3);
+  const auto& stage = study.stages.front();
+  const auto grains = expected_grains(stage);
+  const double bytes = film_memory(study, stage, grains);
+  EXPECT_THAT(lacking_memory(study, bytes), testing::IsEmpty());
+  EXPECT_THAT(lacking_memory(study, 0.999 * bytes),
+              testing::ElementsAre(testing::MatchesRegex("grains: 998 grains and films take about .* GB, and .* GB are "
+                                                         "left; 99[0-9] grains would fit")));
+  EXPECT_THAT(lacking_memory(study, 1e6), testing::ElementsAre(testing::Not(testing::HasSubstr("would fit"))));
+}
+
+}  // namespace
+}  // namespace breccia
