@@ -58,8 +58,9 @@ double elements_along(const Tests& tests, double film) {
 
 double unknowns_of_grain(const Tests& tests, double film) {
   if (!tests.films.layers) {
-    constexpr double least = 16.0, of_elements = 25.0;
-    return least + of_elements / tests.films.face_share;
+    // Each element along a face adds its part of the rings of triangles inside the grain.
+    constexpr double of_elements = 58.0;
+    return of_elements / tests.films.face_share;
   }
   // Three films and two junctions for each grain: nine nodes and a pressure for each quadrilateral, with those shared
   // by others; and the triangles of the grain, of which there are as many as elements along its faces.
@@ -89,11 +90,12 @@ double film_unknowns(const Tests& tests, const FilmedGrains& grains) {
 }
 
 double film_memory(const Study& study, const Stage& stage, const FilmedGrains& grains) {
-  const double of_grain = unknowns_of_grain(study.tests, grains.film), unknowns = grains.count * of_grain;
+  const double unknowns = film_unknowns(study.tests, grains);
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   constexpr double program = 57e6;
-  // Thin films: factors, and the dense matrices of the condensed grains. Resolved ones have only sparse matrices.
-  const double bytes = study.tests.films.layers ? 2.05e3 : 1.75e3 + 31.0 * of_grain;
+  // Matrices and factors; the solver keeps factors in files if they took more than 2 GB.
+  constexpr double of_factors = 1.55e3, largest_factors = 2e9, in_memory = 2.0e3, in_files = 1.35e3;
+  const double bytes = of_factors * unknowns > largest_factors ? in_files : in_memory;
   // Displacements and two forces for each snapshot, or a vector for each term in fine and in coarse steps.
   const bool is_reduced = study.tests.quasistatic.solver == Solver::reduced;
   const auto matrix = expected_matrix(study, stage);
@@ -106,11 +108,9 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
 }
 
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {
-  const double of_grain = unknowns_of_grain(study.tests, grains.film), unknowns = grains.count * of_grain;
+  const double unknowns = film_unknowns(study.tests, grains);
   const double size = std::max(1.0, unknowns / 1e5);
-  const double solution = study.tests.films.layers ? 4e-6 * unknowns * std::pow(size, 0.16)
-                                                   : 1.2e-7 * of_grain * unknowns * std::pow(size, 0.3);
-  return expected_snapshots(study.tests, stage) * solution;
+  return expected_snapshots(study.tests, stage) * 5e-6 * unknowns * std::pow(size, 0.2);
 }
 
 }  // namespace breccia
