@@ -6,6 +6,8 @@
 
 namespace breccia::dynamics {
 
-const KernelTable& kernels(InstructionSet set);
+/// Instantiated for 2 and 3 dimensions.
+template <int dim>
+const KernelTable<dim>& kernels(InstructionSet set);
 
 }  // namespace breccia::dynamics
