@@ -79,11 +79,6 @@ struct NodeValues<2> {
   const double* y;
 };
 
-template <>
-struct NodeValues<3> {
-  const double* of_axis[3];  // NOLINT(modernize-avoid-c-arrays): see above
-};
-
 /// Forces of a layer of cells, a row in 2 dimensions and a plane in 3, on the layer of nodes below or above it.
 template <int dim>
 struct LayerForces;
@@ -95,12 +90,6 @@ struct LayerForces<2> {
   double* left_y;
   double* right_x;
   double* right_y;
-};
-
-/// Sums of those of all cells, row after row of the layer.
-template <>
-struct LayerForces<3> {
-  double* of_axis[3];  // NOLINT(modernize-avoid-c-arrays): see above
 };
 
 /// One row of cells and the rows of nodes it hangs on.
@@ -120,18 +109,6 @@ struct CellRow<2> {
   double* stress;  ///< sums of xx, yy and xy over the row's points, times the cell side
 };
 
-/// Bit 0 of the number of a row of nodes is its side along y, bit 1 that along z. Forces on the two rows on the lower
-/// side along y are added to what is there, those on the other two are written: rows of cells are taken by rising y.
-template <>
-struct CellRow<3> {
-  const Block* blocks;
-  int block_count;
-  NodeValues<3> displacement[4];  // NOLINT(modernize-avoid-c-arrays): see above
-  NodeValues<3> increment[4];     // NOLINT(modernize-avoid-c-arrays)
-  LayerForces<3> force[4];        // NOLINT(modernize-avoid-c-arrays): forces [N] over the cell side
-  double* stress;                 ///< sums in Voigt's order over the row's points, times the cell side
-};
-
 /// Row of nodes to be moved: d += step_over_mass f, u += d, with f the sum of the forces of the cells around, which are
 /// divided by h^(dim - 2).
 template <int dim>
@@ -147,16 +124,6 @@ struct NodeRow<2> {
   const double* step_over_mass;  ///< dt^2 / m [m/N per unit thickness], zero where the motion is prescribed
   LayerForces<2> from_cells_below;
   LayerForces<2> from_cells_above;
-};
-
-template <>
-struct NodeRow<3> {
-  int count;                     ///< a multiple of the lanes
-  double* displacement[3];       // NOLINT(modernize-avoid-c-arrays): see above
-  double* increment[3];          // NOLINT(modernize-avoid-c-arrays)
-  const double* step_over_mass;  ///< dt^2 h / m [m^2/N], zero where the motion is prescribed
-  LayerForces<3> from_cells_below;
-  LayerForces<3> from_cells_above;
 };
 
 /// Strain modes of a cell, each with a history of its own (CellShape::modes).

@@ -1,7 +1,8 @@
 // The kernel of cubic cells. Compiled once for every instruction set, with BRECCIA_CUBE_KERNEL_TABLE naming the table
 // it fills.
 
-#include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
+
 #include "kernel_registers.hpp"
 
 namespace breccia::dynamics {

@@ -5,6 +5,7 @@
 
 #include "aligned_vector.hpp"
 #include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

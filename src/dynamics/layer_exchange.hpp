@@ -10,6 +10,7 @@
 #include "breccia/discretisation/grid.hpp"
 
 #include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

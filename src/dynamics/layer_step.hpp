@@ -7,6 +7,7 @@
 
 #include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
 #include "layer_sums.hpp"
 #include "node_rows.hpp"
 
