@@ -256,6 +256,8 @@ void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::s
 }
 
 template Footprint TotalLagrangian<2>::footprint() const;
+template void TotalLagrangian<2>::fetch_nodes() const;
+template void TotalLagrangian<2>::set_fields_of_cell(PointFields<2>&, const Index<2>&) const;
 template Vector<2> TotalLagrangian<2>::momentum() const;
 template Energy TotalLagrangian<2>::energy() const;
 template PointFields<2> TotalLagrangian<2>::fields() const;
@@ -263,6 +265,8 @@ template Vector<2> TotalLagrangian<2>::most_moved() const;
 template void TotalLagrangian<2>::save_arrays(StateWriter&, const std::string&) const;
 template void TotalLagrangian<2>::restore_arrays(const StateReader&, const std::string&);
 template Footprint TotalLagrangian<3>::footprint() const;
+template void TotalLagrangian<3>::fetch_nodes() const;
+template void TotalLagrangian<3>::set_fields_of_cell(PointFields<3>&, const Index<3>&) const;
 template Vector<3> TotalLagrangian<3>::momentum() const;
 template Energy TotalLagrangian<3>::energy() const;
 template PointFields<3> TotalLagrangian<3>::fields() const;
