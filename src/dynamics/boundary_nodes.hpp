@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "breccia/dynamics/dynamic_problem.hpp"
 
 namespace breccia::dynamics {
