@@ -22,15 +22,55 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+/// A dynamic run in 2 or 3 dimensions.
+class Steps {
+ public:
+  virtual ~Steps() = default;
+  Steps() = default;
+  Steps(const Steps&) = delete;
+  Steps& operator=(const Steps&) = delete;
+  Steps(Steps&&) = delete;
+  Steps& operator=(Steps&&) = delete;
+
+  [[nodiscard]] virtual double points() const = 0;
+  [[nodiscard]] virtual Footprint footprint() const = 0;
+  virtual void take(int steps) = 0;
+};
+
+template <int dim>
+class ModelSteps final : public Steps {
+ public:
+  explicit ModelSteps(const KernelCase& kernel) {
+    auto problem = benchmark::model_problem<dim>(kernel.cells, kernel.terms, kernel.mixing);
+    points_ = static_cast<double>(problem.discretisation.points());
+    solver_ = make_dynamic_solver(kernel.formulation, std::move(problem), kernel.threads, kernel.instructions);
+  }
+
+  [[nodiscard]] double points() const override { return points_; }
+  [[nodiscard]] Footprint footprint() const override { return solver_->footprint(); }
+  void take(int steps) override {
+    averages_.clear();
+    solver_->advance(steps, averages_);
+  }
+
+ private:
+  double points_ = 0.0;
+  std::unique_ptr<DynamicSolver<dim>> solver_;
+  std::vector<Averages<dim>> averages_;
+};
+
+std::unique_ptr<Steps> model_steps(const KernelCase& kernel) {
+  if (kernel.dimensions == 3) return std::make_unique<ModelSteps<3>>(kernel);
+  return std::make_unique<ModelSteps<2>>(kernel);
+}
+
 /// A dynamic run that continues from round to round.
 class KernelRun {
  public:
-  KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock) {
-    auto problem = benchmark::model_problem(kernel.cells, kernel.terms, kernel.mixing);
+  KernelRun(const KernelCase& kernel, Clock clock) : clock_(clock), run_(model_steps(kernel)) {
     timing_.kernel = kernel;
-    timing_.points = static_cast<double>(problem.discretisation.points());
-    solver_ = make_dynamic_solver(kernel.formulation, std::move(problem), kernel.threads, kernel.instructions);
-    const auto footprint = solver_->footprint();
+    timing_.points = run_->points();
+    const auto footprint = run_->footprint();
     timing_.bytes_per_point = parallel::sum(static_cast<double>(footprint.held)) / timing_.points;
     timing_.bytes_per_point_and_step = parallel::sum(static_cast<double>(footprint.moved_per_step)) / timing_.points;
   }
@@ -57,16 +97,14 @@ class KernelRun {
  private:
   /// Time of the work on the slowest process [s].
   double advance() {
-    averages_.clear();
     const benchmark::StopWatch watch(clock_, timing_.kernel.threads);
-    solver_->advance(steps_, averages_);
+    run_->take(steps_);
     return parallel::largest(watch.seconds());
   }
 
   Clock clock_;
   KernelTiming timing_;
-  std::unique_ptr<DynamicSolver<2>> solver_;
-  std::vector<Averages<2>> averages_;
+  std::unique_ptr<Steps> run_;
   int steps_ = 1;
 };
 
@@ -85,6 +123,8 @@ class BandwidthRun {
 
 void require_complete(const BenchmarkPlan& plan) {
   if (plan.cases.empty()) throw InputError("benchmark: there are no cases");
+  const auto is_flat_or_cubic = [](const KernelCase& one) { return one.dimensions == 2 || one.dimensions == 3; };
+  if (!std::ranges::all_of(plan.cases, is_flat_or_cubic)) throw InputError("benchmark: expected 2 or 3 dimensions");
   const auto is_without_thread = [](const KernelCase& one) { return one.threads < 1; };
   if (std::ranges::any_of(plan.cases, is_without_thread)) throw InputError("benchmark: expected at least one thread");
   if (plan.rounds < 1 || !(plan.seconds > 0.0))

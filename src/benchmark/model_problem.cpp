@@ -13,38 +13,50 @@
 namespace breccia::benchmark {
 namespace {
 
-/// Discs in a box of side 1 m.
-Microstructure<2> packed_box() {
-  constexpr int discs = 200;
+constexpr int particles = 200;
+
+template <int dim>
+double diameter() {
+  return dim == 2 ? std::sqrt(0.65 * 4.0 / (std::numbers::pi * particles))
+                  : std::cbrt(0.4 * 6.0 / (std::numbers::pi * particles));
+}
+
+/// Discs or spheres in a box of side 1 m.
+template <int dim>
+Microstructure<dim> packed_box() {
   PackingRequest request;
   request.side = 1.0;
-  request.diameters.assign(discs, std::sqrt(0.65 * 4.0 / (std::numbers::pi * discs)));
+  request.diameters.assign(particles, diameter<dim>());
   request.minimum_gap = 0.005;
-  return {1.0, Walls::hard, pack<2>(request).balls};
+  return {1.0, Walls::hard, pack<dim>(request).balls};
 }
 
 }  // namespace
 
-DynamicProblem<2> model_problem(int cells, int terms, Mixing mixing) {
-  static const auto box = packed_box();
+template <int dim>
+DynamicProblem<dim> model_problem(int cells, int terms, Mixing mixing) {
+  static const auto box = packed_box<dim>();
   std::vector<MaxwellTerm> spectrum;
   spectrum.reserve(static_cast<std::size_t>(terms));
   for (int k = 0; k < terms; ++k) spectrum.push_back({1e-3 * std::pow(10.0, k), 1e8});
   static const Phases phases({"matrix", "filler"});
   const auto matrix = phases.index_of("matrix"), filler = phases.index_of("filler");
-  const std::vector<PhaseIndex> discs(box.particles.size(), filler);
-  auto discretisation = mixing == Mixing::series ? discretise_mixed(box, cells, matrix, discs, phases.size())
-                                                 : discretise<2>(box, cells, matrix, discs);
+  const std::vector<PhaseIndex> fillers(box.particles.size(), filler);
+  auto discretisation = mixing == Mixing::series ? discretise_mixed(box, cells, matrix, fillers, phases.size())
+                                                 : discretise<dim>(box, cells, matrix, fillers);
   auto materials = with_mixtures(
       discretisation, phases.materials({{"matrix", {"binder", 1480.0, PronySeries(3.6e9), PronySeries(1e7, spectrum)}},
                                         {"filler", {"filler", 1850.0, PronySeries(13.4e9), PronySeries(5.84e9)}}}));
-  DynamicProblem<2> problem{std::move(discretisation), std::move(materials)};
-  problem.load = {.xy = 0.5};
+  DynamicProblem<dim> problem{std::move(discretisation), std::move(materials)};
+  problem.load = unit_strain<dim>(Load::shear);
   problem.ramp = StrainRamp(1e-3);
   constexpr double courant = 0.9;
   problem.time_step =
       courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   return problem;
 }
+
+template DynamicProblem<2> model_problem(int, int, Mixing);
+template DynamicProblem<3> model_problem(int, int, Mixing);
 
 }  // namespace breccia::benchmark

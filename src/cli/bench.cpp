@@ -29,6 +29,7 @@ struct BenchArguments {
   std::vector<int> threads;               ///< empty: 1 and all cores; with several processes 1
   std::vector<std::string> instructions;  ///< empty: the instruction set that a run uses
   std::vector<std::string> formulations = known_formulations();
+  std::vector<int> dimensions = {2};
   std::vector<std::string> mixings = {std::string(name_of(Mixing::series))};
   double seconds = 10.0;
   int rounds = 7;
@@ -64,16 +65,26 @@ bool wants(const BenchArguments& arguments, Formulation formulation) {
   return std::ranges::find(arguments.formulations, name_of(formulation)) != arguments.formulations.end();
 }
 
+/// Cells along each side for about so many points.
+int cells_along(double points, int dimensions) {
+  const double cells =
+      dimensions == 3 ? std::cbrt(points / CellShape<3>::points) : std::sqrt(points / CellShape<2>::points);
+  return static_cast<int>(std::lround(cells));
+}
+
 /// All combinations of the settings; the classical formulation does not depend on the instruction set.
 std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
   std::vector<KernelCase> cases;
   const auto add = [&](Formulation formulation, InstructionSet instructions) {
     for (const double points : points_of(arguments, formulation)) {
-      const auto cells = static_cast<int>(std::lround(std::sqrt(points / CellShape<2>::points)));
-      for (const int terms : arguments.terms) {
-        for (const int threads : threads_of(arguments)) {
-          for (const auto& mixing : arguments.mixings) {
-            cases.push_back({formulation, instructions, cells, terms, threads, value_named<Mixing>(mixing).value()});
+      for (const int dimensions : arguments.dimensions) {
+        const int cells = cells_along(points, dimensions);
+        for (const int terms : arguments.terms) {
+          for (const int threads : threads_of(arguments)) {
+            for (const auto& mixing : arguments.mixings) {
+              cases.push_back(
+                  {formulation, instructions, cells, terms, threads, value_named<Mixing>(mixing).value(), dimensions});
+            }
           }
         }
       }
@@ -131,6 +142,9 @@ void add_bench(CLI::App& application) {
   command->add_option("--formulation", arguments->formulations, "formulations to measure (default: both)")
       ->type_name("NAME ...")
       ->check(CLI::IsMember(known_formulations()).description(""));
+  command->add_option("--dimensions", arguments->dimensions, "dimensions of the box: 2 (the default), 3, or both")
+      ->type_name("N ...")
+      ->check(CLI::IsMember(std::vector<int>{2, 3}).description(""));
   command
       ->add_option("--mixing", arguments->mixings,
                    "cells along interfaces: series (mixed cells, the default), points, or both")

@@ -19,11 +19,11 @@ std::string line_of(const BenchmarkResult& result, const KernelTiming& timing) {
   const bool in_cache = timing.bytes() < result.machine.cache;
   const auto share = in_cache ? "in cache" : fmt::format("{:.0f} %", 100.0 * result.bandwidth_share(timing));
   return fmt::format(
-      "{:<16}  {:<8}  {:<6}  {:>9.0f}  {:>5}  {:>7}  {:>13.1f}  {:>7.1f}  {:>7.1f}  {:>6.1f}  {:>8}\n",
+      "{:<16}  {:<8}  {:<6}  {:>4}  {:>9.0f}  {:>5}  {:>7}  {:>13.1f}  {:>7.1f}  {:>7.1f}  {:>6.1f}  {:>8}\n",
       name_of(kernel.formulation),
       kernel.formulation == Formulation::total_lagrangian ? name_of(kernel.instructions) : std::string_view("-"),
-      breccia::name_of(kernel.mixing), timing.points, kernel.terms, kernel.threads, timing.speed() / 1e6,
-      timing.bytes_per_point, timing.bytes_per_point_and_step, timing.bandwidth() / 1e9, share);
+      breccia::name_of(kernel.mixing), kernel.dimensions, timing.points, kernel.terms, kernel.threads,
+      timing.speed() / 1e6, timing.bytes_per_point, timing.bytes_per_point_and_step, timing.bandwidth() / 1e9, share);
 }
 
 Json json_of(const MemoryBandwidth& bandwidth) {
@@ -41,6 +41,7 @@ Json json_of(const BenchmarkResult& result, const KernelTiming& timing) {
   Json json = {{"formulation", name_of(kernel.formulation)}};
   if (kernel.formulation == Formulation::total_lagrangian) json["instructions"] = name_of(kernel.instructions);
   json["mixing"] = breccia::name_of(kernel.mixing);
+  json["dimensions"] = kernel.dimensions;
   json["points"] = timing.points;
   json["terms"] = kernel.terms;
   json["threads"] = kernel.threads;
@@ -63,11 +64,11 @@ std::string table_of(const BenchmarkResult& result) {
     const auto [triad, update] = timing.median();
     text += fmt::format("{:>7}  {:>6.1f}  {:>6.1f}\n", timing.threads, triad / 1e9, update / 1e9);
   }
-  text +=
-      fmt::format("\n{:<16}  {:<8}  {:<6}  {:>9}  {:>5}  {:>7}  {:>13}  {:>7}  {:>7}  {:>6}  {:>8}\n", "formulation",
-                  "instruc-", "mixing", "points", "terms", "threads", "10^6 points x", "bytes a", "and", "GB/s", "of");
-  text += fmt::format("{:<16}  {:<8}  {:<6}  {:>9}  {:>5}  {:>7}  {:>13}  {:>7}  {:>7}  {:>6}  {:>8}\n", "", "tions",
-                      "", "", "", "", "steps / s", "point", "step", "", "memory's");
+  text += fmt::format("\n{:<16}  {:<8}  {:<6}  {:>4}  {:>9}  {:>5}  {:>7}  {:>13}  {:>7}  {:>7}  {:>6}  {:>8}\n",
+                      "formulation", "instruc-", "mixing", "dim.", "points", "terms", "threads", "10^6 points x",
+                      "bytes a", "and", "GB/s", "of");
+  text += fmt::format("{:<16}  {:<8}  {:<6}  {:>4}  {:>9}  {:>5}  {:>7}  {:>13}  {:>7}  {:>7}  {:>6}  {:>8}\n", "",
+                      "tions", "", "", "", "", "", "steps / s", "point", "step", "", "memory's");
   for (const auto& timing : result.kernels) text += line_of(result, timing);
   text.pop_back();
   return text;

@@ -49,8 +49,9 @@ std::string memory(double bytes) {
 }
 
 /// The plan of a test on a grid with `cells` cells per side, from the same test on a grid that is no finer.
-Plan dynamic_plan(const Stage& stage, const DynamicTest& test, int cells) {
-  const auto plan = plan_dynamic_test(test, static_cast<double>(cells) / test.discretisation.grid().columns());
+template <int dim>
+Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells) {
+  const auto plan = plan_dynamic_test(test, static_cast<double>(cells) / test.discretisation.grid().cells[0]);
   const double speed = trial_speed(test);
   const auto points = point_count(stage, cells);
   const auto bytes = static_cast<double>(plan.bytes);
@@ -103,13 +104,15 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       continue;
     }
     // A finer grid is planned by this one: its points would take long, and memory that may not be there.
-    constexpr int most_planned = 1000;
-    const auto discretisation =
-        std::get<Discretisation<2>>(discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing));
+    const int most_planned = stage.dimensions == 3 ? 100 : 1000;
     const auto matrix = expected_matrix(study, stage);
-    for (const auto load : loads_of(study, stage)) {
-      plan.add(dynamic_plan(stage, make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0), cells));
-    }
+    const auto add_loads = [&](const auto& discretisation) {
+      for (const auto load : loads_of(study, stage)) {
+        const auto test = make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0);
+        plan.add(dynamic_plan(stage, test, cells));
+      }
+    };
+    std::visit(add_loads, discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing));
   }
   return plan;
 }

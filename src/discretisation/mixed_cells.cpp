@@ -172,12 +172,16 @@ template Discretisation<2> discretise_mixed(const Microstructure<2>&, int, Phase
 template Discretisation<3> discretise_mixed(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>,
                                             std::size_t);
 
-std::vector<Material> with_mixtures(const Discretisation<2>& discretisation, std::vector<Material> materials) {
+template <int dim>
+std::vector<Material> with_mixtures(const Discretisation<dim>& discretisation, std::vector<Material> materials) {
   const auto phases = materials.size();
   for (const auto& mixture : discretisation.mixtures()) {
-    materials.push_back(series_material(mixture, std::span(materials).first(phases)));
+    materials.push_back(series_material<dim>(mixture, std::span(materials).first(phases)));
   }
   return materials;
 }
+
+template std::vector<Material> with_mixtures(const Discretisation<2>&, std::vector<Material>);
+template std::vector<Material> with_mixtures(const Discretisation<3>&, std::vector<Material>);
 
 }  // namespace breccia

@@ -30,6 +30,7 @@ PronySeries shear_modulus(const Material& material) {
 }
 
 /// The modulus whose creep compliance is the mean of those of the phases.
+template <int dim>
 PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_phase,
                            PronySeries (*modulus)(const Material&)) {
   double instantaneous = 0.0, fluidity = 0.0;
@@ -37,8 +38,8 @@ PronySeries series_modulus(const Mixture& mixture, std::span<const Material> by_
   for (const auto& [phase, fraction] : mixture) {
     const auto series = modulus(by_phase[phase]);
     if (std::ranges::any_of(series.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) {
-      throw InputError(fmt::format(
-          "mixed cells: a modulus of {} rises with time; expected K + G/3 and G that only fall", by_phase[phase].name));
+      throw InputError(fmt::format("mixed cells: a modulus of {} rises with time; expected {} and G that only fall",
+                                   by_phase[phase].name, dim == 2 ? "K + G/3" : "K"));
     }
     const auto compliance = creep_compliance(series);
     instantaneous += fraction * compliance.instantaneous();
@@ -63,6 +64,7 @@ Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase) {
 template Moduli series_moduli<2>(const Mixture&, std::span<const Moduli>);
 template Moduli series_moduli<3>(const Mixture&, std::span<const Moduli>);
 
+template <int dim>
 Material series_material(const Mixture& mixture, std::span<const Material> by_phase) {
   std::string name;
   double density = 0.0;
@@ -71,9 +73,13 @@ Material series_material(const Mixture& mixture, std::span<const Material> by_ph
     name += fmt::format("{}{:.3g} {}", name.empty() ? "" : " + ", fraction, material.name);
     density += fraction * material.density;
   }
-  const auto shear = series_modulus(mixture, by_phase, shear_modulus);
-  const auto dilatational = series_modulus(mixture, by_phase, plane_strain_bulk_modulus);
-  return {std::move(name), density, PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)), shear};
+  const auto shear = series_modulus<dim>(mixture, by_phase, shear_modulus);
+  const auto dilatational = series_modulus<dim>(mixture, by_phase, dilatational_series<dim>);
+  const auto bulk = dim == 2 ? PronySeries::difference(dilatational, shear.scaled(1.0 / 3.0)) : dilatational;
+  return {std::move(name), density, bulk, shear};
 }
+
+template Material series_material<2>(const Mixture&, std::span<const Material>);
+template Material series_material<3>(const Mixture&, std::span<const Material>);
 
 }  // namespace breccia

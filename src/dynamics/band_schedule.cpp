@@ -10,34 +10,39 @@ namespace {
 /// With less to do than this a thread would mostly wait for the others.
 constexpr std::size_t points_per_thread = 8192;
 
-int useful_bands(const Discretisation<2>& discretisation, const RowExchange& exchange, int threads) {
+template <int dim>
+int useful_bands(const Discretisation<dim>& discretisation, const LayerExchange<dim>& exchange, int threads) {
   const auto useful = static_cast<int>(discretisation.points() / points_per_thread);
   return std::clamp(std::min(threads, useful), 1, exchange.end() - exchange.first());
 }
 
 }  // namespace
 
-BandSchedule::BandSchedule(RowStep& rows, RowExchange& exchange, int threads)
-    : rows_(&rows),
+template <int dim>
+BandSchedule<dim>::BandSchedule(LayerStep<dim>& layers, LayerExchange<dim>& exchange, int threads)
+    : layers_(&layers),
       exchange_(&exchange),
-      from_below_(ForceRow::for_sums(rows.nodes().stride())),
-      from_above_(ForceRow::for_sums(rows.nodes().stride())),
+      from_below_(ForceLayer<dim>::for_sums(layers.nodes().layer_size())),
+      from_above_(ForceLayer<dim>::for_sums(layers.nodes().layer_size())),
       throttle_(1),
-      sums_(rows.problem().discretisation.grid()) {
-  const int first = exchange.first(), own_rows = exchange.end() - first;
-  const int bands = useful_bands(rows.problem().discretisation, exchange, threads);
+      sums_(layers.problem().discretisation.grid()) {
+  const int first = exchange.first(), own_layers = exchange.end() - first;
+  const int bands = useful_bands(layers.problem().discretisation, exchange, threads);
   throttle_ = ThreadThrottle(std::min(bands, omp_get_num_procs()));
   for (int band = 0; band < bands; ++band) {
-    bands_.emplace_back(first + own_rows * band / bands, first + own_rows * (band + 1) / bands, rows.nodes().stride());
+    bands_.emplace_back(first + own_layers * band / bands, first + own_layers * (band + 1) / bands,
+                        layers.nodes().layer_size());
   }
 }
 
-std::size_t BandSchedule::bytes() const noexcept {
-  const auto force_rows = 5 * bands_.size() + 2;
-  return force_rows * 4 * rows_->nodes().stride() * sizeof(double) + sums_.bytes();
+template <int dim>
+std::size_t BandSchedule<dim>::bytes() const noexcept {
+  const auto force_layers = 5 * bands_.size() + 2;
+  return force_layers * ForceLayer<dim>::lists * layers_->nodes().layer_size() * sizeof(double) + sums_.bytes();
 }
 
-void BandSchedule::take_steps(std::int64_t first, int steps, Averages<2>* averages) {
+template <int dim>
+void BandSchedule<dim>::take_steps(std::int64_t first, int steps, Averages<dim>* averages) {
   for (int done = 0; done < steps;) {
     const int taken = take_batch(first + done, steps - done, averages + done);
     throttle_.adjust(taken);
@@ -47,7 +52,8 @@ void BandSchedule::take_steps(std::int64_t first, int steps, Averages<2>* averag
 
 /// Takes a batch of steps, after which the number of threads may be another: as many as fit into a short time, in whole
 /// groups for which sums are kept. Returns their number.
-int BandSchedule::take_batch(std::int64_t first, int most_steps, Averages<2>* averages) {
+template <int dim>
+int BandSchedule<dim>::take_batch(std::int64_t first, int most_steps, Averages<dim>* averages) {
   constexpr double longest = 0.015;  // [s]
   for (auto& band : bands_) {
     band.swept.reset();
@@ -80,18 +86,20 @@ int BandSchedule::take_batch(std::int64_t first, int most_steps, Averages<2>* av
 }
 
 /// Takes some bands, those of a thread, through a step; `done` steps of the batch are finished.
-void BandSchedule::take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done) {
+template <int dim>
+void BandSchedule<dim>::take_step(std::size_t first_band, std::size_t end_band, std::int64_t step, int done) {
   for (auto band = first_band; band < end_band; ++band) sweep(band, step, done);
   if (first_band == 0 && exchange_->has_neighbours()) exchange_forces(done);
-  for (auto band = first_band; band < end_band; ++band) move_lowest_row(band, step, done);
-  if (end_band == bands_.size()) move_highest_row(step, done);
+  for (auto band = first_band; band < end_band; ++band) move_lowest_layer(band, step, done);
+  if (end_band == bands_.size()) move_highest_layer(step, done);
 }
 
-void BandSchedule::sweep(std::size_t number, std::int64_t step, int done) {
+template <int dim>
+void BandSchedule<dim>::sweep(std::size_t number, std::int64_t step, int done) {
   auto& band = bands_[number];
   const auto& above = bands_[(number + 1) % bands_.size()];
   band.sweep(
-      *rows_, sums_, done % sums_.steps(), step,
+      *layers_, sums_, done % sums_.steps(), step,
       [&] {
         if (number == 0 && exchange_->has_neighbours()) exchange_->begin(band.lowest_forces());
       },
@@ -100,46 +108,53 @@ void BandSchedule::sweep(std::size_t number, std::int64_t step, int done) {
   band.swept.set(done + 1);
 }
 
-/// Gets the forces on the outermost rows of nodes from the neighbouring processes, or from the opposite end of a
+/// Gets the forces on the outermost layers of nodes from the neighbouring processes, or from the opposite end of a
 /// periodic box.
-void BandSchedule::exchange_forces(int done) {
+template <int dim>
+void BandSchedule<dim>::exchange_forces(int done) {
   auto& highest = bands_.back();
   highest.swept.wait_for(done + 1);
   exchange_->finish(highest.highest_forces(), from_below_.view(), from_above_.view());
   exchanged_.set(done + 1);
 }
 
-void BandSchedule::move_lowest_row(std::size_t number, std::int64_t step, int done) {
+template <int dim>
+void BandSchedule<dim>::move_lowest_layer(std::size_t number, std::int64_t step, int done) {
   auto& band = bands_[number];
   if (number > 0) bands_[number - 1].swept.wait_for(done + 1);
   const auto from_below = number > 0 ? bands_[number - 1].highest_forces() : from_below_.view();
-  rows_->move_nodes(band.first(), from_below, band.lowest_forces(), step);
+  layers_->move_nodes(band.first(), from_below, band.lowest_forces(), step);
   const bool has_whole_box =
-      exchange_->first() == 0 && exchange_->end() == rows_->problem().discretisation.grid().rows();
-  if (number == 0 && wraps() && has_whole_box) rows_->copy_lowest_row(step);
+      exchange_->first() == 0 && exchange_->end() == layers_->problem().discretisation.grid().cells.back();
+  if (number == 0 && wraps() && has_whole_box) layers_->copy_lowest_layer(step);
   if (number + 1 < bands_.size()) band.moved.set(done + 1);
 }
 
-/// Moves the row of nodes above the rows of cells of this process.
-void BandSchedule::move_highest_row(std::int64_t step, int done) {
+/// Moves the layer of nodes above the layers of cells of this process.
+template <int dim>
+void BandSchedule<dim>::move_highest_layer(std::int64_t step, int done) {
   auto& band = bands_.back();
-  const bool is_image = wraps() && band.end() == rows_->problem().discretisation.grid().rows();
+  const bool is_image = wraps() && band.end() == layers_->problem().discretisation.grid().cells.back();
   if (exchange_->has_neighbours()) exchanged_.wait_for(done + 1);
   if (!is_image) {
-    rows_->move_nodes(band.end(), band.highest_forces(), from_above_.view(), step);
+    layers_->move_nodes(band.end(), band.highest_forces(), from_above_.view(), step);
   } else if (exchange_->first() > 0) {
-    // The lowest row of the box belongs to another process: this one moves it too, for its image.
-    rows_->move_nodes(0, band.highest_forces(), from_above_.view(), step);
-    rows_->copy_lowest_row(step);
+    // The lowest layer of the box belongs to another process: this one moves it too, for its image.
+    layers_->move_nodes(0, band.highest_forces(), from_above_.view(), step);
+    layers_->copy_lowest_layer(step);
   }
   band.moved.set(done + 1);
 }
 
 /// Averages of the last steps of a batch of which `done` are finished, once all threads have come so far.
-void BandSchedule::find_averages(std::int64_t first, int done, int steps, Averages<2>* averages) {
+template <int dim>
+void BandSchedule<dim>::find_averages(std::int64_t first, int done, int steps, Averages<dim>* averages) {
   for (const auto& band : bands_) band.moved.wait_for(done);
-  exchange_->gather_node_rows(sums_.numbers());
-  for (int i = 0; i < steps; ++i) averages[i] = averages_of(rows_->problem(), sums_, i, first + i);
+  exchange_->gather_node_layers(sums_.numbers());
+  for (int i = 0; i < steps; ++i) averages[i] = averages_of(layers_->problem(), sums_, i, first + i);
 }
+
+template class BandSchedule<2>;
+template class BandSchedule<3>;
 
 }  // namespace breccia::dynamics

@@ -10,11 +10,23 @@
 #include "maxwell_step.hpp"
 
 namespace breccia::dynamics {
+namespace {
 
-BlockLayout::BlockLayout(const DynamicProblem<2>& problem, int first_row, int end_row)
-    : first_row_(first_row),
-      blocks_per_row_((problem.discretisation.grid().columns() + lanes - 1) / lanes),
-      bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard) {
+/// The phases of a cell in a row, of which all are counted.
+template <int dim>
+const CellPhases<dim>& cell_of(const Discretisation<dim>& discretisation, int row, int column) {
+  const auto columns = static_cast<std::size_t>(discretisation.grid().cells[0]);
+  return discretisation.cells()[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+}
+
+}  // namespace
+
+template <int dim>
+BlockLayout<dim>::BlockLayout(const DynamicProblem<dim>& problem, int first_layer, int end_layer)
+    : rows_of_layer_(rows_of_layer(problem.discretisation.grid())),
+      first_row_(first_layer * rows_of_layer_),
+      blocks_per_row_((problem.discretisation.grid().cells[0] + lanes - 1) / lanes),
+      bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard<dim>) {
   terms_.reserve(2 * problem.materials.size());
   for (const auto& material : problem.materials) {
     const auto& shear = terms_.emplace_back(maxwell_steps(material.shear, problem.time_step));
@@ -24,18 +36,19 @@ BlockLayout::BlockLayout(const DynamicProblem<2>& problem, int first_row, int en
   }
   // Without mixed cells blocks of one material a cell are shared like others.
   if (!problem.discretisation.mixtures().empty()) cell_materials_.emplace(problem.materials, problem.time_step);
-  for (int row = first_row; row < end_row; ++row) {
+  for (int row = first_row_; row < end_layer * rows_of_layer_; ++row) {
     for (int block = 0; block < blocks_per_row_; ++block) add_block(problem, row, block * lanes);
   }
   place_histories();
 }
 
-void BlockLayout::place_histories() {
+template <int dim>
+void BlockLayout<dim>::place_histories() {
   const auto lines_of = [this](const Share& share) {
-    return share.material->shear_term_count * shear_modes + share.material->bulk_term_count * bulk_modes_;
+    return share.material->shear_term_count * shear_modes<dim> + share.material->bulk_term_count * bulk_modes_;
   };
   const auto lines_of_cells = [](const CellMaterials& cells) {
-    return cells.shear_term_count * shear_modes + cells.dilatational_term_count;
+    return cells.shear_term_count * shear_modes<dim> + cells.dilatational_term_count;
   };
   std::size_t lines = 0;
   for (const auto& share : shares_) lines += static_cast<std::size_t>(lines_of(share));
@@ -55,15 +68,16 @@ void BlockLayout::place_histories() {
   }
 }
 
-std::optional<CellMaterials> BlockLayout::cells_of_one_material(const Discretisation<2>& discretisation, int row,
-                                                                int first_column) const {
+template <int dim>
+std::optional<CellMaterials> BlockLayout<dim>::cells_of_one_material(const Discretisation<dim>& discretisation, int row,
+                                                                     int first_column) const {
   if (!cell_materials_) return std::nullopt;
   CellMaterials cells = {};
   bool is_uniform = true;
   for (int lane = 0; lane < lanes; ++lane) {
     auto phase = no_phase;
-    if (first_column + lane < discretisation.grid().columns()) {
-      const auto& phases = discretisation.cell({first_column + lane, row});
+    if (first_column + lane < discretisation.grid().cells[0]) {
+      const auto& phases = cell_of(discretisation, row, first_column + lane);
       phase = phases.front();
       if (std::ranges::any_of(phases, [phase](PhaseIndex other) { return other != phase; })) return std::nullopt;
     }
@@ -77,9 +91,10 @@ std::optional<CellMaterials> BlockLayout::cells_of_one_material(const Discretisa
   return cells;
 }
 
-void BlockLayout::add_block(const DynamicProblem<2>& problem, int row, int first_column) {
+template <int dim>
+void BlockLayout<dim>::add_block(const DynamicProblem<dim>& problem, int row, int first_column) {
   const auto& discretisation = problem.discretisation;
-  const int columns = std::min(lanes, discretisation.grid().columns() - first_column);
+  const int columns = std::min(lanes, discretisation.grid().cells[0] - first_column);
   Block block = {nullptr, nullptr, 0, false, false};
   if (const auto cells = cells_of_one_material(discretisation, row, first_column)) {
     by_cell_.push_back(*cells);
@@ -92,8 +107,8 @@ void BlockLayout::add_block(const DynamicProblem<2>& problem, int row, int first
     Share share = {&materials_[m], nullptr, {}};
     int points = 0;
     for (int lane = 0; lane < columns; ++lane) {
-      const auto& cell = discretisation.cell({first_column + lane, row});
-      for (std::size_t p = 0; p < CellShape<2>::points; ++p) {
+      const auto& cell = cell_of(discretisation, row, first_column + lane);
+      for (std::size_t p = 0; p < CellShape<dim>::points; ++p) {
         if (cell[p] != m) continue;
         share.points[lane] = static_cast<std::uint8_t>(share.points[lane] | (1U << p));
         ++points;
@@ -102,15 +117,17 @@ void BlockLayout::add_block(const DynamicProblem<2>& problem, int row, int first
     if (points == 0) continue;
     shares_.push_back(share);
     ++block.share_count;
-    block.uniform = points == lanes * CellShape<2>::points;
+    block.uniform = points == lanes * CellShape<dim>::points;
     block.relaxes = block.relaxes || share.material->shear_term_count + share.material->bulk_term_count > 0;
   }
   blocks_.push_back(block);
 }
 
-BlockLayout::Histories BlockLayout::histories(int column, int row, PhaseIndex material) const {
-  const Block& block = this->row(row)[column / lanes];
-  const int lane = column % lanes;
+template <int dim>
+typename BlockLayout<dim>::Histories BlockLayout<dim>::histories(const Index<dim>& cell, PhaseIndex material) const {
+  const int row = dim == 2 ? cell[1] : cell.back() * rows_of_layer_ + cell[1];
+  const Block& block = this->row(row)[cell[0] / lanes];
+  const int lane = cell[0] % lanes;
   Histories sums;
   if (block.by_cell != nullptr) {
     const CellMaterials& cells = *block.by_cell;
@@ -118,8 +135,8 @@ BlockLayout::Histories BlockLayout::histories(int column, int row, PhaseIndex ma
     for (int k = 0; k < cells.shear_term_count; ++k) {
       for (auto& mode : sums.shear) mode += *history, history += lanes;
     }
-    // K is what is left of K + G/3.
-    sums.bulk[0] = -(sums.shear[0] + sums.shear[1]) / 3.0;
+    // In plane strain K is what is left of K + G/3.
+    if constexpr (dim == 2) sums.bulk[0] = -(sums.shear[0] + sums.shear[1]) / 3.0;
     for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) sums.bulk[0] += *history;
     return sums;
   }
@@ -137,5 +154,8 @@ BlockLayout::Histories BlockLayout::histories(int column, int row, PhaseIndex ma
   }
   return sums;
 }
+
+template class BlockLayout<2>;
+template class BlockLayout<3>;
 
 }  // namespace breccia::dynamics

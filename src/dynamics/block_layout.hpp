@@ -13,25 +13,28 @@
 
 namespace breccia::dynamics {
 
-/// Rows of cells [first_row, end_row) of a discretisation as blocks of eight cells, with the histories of their Maxwell
-/// terms. Elastic points have no history. Rows are filled up with cells without points.
+/// Layers of cells [first_layer, end_layer) of a discretisation as blocks of eight cells of a row along x, with the
+/// histories of their Maxwell terms. A layer is one row in 2 dimensions, and the rows of a plane across z in 3. Elastic
+/// points have no history. Rows are filled up with cells without points.
+template <int dim>
 class BlockLayout {
  public:
-  BlockLayout(const DynamicProblem<2>& problem, int first_row, int end_row);
+  BlockLayout(const DynamicProblem<dim>& problem, int first_layer, int end_layer);
 
   [[nodiscard]] int blocks_per_row() const noexcept { return blocks_per_row_; }
+  /// The blocks of a row by its number, counted plane by plane in 3 dimensions.
   [[nodiscard]] const Block* row(int cell_row) const noexcept {
     return blocks_.data() + static_cast<std::ptrdiff_t>(cell_row - first_row_) * blocks_per_row_;
   }
 
   /// Modulus times strain modes of one material in one cell, summed over its Maxwell terms [Pa times the cell side].
   struct Histories {
-    std::array<double, shear_modes> shear{};
-    std::array<double, bulk_modes_standard> bulk{};
+    std::array<double, static_cast<std::size_t>(shear_modes<dim>)> shear{};
+    std::array<double, static_cast<std::size_t>(bulk_modes_standard<dim>)> bulk{};
   };
-  [[nodiscard]] Histories histories(int column, int row, PhaseIndex material) const;
+  [[nodiscard]] Histories histories(const Index<dim>& cell, PhaseIndex material) const;
 
-  /// All histories, row by row.
+  /// All histories, row by row and layer by layer.
   [[nodiscard]] std::span<const double> history() const noexcept { return {history_.data(), history_.size() - lanes}; }
   [[nodiscard]] std::span<double> history() noexcept { return {history_.data(), history_.size() - lanes}; }
 
@@ -42,18 +45,20 @@ class BlockLayout {
   [[nodiscard]] std::size_t history_bytes() const noexcept { return history_.size() * sizeof(double); }
 
  private:
-  void add_block(const DynamicProblem<2>& problem, int row, int first_column);
+  void add_block(const DynamicProblem<dim>& problem, int row, int first_column);
   /// A block of cells of one material each, if it is one that is not all of the same.
-  [[nodiscard]] std::optional<CellMaterials> cells_of_one_material(const Discretisation<2>& discretisation, int row,
+  [[nodiscard]] std::optional<CellMaterials> cells_of_one_material(const Discretisation<dim>& discretisation, int row,
                                                                    int first_column) const;
   void place_histories();
+  [[nodiscard]] static int rows_of_layer(const Grid<dim>& grid) noexcept { return dim == 2 ? 1 : grid.cells[1]; }
 
+  int rows_of_layer_;
   int first_row_;
   int blocks_per_row_;
   int bulk_modes_;
   std::vector<std::vector<TermStep>> terms_;
   std::vector<MaterialStep> materials_;
-  std::optional<CellMaterialTable> cell_materials_;  ///< nothing without mixtures
+  std::optional<CellMaterialTable<dim>> cell_materials_;  ///< nothing without mixtures
   std::vector<Share> shares_;
   std::vector<CellMaterials> by_cell_;
   std::vector<Block> blocks_;

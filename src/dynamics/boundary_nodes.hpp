@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "breccia/dynamics/dynamic_problem.hpp"
 
 namespace breccia::dynamics {
@@ -40,11 +42,34 @@ template <int dim>
 template <int dim>
 void require_points_under_traction(const DynamicProblem<dim>& problem);
 
-/// Calls action(column) for the nodes of a row that lie on the boundary of the box.
-template <class Action>
-void for_boundary_nodes(const Grid<2>& grid, int row, Action&& action) {
-  const int stride = row == 0 || row == grid.rows() ? 1 : grid.columns();
-  for (int column = 0; column <= grid.columns(); column += stride) action(column);
+/// Calls action(node) for the nodes of a layer, a row along x in 2 dimensions and a plane across z in 3.
+template <int dim, class Action>
+void for_nodes_of_layer(const Grid<dim>& grid, int layer, Action&& action) {
+  Index<dim> begin{};
+  auto end = grid.nodes();
+  begin.back() = layer;
+  end.back() = layer + 1;
+  for_each_index(begin, end, action);
+}
+
+/// Calls action(node) for the nodes of a layer that lie on the boundary of the box.
+template <int dim, class Action>
+void for_boundary_nodes(const Grid<dim>& grid, int layer, Action&& action) {
+  const auto is_on_side = [&grid](const Index<dim>& node) {
+    for (std::size_t axis = 1; axis < node.size(); ++axis) {
+      if (node[axis] == 0 || node[axis] == grid.cells[axis]) return true;
+    }
+    return false;
+  };
+  Index<dim> begin{};
+  auto end = grid.nodes();
+  begin.back() = layer;
+  end.back() = layer + 1;
+  end[0] = 1;
+  for_each_index(begin, end, [&](Index<dim> node) {
+    const int stride = is_on_side(node) ? 1 : grid.cells[0];
+    for (node[0] = 0; node[0] <= grid.cells[0]; node[0] += stride) action(node);
+  });
 }
 
 }  // namespace breccia::dynamics

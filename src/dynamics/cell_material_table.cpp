@@ -7,7 +7,8 @@
 
 namespace breccia::dynamics {
 
-CellMaterialTable::CellMaterialTable(const std::vector<Material>& materials, double time_step) {
+template <int dim>
+CellMaterialTable<dim>::CellMaterialTable(const std::vector<Material>& materials, double time_step) {
   std::size_t most = 0;
   const auto add_terms = [&](const PronySeries& series) {
     const auto& terms = terms_.emplace_back(maxwell_steps(series, time_step));
@@ -20,7 +21,7 @@ CellMaterialTable::CellMaterialTable(const std::vector<Material>& materials, dou
     step.dilatational_term_count = add_terms(dilatational);
     steps_.push_back(step);
   };
-  for (const auto& material : materials) add(material.shear, plane_strain_bulk_modulus(material));
+  for (const auto& material : materials) add(material.shear, dilatational_series<dim>(material));
   add({}, {});
   // The kernel reads whole registers of terms.
   const auto length = (most + lanes / 2 - 1) / (lanes / 2) * (lanes / 2);
@@ -30,5 +31,8 @@ CellMaterialTable::CellMaterialTable(const std::vector<Material>& materials, dou
     steps_[m].dilatational_terms = terms_[2 * m + 1].data();
   }
 }
+
+template class CellMaterialTable<2>;
+template class CellMaterialTable<3>;
 
 }  // namespace breccia::dynamics

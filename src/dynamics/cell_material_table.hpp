@@ -10,6 +10,7 @@
 namespace breccia::dynamics {
 
 /// The materials of whole cells with averaged volumetric strains, for the time step [s] of a run.
+template <int dim>
 class CellMaterialTable {
  public:
   CellMaterialTable(const std::vector<Material>& materials, double time_step);

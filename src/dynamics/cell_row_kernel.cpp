@@ -1,29 +1,11 @@
-// Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills and
-// BRECCIA_REGISTER_LANES the doubles that a register holds. Everything here has internal linkage and nothing of the
-// standard library is used, so that no code for a newer processor leaks into others.
+// Compiled once for every instruction set, with BRECCIA_KERNEL_TABLE naming the table it fills.
 
 #include "cell_row_kernel.hpp"
 
+#include "kernel_registers.hpp"
+
 namespace breccia::dynamics {
 namespace {
-
-constexpr int width = BRECCIA_REGISTER_LANES;  ///< cells in a register; a block takes lanes / width of them
-constexpr int parts = lanes / width;
-
-typedef double Pack __attribute__((vector_size(width * sizeof(double))));        // NOLINT(modernize-use-using)
-typedef long long Bits __attribute__((vector_size(width * sizeof(long long))));  // NOLINT(modernize-use-using)
-
-#define BRECCIA_INLINE inline __attribute__((always_inline))
-
-BRECCIA_INLINE Pack load(const double* from) {
-  Pack pack;
-  __builtin_memcpy(&pack, from, sizeof(pack));
-  return pack;
-}
-
-BRECCIA_INLINE void store(double* to, const Pack& pack) {
-  __builtin_memcpy(to, &pack, sizeof(pack));
-}
 
 /// Strain modes of the cells of a register, times the cell side.
 struct Modes {
@@ -37,7 +19,7 @@ struct VolumeModes {
 };
 
 /// Theory, Eq. 6: nodes in the order lower left, lower right, upper left, upper right.
-BRECCIA_INLINE Modes strain_modes(const NodeValues& below, const NodeValues& above, int cell) {
+BRECCIA_INLINE Modes strain_modes(const NodeValues<2>& below, const NodeValues<2>& above, int cell) {
   const Pack u00 = load(below.x + cell), u10 = load(below.x + cell + 1);
   const Pack u01 = load(above.x + cell), u11 = load(above.x + cell + 1);
   const Pack v00 = load(below.y + cell), v10 = load(below.y + cell + 1);
@@ -49,135 +31,6 @@ BRECCIA_INLINE Modes strain_modes(const NodeValues& below, const NodeValues& abo
   return {0.5 * (ux0 + ux1), 0.5 * vy, 0.5 * (uy + (vx0 + vx1)), ux1 - ux0, vx1 - vx0};
 }
 
-/// Histories 8 KB ahead are prefetched, since the hardware prefetcher stops at the end of a page. Prefetches are best
-/// spread among the terms. Where a block takes several registers they would keep the compiler from reordering the
-/// arithmetic there, and stand before the block instead.
-constexpr int fetch_distance = 1024;
-constexpr bool fetches_among_terms = parts == 1;
-
-[[maybe_unused]] BRECCIA_INLINE void fetch_ahead(const Block& block) {
-  if (block.by_cell != nullptr) {
-    const CellMaterials& cells = *block.by_cell;
-    const int lines = cells.shear_term_count * shear_modes + cells.dilatational_term_count;
-    for (int line = 0; line < lines; ++line) __builtin_prefetch(cells.history + fetch_distance + line * lanes);
-  }
-  for (int i = 0; i < block.share_count; ++i) {
-    const Share& share = block.shares[i];
-    const int lines = share.material->shear_term_count * shear_modes + share.material->bulk_term_count;
-    for (int line = 0; line < lines; ++line) __builtin_prefetch(share.history + fetch_distance + line * lanes);
-  }
-}
-
-/// A term of each cell of a register.
-struct TermSteps {
-  Pack decay, gain;
-};
-
-template <class Term>
-BRECCIA_INLINE void advance(Pack& sum, double* history, const Term& term, const Pack& strain) {
-  if constexpr (fetches_among_terms) __builtin_prefetch(history + fetch_distance);
-  const Pack h = term.decay * load(history) + term.gain * strain;
-  store(history, h);
-  sum += h;
-}
-
-template <int... lane>
-struct Lanes {};
-
-template <int count, int... lane>
-struct LanesUpTo : LanesUpTo<count - 1, count - 1, lane...> {};
-
-template <int... lane>
-struct LanesUpTo<0, lane...> {
-  using Type = Lanes<lane...>;
-};
-
-/// The first, third ... group of `stride` lanes of each of two rows, those of `a` before those of `b`.
-template <int stride, int... lane>
-BRECCIA_INLINE Pack even_groups(const Pack& a, const Pack& b, Lanes<lane...> /*all*/) {
-  return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane : width + lane - stride)...);
-}
-
-/// The second, fourth ... group.
-template <int stride, int... lane>
-BRECCIA_INLINE Pack odd_groups(const Pack& a, const Pack& b, Lanes<lane...> /*all*/) {
-  return __builtin_shufflevector(a, b, ((lane & stride) == 0 ? lane + stride : width + lane)...);
-}
-
-/// A step of the transposition: exchanges the blocks beside the diagonal in all squares of 2 stride rows.
-template <int stride>
-BRECCIA_INLINE void exchange_blocks(Pack* rows) {
-  using All = typename LanesUpTo<width>::Type;
-  for (int row = 0; row < width; ++row) {
-    if ((row & stride) != 0) continue;
-    const Pack upper = rows[row], lower = rows[row + stride];
-    rows[row] = even_groups<stride>(upper, lower, All{});
-    rows[row + stride] = odd_groups<stride>(upper, lower, All{});
-  }
-}
-
-/// Exchanges rows and columns of a square of numbers.
-BRECCIA_INLINE void transpose(Pack* rows) {
-  exchange_blocks<1>(rows);
-  if constexpr (width > 2) exchange_blocks<2>(rows);
-  if constexpr (width > 4) exchange_blocks<4>(rows);
-}
-
-/// The terms of the cells of a register, one after the other.
-class TermsOfCells {
- public:
-  BRECCIA_INLINE TermsOfCells(const CellMaterialStep* const* of_lane, const TermStep* CellMaterialStep::*terms) {
-    for (int lane = 0; lane < width; ++lane) next_[lane] = of_lane[lane]->*terms;
-  }
-
-  /// Term k, where k rises by one from 0. Several terms of a cell fill a register; so they are read together, those of
-  /// all cells, and turned into registers of one number for each cell.
-  BRECCIA_INLINE TermSteps operator[](int k) {
-    const int among = k % terms_in_register;
-    if (among == 0) {
-      for (int lane = 0; lane < width; ++lane) read_[lane] = load(&next_[lane][k].decay);
-      transpose(read_);
-    }
-    return {read_[2 * among], read_[2 * among + 1]};
-  }
-
- private:
-  static constexpr int terms_in_register = width / 2;
-  static_assert(sizeof(TermStep) == 2 * sizeof(double));
-
-  const TermStep* next_[width];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
-  Pack read_[width];             // NOLINT(modernize-avoid-c-arrays)
-};
-
-/// The materials of the cells of a register, each of one material.
-struct CellsOfRegister {
-  const CellMaterialStep* const* of_lane;
-  int shear_term_count;
-  int dilatational_term_count;
-
-  [[nodiscard]] BRECCIA_INLINE Pack of_each(double CellMaterialStep::*modulus) const {
-    Pack pack{};
-    for (int lane = 0; lane < width; ++lane) pack[lane] = of_lane[lane]->*modulus;
-    return pack;
-  }
-};
-
-BRECCIA_INLINE double shear_modulus(const MaterialStep& material) {
-  return material.shear;
-}
-
-BRECCIA_INLINE const TermStep* shear_terms(const MaterialStep& material) {
-  return material.shear_terms;
-}
-
-BRECCIA_INLINE Pack shear_modulus(const CellsOfRegister& cells) {
-  return cells.of_each(&CellMaterialStep::shear);
-}
-
-BRECCIA_INLINE TermsOfCells shear_terms(const CellsOfRegister& cells) {
-  return {cells.of_lane, &CellMaterialStep::shear_terms};
-}
-
 /// Shear modulus applied to the strain modes: the springs and all Maxwell terms. One material, or those of the cells.
 template <class Materials>
 BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& strain, const Modes& increment,
@@ -185,7 +38,7 @@ BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& str
   const auto g = shear_modulus(materials);
   Modes s = {g * strain.xx, g * strain.yy, g * strain.xy, g * strain.qu, g * strain.qv};
   auto terms = shear_terms(materials);
-  for (int k = 0; k < materials.shear_term_count; ++k, history += shear_modes * lanes) {
+  for (int k = 0; k < materials.shear_term_count; ++k, history += shear_modes<2> * lanes) {
     const auto& term = terms[k];
     advance(s.xx, history, term, increment.xx);
     advance(s.yy, history + lanes, term, increment.yy);
@@ -200,7 +53,7 @@ BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& str
 template <bool averaged>
 BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Modes& strain, const Modes& increment,
                                          double* history) {
-  constexpr int modes = averaged ? bulk_modes_averaged : bulk_modes_standard;
+  constexpr int modes = averaged ? bulk_modes_averaged : bulk_modes_standard<2>;
   const double k_inf = material.bulk;
   VolumeModes p = {k_inf * (strain.xx + strain.yy), k_inf * strain.qu, k_inf * strain.qv};
   for (int k = 0; k < material.bulk_term_count; ++k, history += modes * lanes) {
@@ -232,7 +85,7 @@ BRECCIA_INLINE Modes forces_of_cells(const CellMaterials& cells, const Modes& st
                                        cells.dilatational_term_count};
   double* history = cells.history + first_lane;
   const Modes s = shear_response(of_register, strain, increment, history);
-  history += cells.shear_term_count * shear_modes * lanes;
+  history += cells.shear_term_count * shear_modes<2> * lanes;
   const Pack p = dilatational_response(of_register, strain, increment, history);
   return {4.0 * (p + (s.xx - s.yy)), 4.0 * (p - (s.xx - s.yy)), 4.0 * s.xy, 0.5 * s.qu, 0.5 * s.qv};
 }
@@ -252,12 +105,6 @@ BRECCIA_INLINE Modes uniform_forces(const Modes& s, const VolumeModes& p) {
   }
   return force;
 }
-
-/// The values of the cells for which `mask` is set (all bits of the lane), zero for the others.
-BRECCIA_INLINE Pack masked(const Bits& mask, const Pack& value) {
-  return reinterpret_cast<Pack>(reinterpret_cast<Bits>(value) & mask);
-}
-
 /// Adds the sums over the points that belong to a share.
 template <bool averaged>
 BRECCIA_INLINE void add_shared_forces(Modes& force, const std::uint8_t* points_of_cells, const Modes& s,
@@ -289,7 +136,7 @@ BRECCIA_INLINE void add_shared_forces(Modes& force, const std::uint8_t* points_o
 }
 
 /// Forces on the nodes: minus a quarter (the volume of a point) of the transpose of Eq. 6.
-BRECCIA_INLINE void store_forces(const Modes& f, const CellRow& row, int cell) {
+BRECCIA_INLINE void store_forces(const Modes& f, const CellRow<2>& row, int cell) {
   const Pack xx = 0.125 * f.xx, yy = 0.125 * f.yy, xy = 0.125 * f.xy;
   const Pack qu = 0.25 * f.qu, qv = 0.25 * f.qv;
   store(row.below.left_x + cell, (xx + xy) - qu);
@@ -304,7 +151,7 @@ BRECCIA_INLINE void store_forces(const Modes& f, const CellRow& row, int cell) {
 
 /// Forces of the cells of one register, times the cell side.
 template <bool averaged>
-BRECCIA_INLINE Modes forces(const CellRow& row, const Block& block, int cell, int first_lane) {
+BRECCIA_INLINE Modes forces(const CellRow<2>& row, const Block& block, int cell, int first_lane) {
   const Modes strain = strain_modes(row.displacement_below, row.displacement_above, cell);
   Modes increment{};
   if (block.relaxes) increment = strain_modes(row.increment_below, row.increment_above, cell);
@@ -314,7 +161,7 @@ BRECCIA_INLINE Modes forces(const CellRow& row, const Block& block, int cell, in
     const Share& share = block.shares[i];
     const MaterialStep& material = *share.material;
     double* shear_history = share.history + first_lane;
-    double* bulk_history = shear_history + material.shear_term_count * shear_modes * lanes;
+    double* bulk_history = shear_history + material.shear_term_count * shear_modes<2> * lanes;
     const Modes s = shear_response(material, strain, increment, shear_history);
     const VolumeModes p = bulk_response<averaged>(material, strain, increment, bulk_history);
     if (block.uniform) {
@@ -325,24 +172,12 @@ BRECCIA_INLINE Modes forces(const CellRow& row, const Block& block, int cell, in
   }
   return force;
 }
-
-/// Sums over the lanes of a block, in an order that does not depend on the width of a register.
-struct LaneSums {
-  Pack values[parts] = {};  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
-
-  BRECCIA_INLINE void add(int part, const Pack& value) { values[part] += value; }
-  [[nodiscard]] BRECCIA_INLINE double lane(int i) const { return values[i / width][i % width]; }
-  [[nodiscard]] BRECCIA_INLINE double total() const {
-    return ((lane(0) + lane(1)) + (lane(2) + lane(3))) + ((lane(4) + lane(5)) + (lane(6) + lane(7)));
-  }
-};
-
 template <bool averaged>
-void cell_row(const CellRow& row) {
+void cell_row(const CellRow<2>& row) {
   LaneSums stress_xx, stress_yy, stress_xy;
   for (int b = 0; b < row.block_count; ++b) {
     if constexpr (!fetches_among_terms) {
-      if (row.blocks[b].relaxes) fetch_ahead(row.blocks[b]);
+      if (row.blocks[b].relaxes) fetch_ahead<2>(row.blocks[b]);
     }
     for (int part = 0; part < parts; ++part) {
       const int cell = b * lanes + part * width;
@@ -358,7 +193,7 @@ void cell_row(const CellRow& row) {
   row.stress[2] = stress_xy.total();
 }
 
-BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacement, double* increment,
+BRECCIA_INLINE void move_nodes(const NodeRow<2>& row, int node, double* displacement, double* increment,
                                const double* left_below, const double* right_below, const double* left_above,
                                const double* right_above) {
   const Pack force =
@@ -368,9 +203,9 @@ BRECCIA_INLINE void move_nodes(const NodeRow& row, int node, double* displacemen
   store(displacement + node, load(displacement + node) + moved);
 }
 
-void node_row(const NodeRow& row) {
-  const RowForces& below = row.from_cells_below;
-  const RowForces& above = row.from_cells_above;
+void node_row(const NodeRow<2>& row) {
+  const LayerForces<2>& below = row.from_cells_below;
+  const LayerForces<2>& above = row.from_cells_above;
   for (int node = 0; node < row.count; node += width) {
     move_nodes(row, node, row.displacement_x, row.increment_x, below.left_x, below.right_x, above.left_x,
                above.right_x);
@@ -381,7 +216,7 @@ void node_row(const NodeRow& row) {
 
 }  // namespace
 
-extern const KernelTable BRECCIA_KERNEL_TABLE;
-const KernelTable BRECCIA_KERNEL_TABLE = {cell_row<true>, cell_row<false>, node_row};
+extern const KernelTable<2> BRECCIA_KERNEL_TABLE;
+const KernelTable<2> BRECCIA_KERNEL_TABLE = {cell_row<true>, cell_row<false>, node_row};
 
 }  // namespace breccia::dynamics

@@ -93,16 +93,20 @@ void DynamicSolver<dim>::require_elastic() const {
 template class DynamicSolver<2>;
 template class DynamicSolver<3>;
 
-std::unique_ptr<DynamicSolver<2>> make_dynamic_solver(Formulation formulation, DynamicProblem<2> problem, int threads,
-                                                      InstructionSet instructions) {
+template <int dim>
+std::unique_ptr<DynamicSolver<dim>> make_dynamic_solver(Formulation formulation, DynamicProblem<dim> problem,
+                                                        int threads, InstructionSet instructions) {
   const int used = threads > 0 ? threads : omp_get_max_threads();
   switch (formulation) {
     case Formulation::total_lagrangian:
-      return std::make_unique<dynamics::TotalLagrangian>(std::move(problem), used, instructions);
+      return std::make_unique<dynamics::TotalLagrangian<dim>>(std::move(problem), used, instructions);
     case Formulation::classical:
-      return std::make_unique<dynamics::Classical<2>>(std::move(problem), used);
+      return std::make_unique<dynamics::Classical<dim>>(std::move(problem), used);
   }
   throw InputError("dynamic run: unknown formulation");
 }
+
+template std::unique_ptr<DynamicSolver<2>> make_dynamic_solver(Formulation, DynamicProblem<2>, int, InstructionSet);
+template std::unique_ptr<DynamicSolver<3>> make_dynamic_solver(Formulation, DynamicProblem<3>, int, InstructionSet);
 
 }  // namespace breccia

@@ -3,9 +3,12 @@
 #include "breccia/dynamics/instruction_set.hpp"
 
 #include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
-const KernelTable& kernels(InstructionSet set);
+/// Instantiated for 2 and 3 dimensions.
+template <int dim>
+const KernelTable<dim>& kernels(InstructionSet set);
 
 }  // namespace breccia::dynamics

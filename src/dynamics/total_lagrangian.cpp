@@ -1,5 +1,6 @@
 #include "total_lagrangian.hpp"
 
+#include <cstddef>
 #include <utility>
 
 #include "boundary_nodes.hpp"
@@ -7,38 +8,49 @@
 
 namespace breccia::dynamics {
 
-TotalLagrangian::TotalLagrangian(DynamicProblem<2> given, int threads, InstructionSet instructions)
-    : DynamicSolver<2>(std::move(given)),
+template <int dim>
+TotalLagrangian<dim>::TotalLagrangian(DynamicProblem<dim> given, int threads, InstructionSet instructions)
+    : DynamicSolver<dim>(std::move(given)),
       exchange_(problem().discretisation.grid(), problem().boundary == Boundary::periodic),
-      rows_(problem(), instructions, exchange_.first(), exchange_.end()),
+      layers_(problem(), instructions, exchange_.first(), exchange_.end()),
       masses_(nodal_masses(problem())),
-      schedule_(rows_, exchange_, threads) {
+      schedule_(layers_, exchange_, threads) {
   const auto& grid = problem().discretisation.grid();
   const double squared_step = problem().time_step * problem().time_step;
-  grid.for_each_node([&](const Index<2>& node) {
-    const auto [column, row] = node;
+  // The forces of the kernel are divided by h^(dim - 2).
+  const double numerator = times_power<dim - 2>(squared_step, grid.cell_side);
+  auto& nodes = layers_.nodes();
+  grid.for_each_node([&](const Index<dim>& node) {
     const double mass = masses_[grid.node_index(node)];
-    rows_.nodes().step_over_mass(row)[column] =
-        is_prescribed(problem(), node) || mass == 0.0 ? 0.0 : squared_step / mass;
+    nodes.step_over_mass(nodes.row_of(node))[node[0]] =
+        is_prescribed(problem(), node) || mass == 0.0 ? 0.0 : numerator / mass;
   });
 }
 
-void TotalLagrangian::set_velocities(const VelocityField& velocity) {
+template <int dim>
+void TotalLagrangian<dim>::set_velocities(const VelocityField& velocity) {
   const auto& grid = problem().discretisation.grid();
   const bool wraps = problem().boundary == Boundary::periodic;
-  grid.for_each_node([&](const Index<2>& node) {
+  auto& nodes = layers_.nodes();
+  grid.for_each_node([&](const Index<dim>& node) {
     if (is_prescribed(problem(), node)) return;
-    const auto [column, row] = node;
-    const int x = wraps && column == grid.columns() ? 0 : column, y = wraps && row == grid.rows() ? 0 : row;
-    const auto v = velocity({x * grid.cell_side, y * grid.cell_side});
-    const auto increment = rows_.nodes().increment(row);
-    increment.x[column] = problem().time_step * v[0];
-    increment.y[column] = problem().time_step * v[1];
+    Vector<dim> position{};
+    for (std::size_t axis = 0; axis < position.size(); ++axis) {
+      const bool is_last = wraps && node[axis] == grid.cells[axis];
+      position[axis] = (is_last ? 0 : node[axis]) * grid.cell_side;
+    }
+    const auto v = velocity(position);
+    const auto increment = nodes.increment(nodes.row_of(node));
+    for (std::size_t i = 0; i < v.size(); ++i) increment[i][node[0]] = problem().time_step * v[i];
   });
 }
 
-void TotalLagrangian::take_steps(std::int64_t first, int steps, Averages<2>* averages) {
+template <int dim>
+void TotalLagrangian<dim>::take_steps(std::int64_t first, int steps, Averages<dim>* averages) {
   schedule_.take_steps(first, steps, averages);
 }
+
+template class TotalLagrangian<2>;
+template class TotalLagrangian<3>;
 
 }  // namespace breccia::dynamics

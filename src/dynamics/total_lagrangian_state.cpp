@@ -1,4 +1,4 @@
-// The state of a run: memory, momentum, energy, fields and checkpoints. The steps are in row_step.cpp.
+// The state of a run: memory, momentum, energy, fields and checkpoints. The steps are in layer_step.cpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,19 +15,33 @@
 namespace breccia::dynamics {
 namespace {
 
-using Shape = CellShape<2>;
-
-/// Values at the nodes of a cell, from those along the rows of nodes below and above.
-Shape::Values cell_values(const NodeRows::Components<const double>& below,
-                          const NodeRows::Components<const double>& above, int column) {
-  const double *x0 = below.x + column, *y0 = below.y + column, *x1 = above.x + column, *y1 = above.y + column;
-  Shape::Values values;
-  values << x0[0], y0[0], x0[1], y0[1], x1[0], y1[0], x1[1], y1[1];
+/// Values at the nodes of a cell, from those along the rows of nodes around it.
+template <int dim, class Components>
+typename CellShape<dim>::Values cell_values(const NodeRows<dim>& nodes, const Index<dim>& cell,
+                                            Components (NodeRows<dim>::*components)(int) const) {
+  typename CellShape<dim>::Values values;
+  for (int n = 0; n < CellShape<dim>::nodes; ++n) {
+    auto node = CellShape<dim>::corner(n);
+    for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
+    const auto of_row = (nodes.*components)(nodes.row_of(node));
+    for (int i = 0; i < dim; ++i) values[dim * n + i] = of_row[static_cast<std::size_t>(i)][node[0]];
+  }
   return values;
 }
 
-Shape::PointModuli elastic_moduli(const DynamicProblem<2>& problem, const Index<2>& cell) {
-  Shape::PointModuli moduli{};
+template <int dim>
+typename CellShape<dim>::Values cell_displacements(const NodeRows<dim>& nodes, const Index<dim>& cell) {
+  return cell_values<dim>(nodes, cell, &NodeRows<dim>::displacement);
+}
+
+template <int dim>
+typename CellShape<dim>::Values cell_increments(const NodeRows<dim>& nodes, const Index<dim>& cell) {
+  return cell_values<dim>(nodes, cell, &NodeRows<dim>::increment);
+}
+
+template <int dim>
+typename CellShape<dim>::PointModuli elastic_moduli(const DynamicProblem<dim>& problem, const Index<dim>& cell) {
+  typename CellShape<dim>::PointModuli moduli{};
   const auto& phases = problem.discretisation.cell(cell);
   for (std::size_t p = 0; p < moduli.size(); ++p) {
     if (phases[p] == no_phase) continue;
@@ -37,147 +51,227 @@ Shape::PointModuli elastic_moduli(const DynamicProblem<2>& problem, const Index<
   return moduli;
 }
 
-/// Stress xx, yy, zz, xy [Pa] of a point under a strain with engineering shear: the springs, then the Maxwell terms,
-/// whose modes combine as those of the strain do.
-std::array<double, 4> stress_of(const DynamicProblem<2>& problem, PhaseIndex phase, int point,
-                                const Shape::StrainVector& strain, const BlockLayout::Histories& history) {
-  const auto& [name, density, bulk, shear] = problem.materials[phase];
-  const double h = problem.discretisation.grid().cell_side;
-  const auto [x, y] = Shape::offset(point);
+/// What the Maxwell terms add to the stress of a point: G applied to its strain, with engineering shears, and K to its
+/// volumetric strain [Pa].
+template <int dim>
+struct HistoryAtPoint {
+  std::array<double, static_cast<std::size_t>(tensor_components<dim>)> shear;
+  double pressure;
+};
+
+/// The modes of the terms combine as those of the strain do (theory, Eq. 6).
+HistoryAtPoint<2> at_point(const BlockLayout<2>::Histories& history, Volumetric volumetric, int point) {
+  const auto [x, y] = CellShape<2>::offset(point);
   const auto& [sxx, syy, sxy, squ, sqv] = history.shear;
   const auto& [centre, bqu, bqv] = history.bulk;
-  const bool averaged = problem.volumetric == Volumetric::averaged;
+  const bool averaged = volumetric == Volumetric::averaged;
   const double along_x = averaged ? 0.5 * (y * squ - x * sqv) : y * squ;
   const double along_y = averaged ? -along_x : x * sqv;
-  const double volumetric = strain[0] + strain[1];
-  const double pressure = bulk.equilibrium() * volumetric + (centre + y * bqu + x * bqv) / h;
-  const double gxx = shear.equilibrium() * strain[0] + (sxx + along_x) / h;
-  const double gyy = shear.equilibrium() * strain[1] + (syy + along_y) / h;
-  const double gxy = shear.equilibrium() * strain[2] + (sxy + x * squ + y * sqv) / h;
-  return {pressure + 4.0 / 3.0 * gxx - 2.0 / 3.0 * gyy, pressure + 4.0 / 3.0 * gyy - 2.0 / 3.0 * gxx,
-          pressure - 2.0 / 3.0 * (gxx + gyy), gxy};
+  return {{sxx + along_x, syy + along_y, sxy + x * squ + y * sqv}, centre + y * bqu + x * bqv};
+}
+
+/// The same with the modes of a cube (theory, Eq. 73). Those without a bulk history are zero there.
+HistoryAtPoint<3> at_point(const BlockLayout<3>::Histories& history, Volumetric /*volumetric*/, int point) {
+  constexpr std::size_t axes = 3;
+  const auto offset = CellShape<3>::offset(point);
+  const auto twist = [&](std::size_t c, std::size_t d) { return history.shear[6 + axes * c + d]; };
+  const auto sign = [&](std::size_t axis) { return 4.0 * offset[axis]; };
+  const auto gradient = [&](std::size_t c, std::size_t d) {
+    const auto e = (d + 1) % axes, f = (d + 2) % axes;
+    return sign(e) * twist(c, f) + sign(f) * twist(c, e) + sign(e) * sign(f) * history.shear[15 + c];
+  };
+  HistoryAtPoint<3> sum = {{}, history.bulk[0]};
+  for (std::size_t c = 0; c < axes; ++c) {
+    const auto d = (c + 1) % axes, e = (c + 2) % axes;
+    sum.shear[c] = history.shear[c] + gradient(c, c);
+    sum.shear[axes + c] = history.shear[axes + c] + gradient(d, e) + gradient(e, d);
+    sum.pressure += sign(c) * history.bulk[1 + c] + sign(d) * sign(e) * history.bulk[1 + axes + c];
+  }
+  return sum;
+}
+
+/// Stress of a point under a strain with engineering shears [Pa], its three normal components, also in plane strain,
+/// and then the shears: the springs, then the Maxwell terms.
+template <int dim>
+typename decltype(PointFields<dim>::stress)::value_type stress_of(const DynamicProblem<dim>& problem, PhaseIndex phase,
+                                                                  int point,
+                                                                  const typename CellShape<dim>::StrainVector& strain,
+                                                                  const typename BlockLayout<dim>::Histories& history) {
+  const auto& [name, density, bulk, shear] = problem.materials[phase];
+  const double h = problem.discretisation.grid().cell_side;
+  const auto of_terms = at_point(history, problem.volumetric, point);
+  const double pressure = bulk.equilibrium() * strain.template head<dim>().sum() + of_terms.pressure / h;
+  std::array<double, static_cast<std::size_t>(tensor_components<dim>)> g;
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    g[i] = shear.equilibrium() * strain[static_cast<Eigen::Index>(i)] + of_terms.shear[i] / h;
+  }
+  typename decltype(PointFields<dim>::stress)::value_type stress{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double others = 0.0;
+    for (std::size_t other = 0; other < dim; ++other) others += other != axis ? g[other] : 0.0;
+    stress[axis] = pressure + 4.0 / 3.0 * (axis < dim ? g[axis] : 0.0) - 2.0 / 3.0 * others;
+  }
+  for (std::size_t shear_place = dim; shear_place < g.size(); ++shear_place) {
+    stress[shear_place + 3 - dim] = g[shear_place];
+  }
+  return stress;
 }
 
 }  // namespace
 
-Footprint TotalLagrangian::footprint() const {
-  constexpr std::size_t fields_moved = 9;  // five read, of which four are written
-  const auto rows = static_cast<std::size_t>(exchange_.end() - exchange_.first());
-  const auto& nodes = rows_.nodes();
-  const auto& layout = rows_.layout();
-  return {
-      .held = problem().discretisation.cells().size() * sizeof(CellPhases<2>) + layout.material_bytes() +
-              layout.history_bytes() + (nodes.values().size() + masses_.size()) * sizeof(double) + schedule_.bytes(),
-      .moved_per_step =
-          rows * nodes.stride() * fields_moved * sizeof(double) + layout.material_bytes() + 2 * layout.history_bytes()};
+template <int dim>
+Footprint TotalLagrangian<dim>::footprint() const {
+  constexpr std::size_t fields_moved = 4 * dim + 1;  // one more than twice dim read, of which all others are written
+  const auto layers = static_cast<std::size_t>(exchange_.end() - exchange_.first());
+  const auto& nodes = layers_.nodes();
+  const auto& layout = layers_.layout();
+  return {.held = problem().discretisation.cells().size() * sizeof(CellPhases<dim>) + layout.material_bytes() +
+                  layout.history_bytes() + (nodes.values().size() + masses_.size()) * sizeof(double) +
+                  schedule_.bytes(),
+          .moved_per_step = layers * nodes.layer_size() * fields_moved * sizeof(double) + layout.material_bytes() +
+                            2 * layout.history_bytes()};
 }
 
-void TotalLagrangian::fetch_nodes() const {
-  exchange_.gather_node_rows(rows_.nodes().values());
+template <int dim>
+void TotalLagrangian<dim>::fetch_nodes() const {
+  exchange_.gather_node_layers(layers_.nodes().values());
 }
 
-Vector<2> TotalLagrangian::momentum() const {
+template <int dim>
+Vector<dim> TotalLagrangian<dim>::momentum() const {
   fetch_nodes();
   const auto& grid = problem().discretisation.grid();
-  Vector<2> sum = {0.0, 0.0};
-  grid.for_each_node([&](const Index<2>& node) {
+  Vector<dim> sum{};
+  const auto& nodes = std::as_const(layers_).nodes();
+  grid.for_each_node([&](const Index<dim>& node) {
     if (is_image(problem(), node)) return;
-    const auto [column, row] = node;
-    const auto increment = rows_.nodes().increment(row);
+    const auto increment = nodes.increment(nodes.row_of(node));
     const double mass = masses_[grid.node_index(node)];
-    sum[0] += mass * increment.x[column] / problem().time_step;
-    sum[1] += mass * increment.y[column] / problem().time_step;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += mass * increment[i][node[0]] / problem().time_step;
   });
   return sum;
 }
 
-Energy TotalLagrangian::energy() const {
+template <int dim>
+Energy TotalLagrangian<dim>::energy() const {
   require_elastic();
   fetch_nodes();
   const auto& grid = problem().discretisation.grid();
-  const auto& nodes = std::as_const(rows_).nodes();
+  const auto& nodes = std::as_const(layers_).nodes();
   Energy energy;
-  grid.for_each_node([&](const Index<2>& node) {
+  grid.for_each_node([&](const Index<dim>& node) {
     if (is_image(problem(), node)) return;
-    const auto [column, row] = node;
-    const auto increment = nodes.increment(row);
-    const double vx = increment.x[column] / problem().time_step, vy = increment.y[column] / problem().time_step;
-    energy.kinetic += 0.5 * masses_[grid.node_index(node)] * (vx * vx + vy * vy);
+    double squared = 0.0;
+    for (const double* increment : nodes.increment(nodes.row_of(node))) {
+      const double velocity = increment[node[0]] / problem().time_step;
+      squared += velocity * velocity;
+    }
+    energy.kinetic += 0.5 * masses_[grid.node_index(node)] * squared;
   });
-  grid.for_each_cell([&](const Index<2>& cell) {
-    const auto [column, row] = cell;
-    const Shape::Values u = cell_values(nodes.displacement(row), nodes.displacement(row + 1), column);
-    const Shape::Values du = cell_values(nodes.increment(row), nodes.increment(row + 1), column);
-    const auto stiffness = Shape::stiffness(elastic_moduli(problem(), cell), problem().volumetric);
-    energy.strain += 0.5 * u.dot(stiffness * (u - du));
+  grid.for_each_cell([&](const Index<dim>& cell) {
+    const typename CellShape<dim>::Values u = cell_displacements(nodes, cell);
+    const typename CellShape<dim>::Values du = cell_increments(nodes, cell);
+    const auto stiffness = CellShape<dim>::stiffness(elastic_moduli(problem(), cell), problem().volumetric);
+    energy.strain += times_power<dim - 2>(0.5 * u.dot(stiffness * (u - du)), grid.cell_side);
   });
   return energy;
 }
 
-void TotalLagrangian::set_fields_of_cell(PointFields<2>& fields, const Index<2>& cell) const {
+template <int dim>
+void TotalLagrangian<dim>::set_fields_of_cell(PointFields<dim>& fields, const Index<dim>& cell) const {
+  using Shape = CellShape<dim>;
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();
-  const auto& nodes = std::as_const(rows_).nodes();
-  const auto [column, row] = cell;
-  const Shape::Values u = cell_values(nodes.displacement(row), nodes.displacement(row + 1), column);
+  const auto& nodes = std::as_const(layers_).nodes();
+  const typename Shape::Values u = cell_displacements(nodes, cell);
   for (int p = 0; p < Shape::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
     const auto point = grid.point_index(cell, p);
     if (phase == no_phase) continue;
     const auto weights = Shape::weights(p);
     for (std::size_t node = 0; node < weights.size(); ++node) {
-      fields.displacement[point][0] += weights[node] * u[static_cast<Eigen::Index>(2 * node)];
-      fields.displacement[point][1] += weights[node] * u[static_cast<Eigen::Index>(2 * node + 1)];
+      for (std::size_t i = 0; i < dim; ++i) {
+        fields.displacement[point][i] += weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
+      }
     }
-    const Shape::StrainVector strain = Shape::strain_matrix(p, problem().volumetric) * u / grid.cell_side;
-    fields.strain[point] = {strain[0], strain[1], 0.5 * strain[2]};
-    fields.stress[point] = stress_of(problem(), phase, p, strain, rows_.layout().histories(column, row, phase));
+    const typename Shape::StrainVector strain = Shape::strain_matrix(p, problem().volumetric) * u / grid.cell_side;
+    for (int i = 0; i < Shape::strains; ++i) {
+      fields.strain[point][static_cast<std::size_t>(i)] = i < dim ? strain[i] : 0.5 * strain[i];
+    }
+    fields.stress[point] = stress_of<dim>(problem(), phase, p, strain, layers_.layout().histories(cell, phase));
   }
 }
 
-PointFields<2> TotalLagrangian::fields() const {
+template <int dim>
+PointFields<dim> TotalLagrangian<dim>::fields() const {
   const auto& grid = problem().discretisation.grid();
   auto fields = zero_fields(problem().discretisation);
-  for_each_index(Index<2>{0, exchange_.first()}, Index<2>{grid.columns(), exchange_.end()},
-                 [&](const Index<2>& cell) { set_fields_of_cell(fields, cell); });
-  exchange_.gather_cell_rows({fields.displacement.front().data(), 2 * fields.displacement.size()});
-  exchange_.gather_cell_rows({fields.strain.front().data(), 3 * fields.strain.size()});
-  exchange_.gather_cell_rows({fields.stress.front().data(), 4 * fields.stress.size()});
+  const auto points = problem().discretisation.points();
+  Index<dim> begin{};
+  auto end = grid.cells;
+  begin.back() = exchange_.first();
+  end.back() = exchange_.end();
+  for_each_index(begin, end, [&](const Index<dim>& cell) { set_fields_of_cell(fields, cell); });
+  for (const auto values : {std::span(fields.displacement.front().data(), dim * points),
+                            std::span(fields.strain.front().data(), fields.strain.front().size() * points),
+                            std::span(fields.stress.front().data(), fields.stress.front().size() * points)}) {
+    exchange_.gather_cell_layers(values);
+  }
   return fields;
 }
 
-Vector<2> TotalLagrangian::most_moved() const {
+template <int dim>
+Vector<dim> TotalLagrangian<dim>::most_moved() const {
   fetch_nodes();
   const auto& grid = problem().discretisation.grid();
-  Vector<2> place = {0.0, 0.0};
+  const auto& nodes = std::as_const(layers_).nodes();
+  Vector<dim> place{};
   double most = 0.0;
-  for (int row = 0; row <= grid.rows(); ++row) {
-    const auto increment = rows_.nodes().increment(row);
-    for (int column = 0; column <= grid.columns(); ++column) {
-      const double moved = std::hypot(increment.x[column], increment.y[column]);
-      if (moved <= most) continue;
-      most = moved;
-      place = {column * grid.cell_side, row * grid.cell_side};
-      if (!std::isfinite(moved)) return place;
-    }
-  }
+  grid.for_each_node([&](const Index<dim>& node) {
+    double moved = 0.0;
+    for (const double* increment : nodes.increment(nodes.row_of(node))) moved = std::hypot(moved, increment[node[0]]);
+    if (moved <= most || !std::isfinite(most)) return;
+    most = moved;
+    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] = node[axis] * grid.cell_side;
+  });
   return place;
 }
 
-void TotalLagrangian::save_arrays(StateWriter& state, const std::string& group) const {
+template <int dim>
+void TotalLagrangian<dim>::save_arrays(StateWriter& state, const std::string& group) const {
   fetch_nodes();
-  state.write(group + "/nodes", std::as_const(rows_).nodes().values());
+  state.write(group + "/nodes", std::as_const(layers_).nodes().values());
   std::vector<double> all;
-  state.write(group + "/history", exchange_.collect(std::as_const(rows_).layout().history(), all));
+  state.write(group + "/history", exchange_.collect(std::as_const(layers_).layout().history(), all));
 }
 
-void TotalLagrangian::restore_arrays(const StateReader& state, const std::string& group) {
-  const auto nodes = rows_.nodes().values();
+template <int dim>
+void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::string& group) {
+  const auto nodes = layers_.nodes().values();
   std::ranges::copy(state.numbers(group + "/nodes", nodes.size()), nodes.begin());
-  const auto own = rows_.layout().history();
+  const auto own = layers_.layout().history();
   const auto [begin, size] = exchange_.place_of(own.size());
   const auto all = state.numbers(group + "/history", size);
   std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(begin), own.size(), own.begin());
 }
+
+template Footprint TotalLagrangian<2>::footprint() const;
+template void TotalLagrangian<2>::fetch_nodes() const;
+template void TotalLagrangian<2>::set_fields_of_cell(PointFields<2>&, const Index<2>&) const;
+template Vector<2> TotalLagrangian<2>::momentum() const;
+template Energy TotalLagrangian<2>::energy() const;
+template PointFields<2> TotalLagrangian<2>::fields() const;
+template Vector<2> TotalLagrangian<2>::most_moved() const;
+template void TotalLagrangian<2>::save_arrays(StateWriter&, const std::string&) const;
+template void TotalLagrangian<2>::restore_arrays(const StateReader&, const std::string&);
+template Footprint TotalLagrangian<3>::footprint() const;
+template void TotalLagrangian<3>::fetch_nodes() const;
+template void TotalLagrangian<3>::set_fields_of_cell(PointFields<3>&, const Index<3>&) const;
+template Vector<3> TotalLagrangian<3>::momentum() const;
+template Energy TotalLagrangian<3>::energy() const;
+template PointFields<3> TotalLagrangian<3>::fields() const;
+template Vector<3> TotalLagrangian<3>::most_moved() const;
+template void TotalLagrangian<3>::save_arrays(StateWriter&, const std::string&) const;
+template void TotalLagrangian<3>::restore_arrays(const StateReader&, const std::string&);
 
 }  // namespace breccia::dynamics

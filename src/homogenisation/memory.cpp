@@ -29,10 +29,11 @@ namespace {
 
 /// Largest memory [B] of the dynamic tests of a stage on a grid of `cells` cells per side. Tests whose time domains
 /// cannot be planned from estimated moduli are left out; the run itself plans with computed moduli.
+template <int dim>
 double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   // Neither the positions of the particles matter nor the grid on which the time domains are planned.
   constexpr int few = 2;
-  const auto discretisation = discretise<2>(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
+  const auto discretisation = discretise<dim>(stage, {stage.side, Walls::hard, {}}, few, study.tests.mixing);
   const double refinement = static_cast<double>(cells) / few;
   double most = 0.0;
   try {
@@ -47,6 +48,10 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
     // The largest memory found so far is returned.
   }
   return most;
+}
+
+double dynamic_memory(const Study& study, const Stage& stage, int cells) {
+  return stage.dimensions == 3 ? dynamic_memory<3>(study, stage, cells) : dynamic_memory<2>(study, stage, cells);
 }
 
 /// Largest share of the cells of side h [m] that interfaces of a filler cross: a disc of diameter d crosses about

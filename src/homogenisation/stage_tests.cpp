@@ -155,11 +155,13 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
     sink.domain_finished(stage, result.id, ++number, domain);
     if (observer.domain_finished) observer.domain_finished(stage, result.id, domain);
   };
-  const auto test = make_dynamic_test(*grid.study, stage, matrix, std::get<Discretisation<2>>(grid.discretisation),
-                                      boundary, load, grid.threads);
   const auto checkpoint = sink.test_checkpoint(stage, result.id);
-  auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
-                           [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+  const auto run = [&](const auto& discretisation) {
+    const auto test = make_dynamic_test(*grid.study, stage, matrix, discretisation, boundary, load, grid.threads);
+    return name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
+                       [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+  };
+  auto found = std::visit(run, grid.discretisation);
   hand_over_fields(grid, found, checkpoint.get(), sink, result);
   result.modulus = std::exchange(found.curve, {});
   result.compliance = std::exchange(found.compliance, {});

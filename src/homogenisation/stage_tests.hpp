@@ -39,7 +39,7 @@ std::vector<TestResult> run_films(const StageFilms& films, const Material& matri
                                   std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
                                   const StudyObserver& observer, StudySink& sink);
 
-/// Runs one load under one boundary by the dynamic method, in two dimensions.
+/// Runs one load under one boundary by the dynamic method.
 TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
                        const StudyObserver& observer, StudySink& sink);
 

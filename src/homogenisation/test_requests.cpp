@@ -77,18 +77,25 @@ QuasistaticTest test_without_fields(const Study& study, const Stage& stage, cons
 
 }  // namespace
 
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
-                              const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads) {
+template <int dim>
+DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                   const Discretisation<dim>& discretisation, Boundary boundary, Load load,
+                                   int threads) {
   return {.discretisation = discretisation,
           .materials = with_mixtures(discretisation, materials_of(stage, matrix)),
           .boundary = boundary,
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
-          .field_times = field_times_of(study, stage, discretisation.grid().columns(), load),
+          .field_times = field_times_of(study, stage, discretisation.grid().cells[0], load),
           .options = study.tests.dynamic,
           .threads = threads};
 }
+
+template DynamicTest<2> make_dynamic_test(const Study&, const Stage&, const Material&, const Discretisation<2>&,
+                                          Boundary, Load, int);
+template DynamicTest<3> make_dynamic_test(const Study&, const Stage&, const Material&, const Discretisation<3>&,
+                                          Boundary, Load, int);
 
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const StageDiscretisation& discretisation, Boundary boundary, int threads) {

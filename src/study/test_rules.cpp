@@ -91,7 +91,6 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
   std::vector<std::string> mistakes;
   const auto& tests = study.tests;
-  if (uses(tests, Method::dynamic)) mistakes.emplace_back(R"(three dimensions: expected method "quasistatic")");
   if (tests.lists_field_times) mistakes.emplace_back("three dimensions: expected no times of fields");
   return mistakes;
 }

@@ -23,7 +23,8 @@ int steps_to_average(double time, double time_step, std::size_t points) {
 }
 
 /// One sample of the history from the mean of a few steps: the modulus, or under a traction boundary 1 / J.
-Sample averaged_sample(const DynamicTest& test, const std::vector<Averages<2>>& steps, double first_time,
+template <int dim>
+Sample averaged_sample(const DynamicTest<dim>& test, const std::vector<Averages<dim>>& steps, double first_time,
                        double time_step) {
   const bool creeps = test.boundary == Boundary::traction;
   double sum = 0.0;
@@ -42,7 +43,8 @@ double ramps_to_wait(Boundary boundary) {
 
 }  // namespace
 
-DomainRules rules_of(const DynamicTest& test) {
+template <int dim>
+DomainRules rules_of(const DynamicTest<dim>& test) {
   const auto& grid = test.discretisation.grid();
   DomainRules rules;
   rules.side = grid.cell_side * std::ranges::max(grid.cells);
@@ -80,8 +82,9 @@ ReducedMaterial reduced_in_plane_strain(const Material& material, const TimeWind
           std::max(bulk.error_bound, shear.error_bound)};
 }
 
-PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
-                       const DomainSequence& sequence) {
+template <int dim>
+PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rules, const ShearModulusBounds& bounds,
+                            const DomainSequence& sequence) {
   const double begin = sequence.expected_begin();
   const double end = std::max(sequence.last_time(), begin);
   constexpr double early = 1.0 / 6.0;
@@ -89,7 +92,7 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
   domain.density_factor = sequence.density_factor();
   std::vector<Material> materials;
   const auto mixtures = test.discretisation.mixtures().size();
-  const auto reduce = mixtures > 0 ? reduced_in_plane_strain : reduced;
+  const auto reduce = dim == 2 && mixtures > 0 ? reduced_in_plane_strain : reduced;
   for (const auto& material : test.materials) {
     auto [of_domain, terms, error_bound] = reduce(material, {begin, end}, test.options.reduction_tolerance);
     materials.push_back(std::move(of_domain));
@@ -116,33 +119,37 @@ PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const 
                     "waves hardly cross the box; give an earlier last time",
                     end, end / domain.time_step, domain.time_step));
   }
-  DynamicProblem<2> problem = {.discretisation = test.discretisation,
-                               .materials = std::move(materials),
-                               .volumetric = test.options.volumetric,
-                               .density_factor = domain.density_factor,
-                               .time_step = domain.time_step,
-                               .boundary = test.boundary,
-                               .load = unit_strain<2>(test.load),
-                               .traction = unit_stress<2>(test.load),
-                               .ramp = StrainRamp(domain.ramp),
-                               .start = test.options.start};
+  DynamicProblem<dim> problem = {.discretisation = test.discretisation,
+                                 .materials = std::move(materials),
+                                 .volumetric = test.options.volumetric,
+                                 .density_factor = domain.density_factor,
+                                 .time_step = domain.time_step,
+                                 .boundary = test.boundary,
+                                 .load = unit_strain<dim>(test.load),
+                                 .traction = unit_stress<dim>(test.load),
+                                 .ramp = StrainRamp(domain.ramp),
+                                 .start = test.options.start};
   return {std::move(problem), std::move(domain)};
 }
 
-bool goes_on(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain, const Sample& sample,
-             DomainSequence& sequence) {
+template <int dim>
+bool goes_on(const DynamicTest<dim>& test, const ShearModulusBounds& bounds, const TimeDomain& domain,
+             const Sample& sample, DomainSequence& sequence) {
   // Shear waves determine the validity under all loads; under a bulk load their speed is estimated.
   const double shear_modulus = test.load != Load::bulk ? sample.modulus : bounds.lower(sample.time);
   return sample.time <= ramps_to_wait(test.boundary) * domain.ramp || sequence.observe(sample.time, shear_modulus);
 }
 
-DomainRun::DomainRun(const DynamicTest& test, PreparedDomain prepared, std::span<const double> field_times)
+template <int dim>
+DomainRun<dim>::DomainRun(const DynamicTest<dim>& test, PreparedDomain<dim> prepared,
+                          std::span<const double> field_times)
     : test_(&test),
       domain_(std::move(prepared.domain)),
       solver_(make_dynamic_solver(test.options.formulation, std::move(prepared.problem), test.threads)),
       field_times_(field_times) {}
 
-Sample DomainRun::take_sample(double expected_begin) {
+template <int dim>
+Sample DomainRun<dim>::take_sample(double expected_begin) {
   steps_.clear();
   const double time = solver_->time();
   const auto points = test_->discretisation.points();
@@ -158,17 +165,30 @@ Sample DomainRun::take_sample(double expected_begin) {
   return sample;
 }
 
-void DomainRun::save(StateWriter& state) const {
+template <int dim>
+void DomainRun<dim>::save(StateWriter& state) const {
   save_domain(state, "/running", domain_);
   breccia::save(state, "/running/fields", fields_);
   solver_->save(state, "/solver");
 }
 
-void DomainRun::restore(const StateReader& state) {
+template <int dim>
+void DomainRun<dim>::restore(const StateReader& state) {
   domain_ = read_domain(state, "/running");
   fields_ = read_fields(state, "/running/fields", test_->discretisation);
   seconds_before_ = domain_.seconds;
   solver_->restore(state, "/solver");
 }
+
+#define BRECCIA_INSTANTIATE(dim)                                                                               \
+  template DomainRules rules_of(const DynamicTest<dim>&);                                                      \
+  template PreparedDomain<dim> prepare(const DynamicTest<dim>&, const DomainRules&, const ShearModulusBounds&, \
+                                       const DomainSequence&);                                                 \
+  template bool goes_on(const DynamicTest<dim>&, const ShearModulusBounds&, const TimeDomain&, const Sample&,  \
+                        DomainSequence&);                                                                      \
+  template class DomainRun<dim>;
+BRECCIA_INSTANTIATE(2)
+BRECCIA_INSTANTIATE(3)
+#undef BRECCIA_INSTANTIATE
 
 }  // namespace breccia

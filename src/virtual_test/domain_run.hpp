@@ -12,47 +12,54 @@
 
 namespace breccia {
 
+// Instantiated for 2 and 3 dimensions.
+
 /// The rules by which the time domains of a test are chosen.
-DomainRules rules_of(const DynamicTest& test);
+template <int dim>
+DomainRules rules_of(const DynamicTest<dim>& test);
 
 /// The dynamic problem of one time domain, with the record of the domain.
+template <int dim>
 struct PreparedDomain {
-  DynamicProblem<2> problem;
+  DynamicProblem<dim> problem;
   TimeDomain domain;
 };
 
 /// Prepares the next time domain of a test. Throws NumericalError when it would take too many steps.
-PreparedDomain prepare(const DynamicTest& test, const DomainRules& rules, const ShearModulusBounds& bounds,
-                       const DomainSequence& sequence);
+template <int dim>
+PreparedDomain<dim> prepare(const DynamicTest<dim>& test, const DomainRules& rules, const ShearModulusBounds& bounds,
+                            const DomainSequence& sequence);
 
 /// Passes a sample of a domain to DomainSequence::observe() if it is late enough after the ramp. False when the domain
 /// is finished.
-bool goes_on(const DynamicTest& test, const ShearModulusBounds& bounds, const TimeDomain& domain, const Sample& sample,
-             DomainSequence& sequence);
+template <int dim>
+bool goes_on(const DynamicTest<dim>& test, const ShearModulusBounds& bounds, const TimeDomain& domain,
+             const Sample& sample, DomainSequence& sequence);
 
 /// A running time domain.
+template <int dim>
 class DomainRun {
  public:
   /// `field_times` are the times [s] at which fields are wanted.
-  DomainRun(const DynamicTest& test, PreparedDomain prepared, std::span<const double> field_times);
+  DomainRun(const DynamicTest<dim>& test, PreparedDomain<dim> prepared, std::span<const double> field_times);
 
   /// Takes some steps and returns their mean as a sample. The domain is expected to be valid from `expected_begin` [s].
   /// Keeps the fields after these steps if the sample is the first one at or after a field time.
   Sample take_sample(double expected_begin);
 
   [[nodiscard]] TimeDomain& domain() noexcept { return domain_; }
-  [[nodiscard]] std::vector<TimedFields<2>>& fields() noexcept { return fields_; }
+  [[nodiscard]] std::vector<TimedFields<dim>>& fields() noexcept { return fields_; }
 
   void save(StateWriter& state) const;
   void restore(const StateReader& state);
 
  private:
-  const DynamicTest* test_;
+  const DynamicTest<dim>* test_;
   TimeDomain domain_;
-  std::unique_ptr<DynamicSolver<2>> solver_;
+  std::unique_ptr<DynamicSolver<dim>> solver_;
   std::span<const double> field_times_;
-  std::vector<TimedFields<2>> fields_;
-  std::vector<Averages<2>> steps_;
+  std::vector<TimedFields<dim>> fields_;
+  std::vector<Averages<dim>> steps_;
   double seconds_before_ = 0.0;  ///< wall time of the earlier runs that were resumed [s]
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -22,7 +22,9 @@
 namespace breccia {
 namespace {
 
-void require_complete(const DynamicTest& test) {
+template <int dim>
+void require_complete(const DynamicTest<dim>& test) {
+  require_loads("dynamic test", dim, std::span(&test.load, 1));
   require_times("dynamic test", test.times, test.points_per_decade, test.field_times);
   require_phases("dynamic test", test.discretisation, test.materials.size());
   if (!(test.options.courant > 0.0) || test.options.courant > 1.0) {
@@ -31,12 +33,22 @@ void require_complete(const DynamicTest& test) {
 }
 
 /// Approximate memory of one run on a grid [B].
-std::size_t memory_of(const DynamicTest& test, const Grid<2>& grid, std::size_t terms) {
+std::size_t memory_of(const DynamicTest<2>& test, const Grid<2>& grid, std::size_t terms) {
   const auto points = grid.cell_count() * Discretisation<2>::points_per_cell;
   const auto nodes = grid.node_count();
   const std::size_t results = points * sizeof(double) * 9;
   if (test.options.formulation == Formulation::classical) return results + points * (180 + 24 * terms) + nodes * 72;
   return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
+}
+
+std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size_t terms) {
+  const auto cells = grid.cell_count(), points = cells * Discretisation<3>::points_per_cell;
+  const auto nodes = grid.node_count();
+  // The phases of the points, of the stage, of the test and of its run, and the fields.
+  const std::size_t numbers_of_fields = test.field_times.empty() ? 0 : 15;
+  const std::size_t rest = points * (3 * sizeof(PhaseIndex) + numbers_of_fields * sizeof(double));
+  if (test.options.formulation == Formulation::classical) return rest + points * (280 + 48 * terms) + nodes * 112;
+  return rest + nodes * 8 * sizeof(double) + cells * (8 + 18 * sizeof(double) * terms);
 }
 
 /// The window of a domain that is used. A domain that is valid earlier than expected is used from the expected time on,
@@ -52,7 +64,8 @@ TimeWindow window_wanted(const DomainSequence& sequence) {
 
 }  // namespace
 
-double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials) {
+template <int dim>
+double mean_density(const Discretisation<dim>& discretisation, const std::vector<Material>& materials) {
   require_phases("mean density", discretisation, materials.size());
   const auto fractions = discretisation.fractions(materials.size());
   double density = 0.0;
@@ -64,7 +77,8 @@ namespace {
 
 /// A lower estimate of the composite's shear modulus at the first time [Pa]. Under a traction boundary a box is softer
 /// than the bounds of an infinite body allow; with points the error of the cells makes up for it.
-double least_modulus(const DynamicTest& test, const ShearModulusBounds& bounds) {
+template <int dim>
+double least_modulus(const DynamicTest<dim>& test, const ShearModulusBounds& bounds) {
   constexpr double softening = 0.7;
   const bool is_softer = test.boundary == Boundary::traction && !test.discretisation.mixtures().empty();
   return (is_softer ? softening : 1.0) * bounds.lower(test.times.begin);
@@ -72,7 +86,8 @@ double least_modulus(const DynamicTest& test, const ShearModulusBounds& bounds) 
 
 }  // namespace
 
-DynamicPlan plan_dynamic_test(const DynamicTest& coarse, double refinement) {
+template <int dim>
+DynamicPlan plan_dynamic_test(const DynamicTest<dim>& coarse, double refinement) {
   require_complete(coarse);
   // The time step is in proportion to the side of a cell.
   auto test = coarse;
@@ -97,14 +112,15 @@ DynamicPlan plan_dynamic_test(const DynamicTest& coarse, double refinement) {
   }
 }
 
-double trial_speed(const DynamicTest& test) {
+template <int dim>
+double trial_speed(const DynamicTest<dim>& test) {
   require_complete(test);
   const ShearModulusBounds bounds(test.discretisation, test.materials);
   const auto rules = rules_of(test);
   const DomainSequence sequence(rules, least_modulus(test, bounds));
   auto preparation = prepare(test, rules, bounds, sequence);
   const auto solver = make_dynamic_solver(test.options.formulation, std::move(preparation.problem), test.threads);
-  std::vector<Averages<2>> averages;
+  std::vector<Averages<dim>> averages;
   // A fixed amount of work, the same on all processes, of a few tenths of a second.
   const double points_x_steps = test.options.formulation == Formulation::classical ? 3e6 : 1e8;
   const auto steps = static_cast<int>(points_x_steps / static_cast<double>(test.discretisation.points()));
@@ -131,9 +147,10 @@ void convert_creep(DynamicTestResult& result) {
 }
 
 /// Runs the time domains of a test one after the other, or restores them from an earlier run.
+template <int dim>
 class DynamicRun {
  public:
-  DynamicRun(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint)
+  DynamicRun(const DynamicTest<dim>& test, const DynamicObserver& observer, Checkpoint* checkpoint)
       : test_(test),
         observer_(observer),
         checkpoint_(checkpoint),
@@ -144,7 +161,7 @@ class DynamicRun {
         furthest_(test.times.begin) {
     if (earlier_ == nullptr) return;
     past_ = read_domains(*earlier_);
-    result_.fields = read_fields(*earlier_, "/fields", test.discretisation);
+    fields_of_result() = read_fields(*earlier_, "/fields", test.discretisation);
   }
 
   DynamicTestResult run() {
@@ -164,9 +181,9 @@ class DynamicRun {
     return std::move(past);
   }
 
-  TimeDomain run(PreparedDomain prepared) {
-    const auto field_times = std::span(test_.field_times).subspan(result_.fields.size());
-    DomainRun domain(test_, std::move(prepared), field_times);
+  TimeDomain run(PreparedDomain<dim> prepared) {
+    const auto field_times = std::span(test_.field_times).subspan(fields_of_result().size());
+    DomainRun<dim> domain(test_, std::move(prepared), field_times);
     bool is_over = false;
     if (earlier_ != nullptr && result_.domains.size() == past_.size() && earlier_->has("/running")) {
       domain.restore(*earlier_);
@@ -202,24 +219,32 @@ class DynamicRun {
                         .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
   }
 
-  void save_if_due(const DomainRun& domain) {
+  void save_if_due(const DomainRun<dim>& domain) {
     if (checkpoint_ == nullptr || !checkpoint_->is_due()) return;
     checkpoint_->save([&](StateWriter& state) {
       save_domains(state, result_.domains);
-      save(state, "/fields", result_.fields);
+      save(state, "/fields", fields_of_result());
       domain.save(state);
     });
   }
 
   /// Takes the fields at each time from the first domain that is valid there, since it has the smallest density factor.
-  void keep_fields(DomainRun& domain, std::span<const double> times) {
+  void keep_fields(DomainRun<dim>& domain, std::span<const double> times) {
     auto& fields = domain.fields();
     for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {
-      result_.fields.push_back(std::move(fields[i]));
+      fields_of_result().push_back(std::move(fields[i]));
     }
   }
 
-  const DynamicTest& test_;
+  [[nodiscard]] std::vector<TimedFields<dim>>& fields_of_result() noexcept {
+    if constexpr (dim == 2) {
+      return result_.fields;
+    } else {
+      return result_.volume_fields;
+    }
+  }
+
+  const DynamicTest<dim>& test_;
   const DynamicObserver& observer_;
   Checkpoint* checkpoint_;
   const StateReader* earlier_;
@@ -233,13 +258,24 @@ class DynamicRun {
 
 }  // namespace
 
-DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer, Checkpoint* checkpoint) {
+template <int dim>
+DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const DynamicObserver& observer,
+                                   Checkpoint* checkpoint) {
   require_complete(test);
-  auto result = DynamicRun(test, observer, checkpoint).run();
+  auto result = DynamicRun<dim>(test, observer, checkpoint).run();
   result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
 }
+
+#define BRECCIA_INSTANTIATE(dim)                                                                             \
+  template DynamicPlan plan_dynamic_test(const DynamicTest<dim>&, double);                                   \
+  template DynamicTestResult run_dynamic_test(const DynamicTest<dim>&, const DynamicObserver&, Checkpoint*); \
+  template double trial_speed(const DynamicTest<dim>&);                                                      \
+  template double mean_density(const Discretisation<dim>&, const std::vector<Material>&);
+BRECCIA_INSTANTIATE(2)
+BRECCIA_INSTANTIATE(3)
+#undef BRECCIA_INSTANTIATE
 
 }  // namespace breccia

@@ -6,8 +6,25 @@
 
 namespace breccia {
 
-ShearModulusBounds::ShearModulusBounds(const Discretisation<2>& discretisation,
-                                       const std::vector<Material>& materials) {
+namespace {
+
+/// Theory, Eq. 15: G kappa / (kappa + 2 G), kappa = K + G / 3 of the medium around.
+double surrounding_in_plane_strain(double bulk, double shear) {
+  const double plane_bulk = bulk + shear / 3.0;
+  return shear * plane_bulk / (plane_bulk + 2.0 * shear);
+}
+
+/// Theory, Eq. 15a.
+double surrounding_in_space(double bulk, double shear) {
+  return shear * (9.0 * bulk + 8.0 * shear) / (6.0 * (bulk + 2.0 * shear));
+}
+
+}  // namespace
+
+template <int dim>
+ShearModulusBounds::ShearModulusBounds(const Discretisation<dim>& discretisation,
+                                       const std::vector<Material>& materials)
+    : surrounding_(dim == 2 ? surrounding_in_plane_strain : surrounding_in_space) {
   const auto fractions = discretisation.fractions(materials.size());
   for (std::size_t m = 0; m < materials.size(); ++m) {
     if (fractions[m] > 0.0) phases_.push_back({fractions[m], materials[m].bulk, materials[m].shear});
@@ -15,10 +32,8 @@ ShearModulusBounds::ShearModulusBounds(const Discretisation<2>& discretisation,
 }
 
 double ShearModulusBounds::surrounded_by(double bulk, double shear, double time) const {
-  // Sum of fraction / (G + G*) = 1 / (G_eff + G*) with G* = G kappa / (kappa + 2 G), kappa = K + G / 3
-  // of the medium around (theory, Eq. 15).
-  const double plane_bulk = bulk + shear / 3.0;
-  const double surrounding = shear * plane_bulk / (plane_bulk + 2.0 * shear);
+  // Sum of fraction / (G + G*) = 1 / (G_eff + G*).
+  const double surrounding = surrounding_(bulk, shear);
   double sum = 0.0;
   for (const auto& phase : phases_) sum += phase.fraction / (phase.shear.at(time) + surrounding);
   return 1.0 / sum - surrounding;
@@ -45,5 +60,8 @@ double ShearModulusBounds::upper(double time) const {
 double ShearModulusBounds::estimate(double time) const {
   return std::sqrt(lower(time) * upper(time));
 }
+
+template ShearModulusBounds::ShearModulusBounds(const Discretisation<2>&, const std::vector<Material>&);
+template ShearModulusBounds::ShearModulusBounds(const Discretisation<3>&, const std::vector<Material>&);
 
 }  // namespace breccia

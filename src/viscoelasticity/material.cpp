@@ -8,6 +8,16 @@ PronySeries plane_strain_bulk_modulus(const Material& material) {
   return PronySeries::sum(material.bulk, material.shear.scaled(1.0 / 3.0));
 }
 
+template <>
+PronySeries dilatational_series<2>(const Material& material) {
+  return plane_strain_bulk_modulus(material);
+}
+
+template <>
+PronySeries dilatational_series<3>(const Material& material) {
+  return material.bulk;
+}
+
 double dilatational_wave_speed(const Material& material) {
   return std::sqrt((material.bulk.unrelaxed() + 4.0 / 3.0 * material.shear.unrelaxed()) / material.density);
 }

@@ -67,6 +67,7 @@ TEST(RunBenchmark, MeasuresEveryCaseInEveryRound) {
 TEST(RunBenchmark, RefusesAnEmptyPlan) {
   EXPECT_THROW(run_benchmark({}), InputError);
   EXPECT_THROW(run_benchmark({.cases = {{.cells = 16}}, .rounds = 0}), InputError);
+  EXPECT_THROW(run_benchmark({.cases = {{.cells = 16, .dimensions = 4}}}), InputError);
   EXPECT_THROW(run_benchmark({.cases = {{.cells = 16}}, .seconds = 0.0}), InputError);
 }
 

@@ -73,6 +73,17 @@ TEST(Bench, MeasuresMixedCellsBesidePoints) {
   EXPECT_EQ(json.at("kernels")[1].at("mixing"), "points");
 }
 
+TEST(Bench, MeasuresBoxesOfThreeDimensions) {
+  const auto outcome = bench(quick({"--json", "--dimensions", "2", "3", "--terms", "1", "--threads", "1"}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  ASSERT_THAT(json.at("kernels"), SizeIs(4));
+  const auto& kernel = json.at("kernels")[1];
+  EXPECT_EQ(kernel.at("formulation"), "total-lagrangian");
+  EXPECT_EQ(kernel.at("dimensions"), 3);
+  EXPECT_EQ(kernel.at("points"), 1000);
+}
+
 TEST(Bench, TenTermsTakeLessThan300BytesAPoint) {
   const auto outcome = bench({"--json", "--terms", "10", "--threads", "1", "--seconds", "0.01", "--rounds", "1",
                               "--points", "99856", "--mixing", "points"});
@@ -89,23 +100,18 @@ TEST(Bench, PrintsATable) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("1 process, processor time"));
   EXPECT_THAT(outcome.output, HasSubstr("memory bandwidth [GB/s]"));
-  EXPECT_THAT(outcome.output, testing::ContainsRegex("total-lagrangian +[a-z0-9]+ +series +1024 +3 +1 +[0-9.]+"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("total-lagrangian +[a-z0-9]+ +series +2 +1024 +3 +1 +[0-9.]+"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("classical")));
 }
 
 TEST(Bench, MistypedOptions) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> cases{
-      {{"--points", "12"}, "--points"},
-      {{"--points", "many"}, "--points"},
-      {{"--terms", "-1"}, "--terms"},
-      {{"--terms", "2.5"}, "--terms"},
-      {{"--threads", "0"}, "--threads"},
-      {{"--instructions", "mmx"}, "--instructions"},
-      {{"--formulation", "fast"}, "fast"},
-      {{"--seconds", "0"}, "--seconds"},
-      {{"--mixing", "stirred"}, "stirred"},
-      {{"--rounds", "0"}, "--rounds"},
-      {{"--jason"}, "--jason"},
+      {{"--points", "12"}, "--points"},     {{"--points", "many"}, "--points"},
+      {{"--terms", "-1"}, "--terms"},       {{"--terms", "2.5"}, "--terms"},
+      {{"--threads", "0"}, "--threads"},    {{"--instructions", "mmx"}, "--instructions"},
+      {{"--formulation", "fast"}, "fast"},  {{"--seconds", "0"}, "--seconds"},
+      {{"--mixing", "stirred"}, "stirred"}, {{"--dimensions", "4"}, "--dimensions"},
+      {{"--rounds", "0"}, "--rounds"},      {{"--jason"}, "--jason"},
       {{"deck.toml"}, "deck.toml"},
   };
   for (const auto& [options, message] : cases) {

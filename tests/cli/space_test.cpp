@@ -116,6 +116,29 @@ TEST(Space, ALatticeOfSpheresLeavesItsFiles) {
   }
 }
 
+// A sphere in a cube: stress waves come to rest where the method without inertia has its solution.
+TEST(Space, BothMethodsAgreeOnALatticeOfSpheres) {
+  StudyDirectory study(fmt::format("{}{}{}method = [\"quasistatic\", \"dynamic\"]\n", materials, lattice, tests));
+  const std::vector<std::string> few = {"--set", "tests.loads=[\"shear-zx\", \"bulk\"]", "--set",
+                                        "tests.times=[\"100 us\", \"10 ms\"]"};
+  const auto check = study.breccia("check", few);
+  ASSERT_EQ(check.exit_code, 0) << check.errors;
+  EXPECT_THAT(check.output, AllOf(HasSubstr("dynamic: 4096 points, about"), HasSubstr("million points x steps/s here"),
+                                  HasSubstr("density x")));
+  const auto run = study.breccia("run", few);
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("time domains"));
+  for (const std::string load : {"shear-zx", "bulk"}) {
+    const auto still = read_curve(study.result("curves.csv"), "A", load, "quasistatic");
+    const auto moving = read_curve(study.result("curves.csv"), "A", load, "dynamic");
+    ASSERT_FALSE(still.empty());
+    ASSERT_EQ(moving.size(), still.size());
+    for (std::size_t i = 0; i < still.size(); ++i) {
+      EXPECT_NEAR(moving[i].modulus / still[i].modulus, 1.0, 0.01) << load << " at " << still[i].time;
+    }
+  }
+}
+
 TEST(Space, RespondAnswersForAnotherMatrix) {
   StudyDirectory study(fmt::format("{}{}{}", materials, lattice, tests));
   ASSERT_EQ(study.breccia("run").exit_code, 0);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "breccia/io/csv.hpp"
 
@@ -30,14 +31,28 @@ std::vector<std::string> StudyDirectory::results() const {
   return names;
 }
 
-Curve read_curve(const fs::path& curves, const std::string& stage, const std::string& load) {
+namespace {
+
+/// The samples of a table in whose rows the columns have these texts.
+Curve read_rows(const fs::path& curves, const std::map<std::string, std::string>& texts) {
   const auto table = read_csv(curves, {"stage", "load", "boundary", "method", "cells"});
   Curve curve;
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text("stage")[row] != stage || table.text("load")[row] != load) continue;
+    const auto has = [&](const auto& text) { return table.text(text.first)[row] == text.second; };
+    if (!std::ranges::all_of(texts, has)) continue;
     curve.push_back({table.numbers("time_s")[row], table.numbers("modulus_Pa")[row]});
   }
   return curve;
+}
+
+}  // namespace
+
+Curve read_curve(const fs::path& curves, const std::string& stage, const std::string& load) {
+  return read_rows(curves, {{"stage", stage}, {"load", load}});
+}
+
+Curve read_curve(const fs::path& curves, const std::string& stage, const std::string& load, const std::string& method) {
+  return read_rows(curves, {{"stage", stage}, {"load", load}, {"method", method}});
 }
 
 double modulus_at(const Curve& curve, double time) {

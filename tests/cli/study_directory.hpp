@@ -31,6 +31,10 @@ class StudyDirectory : public TemporaryDirectory {
 /// The curve of a stage under a load in a file curves.csv.
 Curve read_curve(const std::filesystem::path& curves, const std::string& stage, const std::string& load);
 
+/// The same by one method.
+Curve read_curve(const std::filesystem::path& curves, const std::string& stage, const std::string& load,
+                 const std::string& method);
+
 /// A curve between its samples, where it is taken as exponential.
 double modulus_at(const Curve& curve, double time);
 

@@ -86,10 +86,17 @@ TEST_F(DeckInSpace, HasSpheresOfAList) {
 
 TEST_F(DeckInSpace, RefusesWhatIsFlat) {
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre")"), HasSubstr("\"lubachevsky-stillinger\""));
-  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "method = \"dynamic\"\n"),
-              HasSubstr("three dimensions: expected method \"quasistatic\""));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "fields = [\"1 ms\"]\n"),
               HasSubstr("three dimensions: expected no times of fields"));
+}
+
+TEST_F(DeckInSpace, HasBothMethods) {
+  const auto study = directory.study(
+      deck(one_size, R"(method = "regular", lattice = "sc")", "method = [\"quasistatic\", \"dynamic\"]\n"));
+  EXPECT_EQ(study.tests.methods, (std::vector{Method::quasistatic, Method::dynamic}));
+  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")",
+                       "method = \"dynamic\"\nfields = [\"1 ms\"]\n[tests.dynamic]\ncourant = 2\n"),
+              AllOf(HasSubstr("three dimensions: expected no times of fields"), HasSubstr("courant")));
 }
 
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {

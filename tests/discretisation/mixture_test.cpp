@@ -34,7 +34,7 @@ TEST(Mixture, OfRelaxingPhasesIsASeriesMixtureAtEveryFrequency) {
   const std::array<Material, 3> materials = {{{"binder", 1000.0, PronySeries(3.6e9, {{1e-3, 1e8}}), relaxing},
                                               {"unused", 1.0, PronySeries(1.0), PronySeries(1.0)},
                                               {"filler", 1800.0, PronySeries(13e9), other}}};
-  const auto material = series_material(mixture, materials);
+  const auto material = series_material<2>(mixture, materials);
   EXPECT_DOUBLE_EQ(material.density, 0.25 * 1000.0 + 0.75 * 1800.0);
   for (const double omega : {1e-1, 1e1, 1e2, 1e3, 1e4, 1e6}) {
     const auto expected = 1.0 / (0.25 / relaxing.complex_modulus(omega) + 0.75 / other.complex_modulus(omega));
@@ -56,7 +56,7 @@ TEST(Mixture, OfACompositeWhoseBulkModulusRises) {
   const std::array<Material, 3> materials = {{{"composite", 1000.0, rising, shear},
                                               {"unused", 1.0, PronySeries(1.0), PronySeries(1.0)},
                                               {"filler", 1800.0, PronySeries(13e9), PronySeries(6e9)}}};
-  const auto dilatational = plane_strain_bulk_modulus(series_material(mixture, materials));
+  const auto dilatational = plane_strain_bulk_modulus(series_material<2>(mixture, materials));
   for (const double time : {0.0, 1e-4, 1.0}) EXPECT_NEAR(dilatational.at(time), 1.0 / (0.25 / 8e9 + 0.75 / 15e9), 1.0);
 }
 
@@ -65,13 +65,13 @@ TEST(Mixture, OfADilatationalModulusThatRisesIsRefused) {
   const std::array<Material, 3> materials = {{{"strange", 1000.0, rising, PronySeries(1e6)},
                                               {"unused", 1.0, PronySeries(1.0), PronySeries(1.0)},
                                               {"filler", 1800.0, PronySeries(13e9), PronySeries(6e9)}}};
-  EXPECT_THROW((void)series_material(mixture, materials), InputError);
+  EXPECT_THROW((void)series_material<2>(mixture, materials), InputError);
 }
 
 TEST(Mixture, OfOneMaterialIsThatMaterial) {
   const Material polymer = {"polymer", 1000.0, PronySeries(2e9), PronySeries(1e6, {{1e-2, 1e7}, {1e-5, 1e8}})};
   const std::array<Material, 3> materials = {polymer, polymer, polymer};
-  const auto material = series_material(mixture, materials);
+  const auto material = series_material<2>(mixture, materials);
   for (const double time : {0.0, 1e-6, 1e-4, 1e-2, 1.0}) {
     EXPECT_NEAR(material.shear.at(time) / polymer.shear.at(time), 1.0, 1e-12);
   }

@@ -43,17 +43,17 @@ class CellRowKernel : public testing::TestWithParam<Case> {
   }
 
   void run(InstructionSet set) {
-    const BlockLayout layout(problem_, 0, 1);
-    const CellRow row = {.blocks = layout.row(0),
-                         .block_count = layout.blocks_per_row(),
-                         .displacement_below = {values_[0].data(), values_[1].data()},
-                         .displacement_above = {values_[2].data(), values_[3].data()},
-                         .increment_below = {values_[0].data(), values_[1].data()},
-                         .increment_above = {values_[2].data(), values_[3].data()},
-                         .below = {forces_[0].data(), forces_[1].data(), forces_[2].data(), forces_[3].data()},
-                         .above = {forces_[4].data(), forces_[5].data(), forces_[6].data(), forces_[7].data()},
-                         .stress = stress_.data()};
-    const auto& table = kernels(set);
+    const BlockLayout<2> layout(problem_, 0, 1);
+    const CellRow<2> row = {.blocks = layout.row(0),
+                            .block_count = layout.blocks_per_row(),
+                            .displacement_below = {values_[0].data(), values_[1].data()},
+                            .displacement_above = {values_[2].data(), values_[3].data()},
+                            .increment_below = {values_[0].data(), values_[1].data()},
+                            .increment_above = {values_[2].data(), values_[3].data()},
+                            .below = {forces_[0].data(), forces_[1].data(), forces_[2].data(), forces_[3].data()},
+                            .above = {forces_[4].data(), forces_[5].data(), forces_[6].data(), forces_[7].data()},
+                            .stress = stress_.data()};
+    const auto& table = kernels<2>(set);
     (problem_.volumetric == Volumetric::averaged ? table.cell_row_averaged : table.cell_row_standard)(row);
   }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/dynamics/dynamic_problem.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -23,8 +26,23 @@ inline Discretisation<2> disc_in_box(int cells) {
   return discretise<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, cells, 0, 1);
 }
 
+/// A sphere of material 1 in a box of material 0 with side 1 m.
+inline Discretisation<3> sphere_in_box(int cells) {
+  return discretise<3>({1.0, Walls::hard, {Ball<3>{{0.45, 0.52, 0.47}, 0.71}}}, cells, 0, 1);
+}
+
+/// The same with mixed cells, and the materials of the phases and of their mixtures.
+inline DynamicProblem<3> mixed_sphere_in_box(int cells, std::vector<Material> materials) {
+  constexpr std::array<PhaseIndex, 1> sphere = {1};
+  const Microstructure<3> microstructure = {1.0, Walls::hard, {Ball<3>{{0.45, 0.52, 0.47}, 0.71}}};
+  auto box = discretise_mixed<3>(microstructure, cells, 0, sphere, materials.size());
+  auto all = with_mixtures(box, std::move(materials));
+  return {std::move(box), std::move(all)};
+}
+
 /// A problem at a share of its stable time step.
-inline DynamicProblem<2> with_step(DynamicProblem<2> problem, double courant = 0.9) {
+template <int dim>
+DynamicProblem<dim> with_step(DynamicProblem<dim> problem, double courant = 0.9) {
   problem.time_step =
       courant * stable_time_step(problem.discretisation, problem.materials, problem.volumetric, problem.density_factor);
   return problem;

@@ -60,24 +60,24 @@ class RowOfMixedCells : public testing::TestWithParam<InstructionSet> {
 
   using Forces = std::array<std::vector<double>, 8>;
 
-  [[nodiscard]] Forces forces(InstructionSet set) const { return forces(set, BlockLayout(problem_, 0, 1), values_); }
+  [[nodiscard]] Forces forces(InstructionSet set) const { return forces(set, BlockLayout<2>(problem_, 0, 1), values_); }
 
   /// Forces x and y of the row on the nodes of each cell, from the left and from the right, after increments of the
   /// displacements.
-  [[nodiscard]] Forces forces(InstructionSet set, const BlockLayout& layout,
+  [[nodiscard]] Forces forces(InstructionSet set, const BlockLayout<2>& layout,
                               const std::array<std::vector<double>, 4>& increments) const {
     Forces f;
     for (auto& row : f) row.assign(length, 0.0);
     std::array<double, 3> stress{};
-    kernels(set).cell_row_averaged({.blocks = layout.row(0),
-                                    .block_count = layout.blocks_per_row(),
-                                    .displacement_below = {values_[0].data(), values_[1].data()},
-                                    .displacement_above = {values_[2].data(), values_[3].data()},
-                                    .increment_below = {increments[0].data(), increments[1].data()},
-                                    .increment_above = {increments[2].data(), increments[3].data()},
-                                    .below = {f[0].data(), f[1].data(), f[2].data(), f[3].data()},
-                                    .above = {f[4].data(), f[5].data(), f[6].data(), f[7].data()},
-                                    .stress = stress.data()});
+    kernels<2>(set).cell_row_averaged({.blocks = layout.row(0),
+                                       .block_count = layout.blocks_per_row(),
+                                       .displacement_below = {values_[0].data(), values_[1].data()},
+                                       .displacement_above = {values_[2].data(), values_[3].data()},
+                                       .increment_below = {increments[0].data(), increments[1].data()},
+                                       .increment_above = {increments[2].data(), increments[3].data()},
+                                       .below = {f[0].data(), f[1].data(), f[2].data(), f[3].data()},
+                                       .above = {f[4].data(), f[5].data(), f[6].data(), f[7].data()},
+                                       .stress = stress.data()});
     return f;
   }
 
@@ -166,7 +166,7 @@ TEST_P(RowOfMixedCells, RemembersEarlierSteps) {
     shear.emplace_back(phase == no_phase ? PronySeries() : problem_.materials[phase].shear);
     bulk.emplace_back(phase == no_phase ? PronySeries() : problem_.materials[phase].bulk);
   }
-  const BlockLayout layout(problem_, 0, 1);
+  const BlockLayout<2> layout(problem_, 0, 1);
   auto increments = values_;
   for (auto& row : values_) row.assign(length, 0.0);
   Forces f;
@@ -185,7 +185,7 @@ TEST_P(RowOfMixedCells, RemembersEarlierSteps) {
     EXPECT_LT((of_cell(f, column) - expected).norm(), 1e-12 * 1e8) << "in column " << column;
     if (phase_of(column) == no_phase) continue;
     // The histories that the stresses of points are found from (theory, Eq. 6).
-    const auto found = layout.histories(static_cast<int>(column), 0, phase_of(column));
+    const auto found = layout.histories({static_cast<int>(column), 0}, phase_of(column));
     const auto along_x = [](const CellShape<2>::Values& u) { return 0.5 * ((u[2] - u[0]) + (u[6] - u[4])); };
     const auto along_y = [](const CellShape<2>::Values& u) { return 0.5 * ((u[5] - u[1]) + (u[7] - u[3])); };
     const auto of_terms = shear[column].of_terms(), volume = bulk[column].of_terms();
@@ -273,7 +273,7 @@ TEST(MixedCells, HoldSixNumbersPerCellAndTerm) {
       }
     }
     const auto materials = with_mixtures(box, {binder, stiff});
-    return make_dynamic_solver(Formulation::total_lagrangian, testing_materials::with_step({box, materials}))
+    return make_dynamic_solver(Formulation::total_lagrangian, testing_materials::with_step<2>({box, materials}))
         ->footprint();
   };
   const auto without = footprint({}), with = footprint({{1.0, 1e6}, {2.0, 1e6}});

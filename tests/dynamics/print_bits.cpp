@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
@@ -18,29 +19,53 @@
 namespace breccia {
 namespace {
 
-std::string bits_of(DynamicProblem<2> problem, Boundary boundary, Volumetric volumetric) {
+constexpr Strain<2> load_of(const DynamicProblem<2>& /*problem*/) {
+  return {.xx = 0.1, .yy = -0.2, .xy = 0.5};
+}
+constexpr Strain<3> load_of(const DynamicProblem<3>& /*problem*/) {
+  return {.xx = 0.1, .yy = -0.2, .zz = 0.3, .yz = -0.4, .zx = 0.35, .xy = 0.5};
+}
+
+template <int dim, class Quantity>
+std::string bits_of(const SymmetricTensor<dim, Quantity>& tensor) {
+  std::string bits;
+  for (int i = 0; i < tensor_components<dim>; ++i) bits += fmt::format("{:a} ", component(tensor, i));
+  return bits;
+}
+
+template <int dim>
+std::string bits_of(DynamicProblem<dim> problem, Boundary boundary, Volumetric volumetric) {
   problem.boundary = boundary;
   problem.volumetric = volumetric;
-  problem.load = {.xx = 0.1, .yy = -0.2, .xy = 0.5};
-  problem.traction = {.xx = 0.2, .yy = -0.4, .xy = 1.0};
+  problem.load = load_of(problem);
+  for (int i = 0; i < tensor_components<dim>; ++i) component(problem.traction, i) = 2.0 * component(problem.load, i);
   problem.ramp = StrainRamp(1e-3);
   problem.time_step = 0.9 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
   const auto run = make_dynamic_solver(Formulation::total_lagrangian, std::move(problem));
-  std::vector<Averages<2>> averages;
+  std::vector<Averages<dim>> averages;
   run->advance(150, averages);
   run->advance(50, averages);
-  const auto momentum = run->momentum();
-  auto bits = fmt::format("momentum {:a} {:a}\n", momentum[0], momentum[1]);
-  for (const auto& [stress, strain] : averages) {
-    bits += fmt::format("{:a} {:a} {:a} {:a} {:a} {:a}\n", stress.xx, stress.yy, stress.xy, strain.xx, strain.yy,
-                        strain.xy);
-  }
+  auto bits = fmt::format("momentum {:a}\n", fmt::join(run->momentum(), " "));
+  for (const auto& [stress, strain] : averages) bits += bits_of(stress) + bits_of(strain) + "\n";
   const auto fields = run->fields();
   for (std::size_t p = 0; p < fields.stress.size(); ++p) {
-    bits += fmt::format("{} {:a} {:a} {:a} {:a}\n", fields.phase[p], fields.displacement[p][0],
-                        fields.displacement[p][1], fields.strain[p][2], fields.stress[p][3]);
+    bits += fmt::format("{} {:a} {:a} {:a}\n", fields.phase[p], fmt::join(fields.displacement[p], " "),
+                        fields.strain[p].back(), fields.stress[p].back());
   }
   return bits;
+}
+
+/// Under every boundary.
+template <int dim>
+std::string bits_of(const DynamicProblem<dim>& points, const DynamicProblem<dim>& mixed) {
+  std::string all;
+  for (const auto boundary : {Boundary::displacement, Boundary::traction, Boundary::periodic}) {
+    for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
+      all += bits_of(points, boundary, volumetric);
+    }
+    all += bits_of(mixed, boundary, Volumetric::averaged);
+  }
+  return all;
 }
 
 void print() {
@@ -50,13 +75,9 @@ void print() {
   constexpr std::array<PhaseIndex, 1> disc = {1};
   const auto box = discretise_mixed<2>({1.0, Walls::hard, {Disc{{0.45, 0.52}, 0.61}}}, 21, 0, disc, 2);
   const DynamicProblem<2> mixed{box, with_mixtures(box, {relaxing, stiff})};
-  std::string all;
-  for (const auto boundary : {Boundary::displacement, Boundary::traction, Boundary::periodic}) {
-    for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
-      all += bits_of(points, boundary, volumetric);
-    }
-    all += bits_of(mixed, boundary, Volumetric::averaged);
-  }
+  const DynamicProblem<3> points_of_cube{testing_materials::sphere_in_box(9), {relaxing, stiff}};
+  const auto all =
+      bits_of(points, mixed) + bits_of(points_of_cube, testing_materials::mixed_sphere_in_box(9, {relaxing, stiff}));
   if (parallel::rank() == 0) {
     fmt::print("{}", all);
   } else {

@@ -157,7 +157,7 @@ TEST(TotalLagrangian, HoldsFiveNumbersPerCellAndShearTerm) {
   const auto footprint = [](const std::vector<MaxwellTerm>& terms) {
     const Material material{"material", 1e3, PronySeries(1e9), PronySeries(1e6, terms)};
     return make_dynamic_solver(Formulation::total_lagrangian,
-                               with_step({Discretisation<2>(Grid<2>{{16, 12}, 0.1}), {material}}))
+                               with_step<2>({Discretisation<2>(Grid<2>{{16, 12}, 0.1}), {material}}))
         ->footprint();
   };
   const auto without = footprint({}), with = footprint({{1.0, 1e6}, {2.0, 1e6}});
@@ -168,9 +168,9 @@ TEST(TotalLagrangian, HoldsFiveNumbersPerCellAndShearTerm) {
 
 TEST(TotalLagrangian, RefusesAnUnknownInstructionSet) {
   setenv("BRECCIA_INSTRUCTION_SET", "mmx", 1);
-  EXPECT_THROW(
-      make_dynamic_solver(Formulation::total_lagrangian, with_step({Discretisation<2>(Grid<2>{{2, 2}, 0.5}), {soft}})),
-      InputError);
+  EXPECT_THROW(make_dynamic_solver(Formulation::total_lagrangian,
+                                   with_step<2>({Discretisation<2>(Grid<2>{{2, 2}, 0.5}), {soft}})),
+               InputError);
   unsetenv("BRECCIA_INSTRUCTION_SET");
 }
 

@@ -109,6 +109,32 @@ TEST_P(DynamicState, OfPointsThatCannotBeIsRefused) {
   }
 }
 
+TEST_P(DynamicState, OfCubesGoesOnWithTheSameBits) {
+  const auto& [formulation, volumetric, boundary] = GetParam();
+  DynamicProblem<3> problem{testing_materials::sphere_in_box(5),
+                            {testing_materials::relaxing, testing_materials::stiff}};
+  problem.volumetric = volumetric;
+  problem.boundary = boundary;
+  problem.load = {.yz = 0.5};
+  problem.traction = {.yz = 1.0};
+  problem = testing_materials::with_step(problem, 0.5);
+  problem.ramp = StrainRamp(40 * problem.time_step);
+  const auto whole = make_dynamic_solver(formulation, problem, 1), first = make_dynamic_solver(formulation, problem, 1),
+             second = make_dynamic_solver(formulation, problem, 1);
+  std::vector<Averages<3>> expected, found, before;
+  whole->advance(25, before);
+  whole->advance(25, expected);
+  first->advance(25, before);
+  StateWriter writer(path_, {"deck", "version"});
+  first->save(writer, "/solver");
+  writer.commit();
+  second->restore(StateReader(path_), "/solver");
+  second->advance(25, found);
+  EXPECT_EQ(found, expected);
+  EXPECT_EQ(second->fields().stress, whole->fields().stress);
+  EXPECT_THROW(solver(1)->restore(StateReader(path_), "/solver"), FileError);
+}
+
 INSTANTIATE_TEST_SUITE_P(All, DynamicState,
                          testing::Combine(testing::Values(Formulation::total_lagrangian, Formulation::classical),
                                           testing::Values(Volumetric::averaged, Volumetric::standard),

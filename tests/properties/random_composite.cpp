@@ -85,13 +85,13 @@ QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary) 
   return test;
 }
 
-DynamicTest dynamic_test(const Composite& composite, Boundary boundary) {
-  DynamicTest test{.discretisation = discretise(composite.box, cells, matrix, filler),
-                   .materials = composite.materials,
-                   .boundary = boundary,
-                   .times = window,
-                   .points_per_decade = 4,
-                   .threads = 1};
+DynamicTest<2> dynamic_test(const Composite& composite, Boundary boundary) {
+  DynamicTest<2> test{.discretisation = discretise(composite.box, cells, matrix, filler),
+                      .materials = composite.materials,
+                      .boundary = boundary,
+                      .times = window,
+                      .points_per_decade = 4,
+                      .threads = 1};
   test.options.volumetric = composite.volumetric;
   return test;
 }

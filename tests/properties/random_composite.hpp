@@ -35,7 +35,7 @@ inline constexpr int cells = 12;
 
 /// In shear and in bulk.
 QuasistaticTest quasistatic_test(const Composite& composite, Boundary boundary);
-DynamicTest dynamic_test(const Composite& composite, Boundary boundary);
+DynamicTest<2> dynamic_test(const Composite& composite, Boundary boundary);
 
 inline constexpr std::array boundaries = {Boundary::displacement, Boundary::traction, Boundary::periodic};
 

@@ -21,7 +21,7 @@ using testing_composites::binder;
 using testing_composites::model_composite;
 using testing_composites::particle;
 
-DynamicTest relaxation(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
+DynamicTest<2> relaxation(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
   return {.discretisation = std::move(discretisation), .materials = std::move(materials), .times = times};
 }
 
@@ -58,7 +58,7 @@ TEST(RunDynamicTest, HomogeneousPeriodicBoxRelaxesAsItsMaterial) {
   }
 }
 
-DynamicTest creep(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
+DynamicTest<2> creep(Discretisation<2> discretisation, std::vector<Material> materials, TimeWindow times) {
   auto test = relaxation(std::move(discretisation), std::move(materials), times);
   test.boundary = Boundary::traction;
   return test;

@@ -18,7 +18,7 @@ namespace composites = testing_composites;
 
 class Methods : public testing::TestWithParam<std::tuple<Boundary, Load>> {
  protected:
-  static void expect_agreement(DynamicTest test) {
+  static void expect_agreement(DynamicTest<2> test) {
     std::tie(test.boundary, test.load) = GetParam();
     const QuasistaticTest still = {.composite = test.discretisation,
                                    .materials = test.materials,
@@ -48,9 +48,9 @@ class Methods : public testing::TestWithParam<std::tuple<Boundary, Load>> {
 };
 
 TEST_P(Methods, AgreeOnTheModelComposite) {
-  DynamicTest test = {.discretisation = composites::model_composite(24),
-                      .materials = {composites::binder, composites::particle},
-                      .times = {1e-3, 0.05}};
+  DynamicTest<2> test = {.discretisation = composites::model_composite(24),
+                         .materials = {composites::binder, composites::particle},
+                         .times = {1e-3, 0.05}};
   test.options.volumetric = Volumetric::standard;
   expect_agreement(test);
 }

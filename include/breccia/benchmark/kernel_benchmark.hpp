@@ -14,10 +14,11 @@ namespace breccia {
 struct KernelCase {
   Formulation formulation = Formulation::total_lagrangian;
   InstructionSet instructions = InstructionSet::baseline;  ///< of the total Lagrangian formulation
-  int cells = 0;                                           ///< cells per side, with four material points each
+  int cells = 0;                                           ///< cells per side, with 2^dimensions material points each
   int terms = 0;                                           ///< Prony terms of the matrix's shear modulus; 0: elastic
   int threads = 1;                                         ///< threads of each process, at least one
   Mixing mixing = Mixing::series;                          ///< of the cells that an interface crosses
+  int dimensions = 2;                                      ///< 2 or 3
 };
 
 /// The measurements of a benchmark.
@@ -67,9 +68,9 @@ struct BenchmarkResult {
 /// Is called with the finished share of the work, 0 to 1. An exception that it throws ends the work.
 using BenchmarkWatch = std::function<void(double)>;
 
-/// Times the steps of each case on a random packing of discs, which fill 65 % of the box, in a relaxing matrix. The
-/// cases are measured in turn in each round, so that a slower machine slows all of them; a case takes at least one step
-/// per round. Throws InputError when there are no cases or no rounds.
+/// Times the steps of each case on a random packing of discs, which fill 65 % of the box, or of spheres, which fill 40
+/// %, in a relaxing matrix. The cases are measured in turn in each round, so that a slower machine slows all of them; a
+/// case takes at least one step per round. Throws InputError when there are no cases or no rounds.
 BenchmarkResult run_benchmark(const BenchmarkPlan& plan, const BenchmarkWatch& watch = {});
 
 }  // namespace breccia

@@ -32,8 +32,9 @@ template <int dim>
                                                    std::size_t phases);
 
 /// The materials given, by PhaseIndex, and then those of the mixtures: what the points of mixed cells are made of, with
-/// the numbers of the mixtures as those of phases.
-[[nodiscard]] std::vector<Material> with_mixtures(const Discretisation<2>& discretisation,
+/// the numbers of the mixtures as those of phases. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] std::vector<Material> with_mixtures(const Discretisation<dim>& discretisation,
                                                   std::vector<Material> materials);
 
 }  // namespace breccia

@@ -37,9 +37,11 @@ using Mixture = std::vector<MixedPart>;
 template <int dim>
 [[nodiscard]] Moduli series_moduli(const Mixture& mixture, std::span<const Moduli> by_phase);
 
-/// The mixture as a material in plane strain: its compliances are the means of those of its phases, by exact
-/// interconversion, and its density is the mean density. Its bulk modulus K, the difference of the dilatational modulus
-/// K + G/3 and of G/3, may have negative terms. Throws InputError where a modulus K + G/3 or G of a phase has some.
+/// The mixture as a material: its compliances are the means of those of its phases, by exact interconversion, and its
+/// density is the mean density. In plane strain its bulk modulus K, the difference of the dilatational modulus K + G/3
+/// and of G/3, may have negative terms. Throws InputError where a dilatational or a shear modulus of a phase has some.
+/// Instantiated for 2 and 3 dimensions.
+template <int dim>
 [[nodiscard]] Material series_material(const Mixture& mixture, std::span<const Material> by_phase);
 
 }  // namespace breccia

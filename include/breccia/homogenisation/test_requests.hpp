@@ -9,9 +9,12 @@
 
 namespace breccia {
 
-/// The dynamic test of a stage of two dimensions on a grid, under one boundary and load, with its matrix as a material.
-DynamicTest make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
-                              const Discretisation<2>& discretisation, Boundary boundary, Load load, int threads);
+/// The dynamic test of a stage on a grid, under one boundary and load, with its matrix as a material. Instantiated for
+/// 2 and 3 dimensions.
+template <int dim>
+DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const Material& matrix,
+                                   const Discretisation<dim>& discretisation, Boundary boundary, Load load,
+                                   int threads);
 /// The quasi-static test of a stage on a grid, under one boundary and all loads of the stage.
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const StageDiscretisation& discretisation, Boundary boundary, int threads);

@@ -18,8 +18,9 @@ namespace breccia {
 class Checkpoint;
 
 /// A dynamic virtual test: relaxation under a displacement or periodic boundary, creep under a traction boundary.
+template <int dim>
 struct DynamicTest {
-  Discretisation<2> discretisation;
+  Discretisation<dim> discretisation;
   std::vector<Material> materials;  ///< by PhaseIndex
   Boundary boundary = Boundary::displacement;
   Load load = Load::shear;
@@ -67,6 +68,7 @@ struct DynamicTestResult {
   Creep compliance;  ///< stitched creep compliance at the same times, under a traction boundary only
   /// By field time: the state after the steps whose mean is the first sample at or after that time.
   std::vector<TimedFields<2>> fields;
+  std::vector<TimedFields<3>> volume_fields;  ///< the same in 3 dimensions
 };
 
 /// Progress of a running test.
@@ -91,18 +93,24 @@ struct DynamicPlan {
 };
 /// Plans the time domains of a test. Throws as run_dynamic_test(). With a refinement the plan is that of the same test
 /// with so many times the cells along each axis; a large grid is planned by a small one in little time and memory.
-DynamicPlan plan_dynamic_test(const DynamicTest& test, double refinement = 1.0);
+/// Instantiated, as the functions below, for 2 and 3 dimensions.
+template <int dim>
+DynamicPlan plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
 
 /// Runs the time domains that the test needs and stitches their curves. With a checkpoint, the state is saved when that
 /// is due, and an earlier state is resumed, with the same bits as in one run.
-/// Throws InputError for an incomplete test, NumericalError when a run is unstable or the times cannot be covered.
-DynamicTestResult run_dynamic_test(const DynamicTest& test, const DynamicObserver& observer = {},
+/// Throws InputError for an incomplete test or a load that there is not in so many dimensions, NumericalError when a
+/// run is unstable or the times cannot be covered.
+template <int dim>
+DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const DynamicObserver& observer = {},
                                    Checkpoint* checkpoint = nullptr);
 
 /// Speed of this test on this machine in material points x steps per second [1/s], from a short trial.
-double trial_speed(const DynamicTest& test);
+template <int dim>
+double trial_speed(const DynamicTest<dim>& test);
 
 /// Mean density of a discretisation [kg/m^3].
-double mean_density(const Discretisation<2>& discretisation, const std::vector<Material>& materials);
+template <int dim>
+double mean_density(const Discretisation<dim>& discretisation, const std::vector<Material>& materials);
 
 }  // namespace breccia

@@ -7,11 +7,14 @@
 
 namespace breccia {
 
-/// Bounds of Hashin (1965) on the in-plane shear modulus of a composite in plane strain, with the relaxation moduli of
-/// the phases used as elastic moduli (theory, Eq. 15). They serve to plan runs; no result depends on them.
+/// Bounds on the shear modulus of a composite, those of Hashin (1965) in plane strain and those of Hashin and Shtrikman
+/// (1963) in 3 dimensions, with the relaxation moduli of the phases used as elastic moduli (theory, Eq. 15 and 15a).
+/// They serve to plan runs; no result depends on them.
 class ShearModulusBounds {
  public:
-  ShearModulusBounds(const Discretisation<2>& discretisation, const std::vector<Material>& materials);
+  /// Instantiated for 2 and 3 dimensions.
+  template <int dim>
+  ShearModulusBounds(const Discretisation<dim>& discretisation, const std::vector<Material>& materials);
 
   /// Lower bound [Pa] at a time [s].
   [[nodiscard]] double lower(double time) const;
@@ -29,6 +32,8 @@ class ShearModulusBounds {
   /// Shear modulus [Pa] of the composite if the medium around each phase had these moduli [Pa].
   [[nodiscard]] double surrounded_by(double bulk, double shear, double time) const;
 
+  /// What a medium with these moduli [Pa] adds to the shear modulus of a phase that it surrounds [Pa].
+  double (*surrounding_)(double bulk, double shear);
   std::vector<Phase> phases_;
 };
 

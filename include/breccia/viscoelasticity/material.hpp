@@ -20,6 +20,11 @@ struct Material {
 /// a composite rises.
 PronySeries plane_strain_bulk_modulus(const Material& material);
 
+/// The modulus of equal strains along all axes [Pa]: K(t) + G(t)/3 in plane strain, K(t) in 3 dimensions. Instantiated
+/// for 2 and 3 dimensions.
+template <int dim>
+PronySeries dilatational_series(const Material& material);
+
 /// Speed of the dilatational wave before any relaxation, sqrt((K + 4 G / 3) / density) [m/s].
 double dilatational_wave_speed(const Material& material);
 

@@ -10,34 +10,36 @@
 #include "breccia/discretisation/grid.hpp"
 
 #include "cell_row_kernel.hpp"
+#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
-/// The rows of cells of this process, if mpirun has started several, and the messages between processes. A process that
-/// runs alone has all rows, and MPI is not started for it.
-class RowExchange {
+/// The layers of cells of this process, if mpirun has started several, and the messages between processes. A process
+/// that runs alone has all layers, and MPI is not started for it.
+template <int dim>
+class LayerExchange {
  public:
-  /// Deals the rows to the processes in order. In a box that wraps, the first and the last process are neighbours.
-  /// Throws InputError when there are more processes than rows.
-  RowExchange(const Grid<2>& grid, bool wraps);
+  /// Deals the layers to the processes in order. In a box that wraps, the first and the last process are neighbours.
+  /// Throws InputError when there are more processes than layers.
+  LayerExchange(const Grid<dim>& grid, bool wraps);
 
-  /// Rows of cells [first, end).
+  /// Layers of cells [first, end).
   [[nodiscard]] int first() const noexcept { return first_of(rank_); }
   [[nodiscard]] int end() const noexcept { return first_of(rank_ + 1); }
   [[nodiscard]] bool has_neighbours() const noexcept { return wraps_ || ranks_ > 1; }
 
   /// Starts to send the forces on the lowest nodes to the process below, and to receive those of both neighbours.
-  void begin(const RowForces& lowest);
+  void begin(const LayerForces<dim>& lowest);
   /// Sends the forces on the highest nodes to the process above, and waits until the forces from both neighbours are
-  /// there. They are sums of the forces of the left and the right cell of each node. The sums are written in the place
+  /// there. They are sums of the forces of all cells of each node. In 2 dimensions the sums are written in the place
   /// of the left forces; the caller must keep -0 in the place of the right ones, so that adding both changes no bit.
   /// On a side where there is no neighbour nothing is written.
-  void finish(const RowForces& highest, const RowForces& from_below, const RowForces& from_above);
+  void finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below, const LayerForces<dim>& from_above);
 
-  /// Completes a list that has the same number of values for each row of cells, or of nodes, on every process. Before
-  /// the call each process has the values of its own rows.
-  void gather_cell_rows(std::span<double> values) const;
-  void gather_node_rows(std::span<double> values) const;
+  /// Completes a list that has the same number of values for each layer of cells, or of nodes, on every process. Before
+  /// the call each process has the values of its own layers.
+  void gather_cell_layers(std::span<double> values) const;
+  void gather_node_layers(std::span<double> values) const;
 
   /// Joins lists of any lengths, one from each process, in the order of the processes. The first process gets the
   /// joined list, which is stored in `all`; the others get nothing. A process that runs alone gets its own list back.
@@ -53,13 +55,13 @@ class RowExchange {
   [[nodiscard]] int first_of(int rank) const noexcept;
   [[nodiscard]] int process_above() const noexcept;
   [[nodiscard]] int process_below() const noexcept;
-  void gather(std::span<double> values, int rows) const;
+  void gather(std::span<double> values, int layers) const;
 
-  int rows_;
+  int layers_;
   bool wraps_;
   int rank_ = 0;
   int ranks_ = 1;
-  /// Sums of x, then of y, along a row of nodes.
+  /// Sums of x, then of y, and so on, over a layer of nodes.
   using Message = std::vector<double>;
   Message up_, down_, from_below_, from_above_;
   std::array<MPI_Request, 4> requests_{};

@@ -1,4 +1,4 @@
-#include "row_exchange.hpp"
+#include "layer_exchange.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -18,44 +18,61 @@ namespace {
 
 constexpr int upwards = 0, downwards = 1;
 
-void pack(const RowForces& forces, std::vector<double>& message) {
+void pack(const LayerForces<2>& forces, std::vector<double>& message) {
   const auto length = message.size() / 2;
   std::transform(forces.left_x, forces.left_x + length, forces.right_x, message.data(), std::plus{});
   std::transform(forces.left_y, forces.left_y + length, forces.right_y, message.data() + length, std::plus{});
 }
 
-void unpack(const std::vector<double>& message, const RowForces& forces) {
+void unpack(const std::vector<double>& message, const LayerForces<2>& forces) {
   const auto length = message.size() / 2;
   std::copy_n(message.data(), length, forces.left_x);
   std::copy_n(message.data() + length, length, forces.left_y);
 }
 
+void pack(const LayerForces<3>& forces, std::vector<double>& message) {
+  const auto length = message.size() / 3;
+  for (std::size_t c = 0; c < 3; ++c) std::copy_n(forces.of_axis[c], length, message.data() + c * length);
+}
+
+void unpack(const std::vector<double>& message, const LayerForces<3>& forces) {
+  const auto length = message.size() / 3;
+  for (std::size_t c = 0; c < 3; ++c) std::copy_n(message.data() + c * length, length, forces.of_axis[c]);
+}
+
 }  // namespace
 
-RowExchange::RowExchange(const Grid<2>& grid, bool wraps) : rows_(grid.rows()), wraps_(wraps) {
-  for (auto* message : {&up_, &down_, &from_below_, &from_above_}) message->resize(2 * NodeRows::length_of_row(grid));
+template <int dim>
+LayerExchange<dim>::LayerExchange(const Grid<dim>& grid, bool wraps) : layers_(grid.cells.back()), wraps_(wraps) {
+  for (auto* message : {&up_, &down_, &from_below_, &from_above_})
+    message->resize(dim * NodeRows<dim>::length_of_layer(grid));
   if (!parallel::is_under_mpirun()) return;
   parallel::start();
   rank_ = parallel::rank();
   ranks_ = parallel::ranks();
-  if (ranks_ > rows_) {
-    throw InputError(fmt::format("dynamic run: {} processes are too many for {} rows of cells", ranks_, rows_));
+  if (ranks_ > layers_) {
+    throw InputError(fmt::format("dynamic run: {} processes are too many for {} {} of cells", ranks_, layers_,
+                                 dim == 2 ? "rows" : "planes"));
   }
 }
 
-int RowExchange::first_of(int rank) const noexcept {
-  return static_cast<int>(static_cast<std::int64_t>(rows_) * rank / ranks_);
+template <int dim>
+int LayerExchange<dim>::first_of(int rank) const noexcept {
+  return static_cast<int>(static_cast<std::int64_t>(layers_) * rank / ranks_);
 }
 
-int RowExchange::process_above() const noexcept {
+template <int dim>
+int LayerExchange<dim>::process_above() const noexcept {
   return rank_ + 1 < ranks_ ? rank_ + 1 : wraps_ ? 0 : MPI_PROC_NULL;
 }
 
-int RowExchange::process_below() const noexcept {
+template <int dim>
+int LayerExchange<dim>::process_below() const noexcept {
   return rank_ > 0 ? rank_ - 1 : wraps_ ? ranks_ - 1 : MPI_PROC_NULL;
 }
 
-void RowExchange::begin(const RowForces& lowest) {
+template <int dim>
+void LayerExchange<dim>::begin(const LayerForces<dim>& lowest) {
   pack(lowest, down_);
   if (ranks_ == 1) return;
   const auto length = static_cast<int>(down_.size());
@@ -65,7 +82,9 @@ void RowExchange::begin(const RowForces& lowest) {
   MPI_Isend(down_.data(), length, MPI_DOUBLE, process_below(), downwards, parallel::communicator(), &requests_[2]);
 }
 
-void RowExchange::finish(const RowForces& highest, const RowForces& from_below, const RowForces& from_above) {
+template <int dim>
+void LayerExchange<dim>::finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below,
+                                const LayerForces<dim>& from_above) {
   pack(highest, up_);
   if (ranks_ == 1) {
     unpack(up_, from_below);
@@ -79,34 +98,38 @@ void RowExchange::finish(const RowForces& highest, const RowForces& from_below, 
   if (process_above() != MPI_PROC_NULL) unpack(from_above_, from_above);
 }
 
-void RowExchange::gather_cell_rows(std::span<double> values) const {
-  gather(values, rows_);
+template <int dim>
+void LayerExchange<dim>::gather_cell_layers(std::span<double> values) const {
+  gather(values, layers_);
 }
 
-void RowExchange::gather_node_rows(std::span<double> values) const {
-  gather(values, rows_ + 1);
+template <int dim>
+void LayerExchange<dim>::gather_node_layers(std::span<double> values) const {
+  gather(values, layers_ + 1);
 }
 
-void RowExchange::gather(std::span<double> values, int rows) const {
+template <int dim>
+void LayerExchange<dim>::gather(std::span<double> values, int layers) const {
   if (ranks_ == 1) return;
   std::vector<int> counts, begins;
   for (int rank = 0; rank < ranks_; ++rank) {
-    // The highest row of nodes goes with the last process.
-    const int end = rank + 1 < ranks_ ? first_of(rank + 1) : rows;
+    // The highest layer of nodes goes with the last process.
+    const int end = rank + 1 < ranks_ ? first_of(rank + 1) : layers;
     begins.push_back(first_of(rank));
     counts.push_back(end - first_of(rank));
   }
-  // MPI counts in 32 bits, and a list may have more values than that: it is passed in whole rows.
-  const auto per_row = values.size() / static_cast<std::size_t>(rows);
-  MPI_Datatype row = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(static_cast<int>(per_row), MPI_DOUBLE, &row);
-  MPI_Type_commit(&row);
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), row,
+  // MPI counts in 32 bits, and a list may have more values than that: it is passed in whole layers.
+  const auto per_layer = values.size() / static_cast<std::size_t>(layers);
+  MPI_Datatype layer = MPI_DATATYPE_NULL;
+  MPI_Type_contiguous(static_cast<int>(per_layer), MPI_DOUBLE, &layer);
+  MPI_Type_commit(&layer);
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), layer,
                  parallel::communicator());
-  MPI_Type_free(&row);
+  MPI_Type_free(&layer);
 }
 
-std::span<const double> RowExchange::collect(std::span<const double> own, std::vector<double>& all) const {
+template <int dim>
+std::span<const double> LayerExchange<dim>::collect(std::span<const double> own, std::vector<double>& all) const {
   if (ranks_ == 1) return own;
   // MPI counts in 32 bits.
   constexpr std::size_t portion = std::size_t{1} << 28U;
@@ -137,7 +160,8 @@ std::span<const double> RowExchange::collect(std::span<const double> own, std::v
   return all;
 }
 
-RowExchange::Place RowExchange::place_of(std::size_t own) const {
+template <int dim>
+typename LayerExchange<dim>::Place LayerExchange<dim>::place_of(std::size_t own) const {
   if (ranks_ == 1) return {0, own};
   std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
   const std::uint64_t count = own;
@@ -145,5 +169,8 @@ RowExchange::Place RowExchange::place_of(std::size_t own) const {
   return {std::accumulate(counts.begin(), counts.begin() + rank_, std::uint64_t{0}),
           std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})};
 }
+
+template class LayerExchange<2>;
+template class LayerExchange<3>;
 
 }  // namespace breccia::dynamics

@@ -1,0 +1,290 @@
+#include "layer_step.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "boundary_nodes.hpp"
+#include "kernels.hpp"
+#include "step_times.hpp"
+
+namespace breccia::dynamics {
+
+template <int dim>
+LayerStep<dim>::LayerStep(const DynamicProblem<dim>& problem, InstructionSet instructions, int first_layer,
+                          int end_layer)
+    : problem_(&problem),
+      kernels_(&kernels<dim>(instructions)),
+      layout_(problem, first_layer, end_layer),
+      nodes_(problem.discretisation.grid()) {}
+
+template <int dim>
+void LayerStep<dim>::find_row_forces(const CellRow<dim>& row) const {
+  if (problem_->volumetric == Volumetric::averaged) {
+    kernels_->cell_row_averaged(row);
+  } else {
+    kernels_->cell_row_standard(row);
+  }
+}
+
+template <>
+void LayerStep<2>::find_cell_forces(int layer, const LayerForces<2>& below, const LayerForces<2>& above, Sums& sums) {
+  const auto u_below = nodes_.displacement(layer), u_above = nodes_.displacement(layer + 1);
+  const auto du_below = nodes_.increment(layer), du_above = nodes_.increment(layer + 1);
+  find_row_forces({.blocks = layout_.row(layer),
+                   .block_count = layout_.blocks_per_row(),
+                   .displacement_below = {u_below[0], u_below[1]},
+                   .displacement_above = {u_above[0], u_above[1]},
+                   .increment_below = {du_below[0], du_below[1]},
+                   .increment_above = {du_above[0], du_above[1]},
+                   .below = below,
+                   .above = above,
+                   .stress = sums.stress.data()});
+}
+
+template <>
+void LayerStep<3>::find_cell_forces(int layer, const LayerForces<3>& below, const LayerForces<3>& above, Sums& sums) {
+  const int rows = problem_->discretisation.grid().cells[1];
+  const auto stride = nodes_.stride();
+  // The first row of cells adds to these.
+  for (const auto& forces : {below, above}) {
+    for (double* along : forces.of_axis) std::fill_n(along, stride, 0.0);
+  }
+  sums.stress = {};
+  for (int row = 0; row < rows; ++row) {
+    std::array<double, static_cast<std::size_t>(tensor_components<3>)> stress{};
+    CellRow<3> cells = {.blocks = layout_.row(layer * rows + row),
+                        .block_count = layout_.blocks_per_row(),
+                        .displacement = {},
+                        .increment = {},
+                        .force = {},
+                        .stress = stress.data()};
+    for (int side = 0; side < 4; ++side) {
+      const int y = row + side % 2;
+      const int of_nodes = nodes_.row_of({0, y, layer + side / 2});
+      const auto u = nodes_.displacement(of_nodes), du = nodes_.increment(of_nodes);
+      const auto& forces = side < 2 ? below : above;
+      for (std::size_t c = 0; c < u.size(); ++c) {
+        cells.displacement[side].of_axis[c] = u[c];
+        cells.increment[side].of_axis[c] = du[c];
+        cells.force[side].of_axis[c] = forces.of_axis[c] + stride * static_cast<std::size_t>(y);
+      }
+    }
+    find_row_forces(cells);
+    for (std::size_t i = 0; i < stress.size(); ++i) sums.stress[i] += stress[i];
+  }
+}
+
+/// Gives the nodes at both ends of a row the forces of the cells at the other end.
+template <>
+void LayerStep<2>::join_sides(const LayerForces<2>& forces) const {
+  const int columns = problem_->discretisation.grid().columns();
+  forces.right_x[0] = forces.right_x[columns];
+  forces.right_y[0] = forces.right_y[columns];
+  forces.left_x[columns] = forces.left_x[0];
+  forces.left_y[columns] = forces.left_y[0];
+}
+
+/// Gives the nodes on the lower sides of a plane the forces of the cells on the upper sides. Those on the upper sides
+/// are images.
+template <>
+void LayerStep<3>::join_sides(const LayerForces<3>& forces) const {
+  const auto& cells = problem_->discretisation.grid().cells;
+  const auto stride = nodes_.stride();
+  for (double* along : forces.of_axis) {
+    double* last_row = along + stride * static_cast<std::size_t>(cells[1]);
+    for (int column = 0; column <= cells[0]; ++column) along[column] += last_row[column];
+    for (int row = 0; row < cells[1]; ++row, along += stride) along[0] += along[cells[0]];
+  }
+}
+
+template <int dim>
+void LayerStep<dim>::find_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above,
+                                 LayerSums<dim>& sums, int place) {
+  find_cell_forces(layer, below, above, sums.of(layer, place));
+  switch (problem_->boundary) {
+    case Boundary::displacement:
+      break;
+    case Boundary::traction:
+      sums.of(layer, place).strain = boundary_strain(layer);
+      if (layer + 1 == problem_->discretisation.grid().cells.back()) {
+        sums.of(layer + 1, place).strain = boundary_strain(layer + 1);
+      }
+      break;
+    case Boundary::periodic:
+      join_sides(below);
+      join_sides(above);
+      break;
+  }
+}
+
+template <>
+void LayerStep<2>::integrate(int layer, const LayerForces<2>& from_cells_below,
+                             const LayerForces<2>& from_cells_above) {
+  const auto u = nodes_.displacement(layer), du = nodes_.increment(layer);
+  kernels_->node_row({.count = (layout_.blocks_per_row() + 1) * lanes,
+                      .displacement_x = u[0],
+                      .displacement_y = u[1],
+                      .increment_x = du[0],
+                      .increment_y = du[1],
+                      .step_over_mass = nodes_.step_over_mass(layer),
+                      .from_cells_below = from_cells_below,
+                      .from_cells_above = from_cells_above});
+}
+
+template <>
+void LayerStep<3>::integrate(int layer, const LayerForces<3>& from_cells_below,
+                             const LayerForces<3>& from_cells_above) {
+  for (int y = 0; y < nodes_.rows_of_layer(); ++y) {
+    const int row = nodes_.row_of({0, y, layer});
+    const auto u = nodes_.displacement(row), du = nodes_.increment(row);
+    const auto begin = nodes_.stride() * static_cast<std::size_t>(y);
+    const auto from_here = [begin](const LayerForces<3>& forces) -> LayerForces<3> {
+      return {{forces.of_axis[0] + begin, forces.of_axis[1] + begin, forces.of_axis[2] + begin}};
+    };
+    kernels_->node_row({.count = (layout_.blocks_per_row() + 1) * lanes,
+                        .displacement = {u[0], u[1], u[2]},
+                        .increment = {du[0], du[1], du[2]},
+                        .step_over_mass = nodes_.step_over_mass(row),
+                        .from_cells_below = from_here(from_cells_below),
+                        .from_cells_above = from_here(from_cells_above)});
+  }
+}
+
+template <int dim>
+void LayerStep<dim>::move_nodes(int layer, const LayerForces<dim>& from_cells_below,
+                                const LayerForces<dim>& from_cells_above, std::int64_t step) {
+  integrate(layer, from_cells_below, from_cells_above);
+  const bool load_rises = load_at(*problem_, step - 1) < 1.0;
+  switch (problem_->boundary) {
+    case Boundary::displacement:
+      if (load_rises) follow_load(layer, step);
+      break;
+    case Boundary::traction:
+      add_traction(layer, step);
+      break;
+    case Boundary::periodic:
+      if (load_rises) follow_load(layer, step);
+      close_layer(layer, step);
+      break;
+  }
+}
+
+template <int dim>
+void LayerStep<dim>::follow_load(int layer, std::int64_t step) {
+  const auto& grid = problem_->discretisation.grid();
+  const double now = load_at(*problem_, step);
+  const double next = load_at(*problem_, step + 1);
+  if (follows_affinely(*problem_)) {
+    const double acceleration = next - 2.0 * now + load_at(*problem_, step - 1);
+    for_nodes_of_layer(grid, layer, [&](const Index<dim>& node) {
+      const auto affine = affine_motion(*problem_, node);
+      const int row = nodes_.row_of(node), column = node[0];
+      const auto u = nodes_.displacement(row), du = nodes_.increment(row);
+      for (std::size_t i = 0; i < affine.size(); ++i) {
+        u[i][column] += acceleration * affine[i];
+        du[i][column] += acceleration * affine[i];
+      }
+    });
+  }
+  if (problem_->boundary != Boundary::displacement) return;
+  for_boundary_nodes(grid, layer, [&](const Index<dim>& node) {
+    const auto affine = affine_motion(*problem_, node);
+    const int row = nodes_.row_of(node), column = node[0];
+    const auto u = nodes_.displacement(row), du = nodes_.increment(row);
+    for (std::size_t i = 0; i < affine.size(); ++i) {
+      u[i][column] = next * affine[i];
+      du[i][column] = (next - now) * affine[i];
+    }
+  });
+}
+
+template <int dim>
+void LayerStep<dim>::add_traction(int layer, std::int64_t step) {
+  const double now = load_at(*problem_, step) / side_power();
+  for_boundary_nodes(problem_->discretisation.grid(), layer, [&](const Index<dim>& node) {
+    const auto force = traction_force(*problem_, node);
+    const int row = nodes_.row_of(node), column = node[0];
+    const auto u = nodes_.displacement(row), du = nodes_.increment(row);
+    const double scale = now * nodes_.step_over_mass(row)[column];
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      u[i][column] += scale * force[i];
+      du[i][column] += scale * force[i];
+    }
+  });
+}
+
+/// The power of the cell side h^(dim - 2) [m^(dim - 2)] by which the nodal forces of the kernel are divided.
+template <int dim>
+double LayerStep<dim>::side_power() const {
+  return times_power<dim - 2>(1.0, problem_->discretisation.grid().cell_side);
+}
+
+/// Makes neighbouring nodes of a row the images of others.
+template <int dim>
+void LayerStep<dim>::copy_image(const Index<dim>& from, const Index<dim>& to, int nodes, std::int64_t step) {
+  Vector<dim> cells{};
+  for (std::size_t axis = 0; axis < cells.size(); ++axis) cells[axis] = to[axis] - from[axis];
+  const auto across = affine_difference(*problem_, cells);
+  const double next = load_at(*problem_, step + 1), rise = next - load_at(*problem_, step);
+  const int from_row = nodes_.row_of(from), to_row = nodes_.row_of(to);
+  const auto from_u = nodes_.displacement(from_row), from_du = nodes_.increment(from_row);
+  const auto u = nodes_.displacement(to_row), du = nodes_.increment(to_row);
+  for (std::size_t i = 0; i < across.size(); ++i) {
+    for (int node = 0; node < nodes; ++node) {
+      u[i][to[0] + node] = from_u[i][from[0] + node] + next * across[i];
+      du[i][to[0] + node] = from_du[i][from[0] + node] + rise * across[i];
+    }
+  }
+}
+
+/// Makes the last nodes of a layer along x, and in 3 dimensions along y, the images of the first.
+template <int dim>
+void LayerStep<dim>::close_layer(int layer, std::int64_t step) {
+  const auto& cells = problem_->discretisation.grid().cells;
+  Index<dim> first{};
+  first.back() = layer;
+  for (int row = 0; row < nodes_.rows_of_layer(); ++row) {
+    if constexpr (dim == 3) first[1] = row;
+    auto last = first;
+    last[0] = cells[0];
+    copy_image(first, last, 1, step);
+  }
+  if constexpr (dim == 3) copy_image({0, 0, layer}, {0, cells[1], layer}, cells[0] + 1, step);
+}
+
+template <int dim>
+void LayerStep<dim>::copy_lowest_layer(std::int64_t step) {
+  const auto& cells = problem_->discretisation.grid().cells;
+  for (int row = 0; row < nodes_.rows_of_layer(); ++row) {
+    Index<dim> from{};
+    if constexpr (dim == 3) from[1] = row;
+    auto to = from;
+    to.back() = cells.back();
+    copy_image(from, to, cells[0] + 1, step);
+  }
+}
+
+template <int dim>
+Strain<dim> LayerStep<dim>::boundary_strain(int layer) const {
+  const auto& grid = problem_->discretisation.grid();
+  Strain<dim> sum;
+  for_boundary_nodes(grid, layer, [&](const Index<dim>& node) {
+    const auto area = outward_area<dim>(grid, node);
+    const auto u = nodes_.displacement(nodes_.row_of(node));
+    const int column = node[0];
+    for (int i = 0; i < dim; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      component(sum, i) += u[a][column] * area[a];
+      for (int j = 0; j < i; ++j) {
+        const auto b = static_cast<std::size_t>(j);
+        component(sum, component_index<dim>(i, j)) += 0.5 * (u[b][column] * area[a] + u[a][column] * area[b]);
+      }
+    }
+  });
+  return sum;
+}
+
+template class LayerStep<2>;
+template class LayerStep<3>;
+
+}  // namespace breccia::dynamics

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "breccia/dynamics/dynamic_solver.hpp"
+
+namespace breccia::dynamics {
+
+/// What the layers of nodes, and the layers of cells above them, add to the averages of a few steps. Layers are summed
+/// in their order once all are known, whichever thread or process found them.
+template <int dim>
+class LayerSums {
+ public:
+  struct Sums {
+    /// Of the points of the layer of cells, in Voigt's order [Pa], times the cell side.
+    std::array<double, static_cast<std::size_t>(tensor_components<dim>)> stress = {};
+    Strain<dim> strain =
+        {};  ///< of the layer of nodes: its share in the integral of sym(u n) over the boundary [m^dim]
+  };
+
+  explicit LayerSums(const Grid<dim>& grid)
+      : steps_(steps_kept(grid)),
+        sums_(static_cast<std::size_t>(grid.cells.back() + 1) * static_cast<std::size_t>(steps_)) {}
+
+  /// Steps that there is room for.
+  [[nodiscard]] int steps() const noexcept { return steps_; }
+  [[nodiscard]] Sums& of(int layer, int step) noexcept { return sums_[place(layer, step)]; }
+  [[nodiscard]] const Sums& of(int layer, int step) const noexcept { return sums_[place(layer, step)]; }
+
+  /// All numbers, the same number of them for each layer of nodes.
+  [[nodiscard]] std::span<double> numbers() noexcept {
+    constexpr std::size_t numbers_of_layer = 2 * tensor_components<dim>;
+    static_assert(sizeof(Sums) == numbers_of_layer * sizeof(double));
+    return {sums_.front().stress.data(), numbers_of_layer * sums_.size()};
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return sums_.size() * sizeof(Sums); }
+
+ private:
+  /// Few enough to leave the caches to the nodes.
+  static int steps_kept(const Grid<dim>& grid) {
+    constexpr int most_sums = 1 << 10;
+    return std::max(1, most_sums / (grid.cells.back() + 1));
+  }
+  [[nodiscard]] std::size_t place(int layer, int step) const noexcept {
+    return static_cast<std::size_t>(layer) * static_cast<std::size_t>(steps_) + static_cast<std::size_t>(step);
+  }
+
+  int steps_;
+  std::vector<Sums> sums_;
+};
+
+/// Averages at a step of the run, the one at a place among those of the sums. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int place,
+                                        std::int64_t step);
+
+}  // namespace breccia::dynamics

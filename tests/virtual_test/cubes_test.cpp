@@ -1,0 +1,141 @@
+// The dynamic method in three dimensions, against exact answers and against the quasi-static method.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/discretisation/mixed_cells.hpp"
+#include "breccia/error.hpp"
+#include "breccia/virtual_test/dynamic_test.hpp"
+#include "breccia/virtual_test/modulus_bounds.hpp"
+#include "breccia/virtual_test/quasistatic_test.hpp"
+
+#include "messages.hpp"
+
+namespace breccia {
+namespace {
+
+/// A rubber that relaxes tenfold, and a stiff filler.
+const Material rubber = {"rubber", 1100.0, PronySeries(2e9), PronySeries(10e6, {{1e-3, 90e6}})};
+const Material glass = {"glass", 2500.0, PronySeries(40e9), PronySeries(30e9)};
+
+DynamicTest<3> homogeneous_cube(const Material& material, TimeWindow times) {
+  return {.discretisation = Discretisation<3>(Grid<3>{{6, 6, 6}, 1e-3 / 6}), .materials = {material}, .times = times};
+}
+
+TEST(DynamicTestInSpace, AHomogeneousCubeRelaxesAsItsMaterial) {
+  const Material material = {"m", 1000.0, PronySeries(20e6, {{2e-2, 30e6}}), PronySeries(1e6, {{1e-2, 5e6}})};
+  for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {
+    for (const auto load : {Load::shear_yz, Load::diagonal_shear_yz, Load::bulk}) {
+      auto test = homogeneous_cube(material, {2e-3, 0.05});
+      test.boundary = boundary;
+      test.load = load;
+      const auto& exact = load == Load::bulk ? material.bulk : material.shear;
+      const auto curve = run_dynamic_test(test).curve;
+      ASSERT_FALSE(curve.empty());
+      for (const auto& [time, modulus] : curve) EXPECT_NEAR(modulus / exact.at(time), 1.0, 1e-3) << "at " << time;
+    }
+  }
+}
+
+TEST(DynamicTestInSpace, AHomogeneousCubeCreepsAsItsMaterial) {
+  auto test = homogeneous_cube({"m", 1000.0, PronySeries(1e6), PronySeries(0.0, {{0.01, 0.5e6}})}, {2e-3, 0.02});
+  test.boundary = Boundary::traction;
+  for (const auto& [time, compliance] : run_dynamic_test(test).compliance) {
+    EXPECT_NEAR(compliance * 0.5e6 / (1.0 + time / 0.01), 1.0, 3e-3) << "at " << time;
+  }
+}
+
+/// Stress is the same in all layers of a laminate in shear along them, so their compliances add up.
+TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
+  auto test = homogeneous_cube({"m", 1000.0, PronySeries(1e6), PronySeries(0.2e6, {{1e-2, 0.5e6}})}, {1e-3, 0.02});
+  test.materials.push_back({"stiff", 1500.0, PronySeries(5e6), PronySeries(3e6)});
+  test.discretisation.paint([](const Vector<3>& x) { return x[2] > 0.5e-3; }, 1);
+  test.boundary = Boundary::periodic;
+  test.load = Load::shear_yz;
+  // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
+  test.options.density_factors = {20.0, 200.0};
+  const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
+  for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
+    EXPECT_NEAR(modulus / series.at(time), 1.0, 3e-3) << "at " << time;
+  }
+}
+
+class SphereInACube : public testing::TestWithParam<Boundary> {};
+
+TEST_P(SphereInACube, HasTheSameModuliByBothMethods) {
+  constexpr std::array<PhaseIndex, 1> sphere = {1};
+  const auto box =
+      discretise_mixed<3>({1e-3, Walls::hard, {Ball<3>{{0.5e-3, 0.5e-3, 0.5e-3}, 0.8e-3}}}, 8, 0, sphere, 2);
+  const std::vector<Material> materials = {rubber, glass};
+  DynamicTest<3> moving = {.discretisation = box,
+                           .materials = with_mixtures(box, materials),
+                           .boundary = GetParam(),
+                           .times = {1e-4, 1e-2},
+                           .points_per_decade = 5};
+  const QuasistaticTest still = {.composite = box,
+                                 .materials = materials,
+                                 .varying = {{0, "matrix"}},
+                                 .boundary = GetParam(),
+                                 .loads = {Load::shear},
+                                 .times = moving.times,
+                                 .points_per_decade = 5};
+  const auto found = run_dynamic_test(moving);
+  const auto expected = run_quasistatic_test(still).responses.front();
+  if (GetParam() == Boundary::traction) {
+    ASSERT_EQ(found.compliance.size(), expected.compliance.size());
+    for (std::size_t i = 0; i < found.compliance.size(); ++i) {
+      EXPECT_NEAR(found.compliance[i].compliance / expected.compliance[i].compliance, 1.0, 0.01);
+    }
+    return;
+  }
+  ASSERT_EQ(found.curve.size(), expected.modulus.size());
+  for (std::size_t i = 0; i < found.curve.size(); ++i) {
+    EXPECT_NEAR(found.curve[i].modulus / expected.modulus[i].modulus, 1.0, 0.01) << "at " << found.curve[i].time;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SphereInACube,
+                         testing::Values(Boundary::displacement, Boundary::traction, Boundary::periodic),
+                         [](const auto& chosen) { return std::string(name_of(chosen.param)); });
+
+TEST(DynamicTestInSpace, OfAFinerGridIsPlannedByACoarseOne) {
+  auto coarse = homogeneous_cube(rubber, {1e-4, 1e-2}), fine = coarse;
+  fine.discretisation = Discretisation<3>(Grid<3>{{12, 12, 12}, 1e-3 / 12});
+  const auto planned = plan_dynamic_test(coarse, 2.0), expected = plan_dynamic_test(fine);
+  EXPECT_EQ(planned.bytes, expected.bytes);
+  ASSERT_EQ(planned.domains.size(), expected.domains.size());
+  for (std::size_t i = 0; i < planned.domains.size(); ++i) {
+    EXPECT_NEAR(static_cast<double>(planned.domains[i].steps) / static_cast<double>(expected.domains[i].steps), 1.0,
+                1e-3);
+  }
+}
+
+TEST(DynamicTestInSpace, BoundsAreThoseOfHashinAndShtrikman) {
+  DynamicTest<3> test = homogeneous_cube(rubber, {1e-4, 1e-2});
+  test.materials.push_back(glass);
+  test.discretisation.paint([](const Vector<3>& x) { return x[0] < 0.5e-3; }, 1);
+  const ShearModulusBounds bounds(test.discretisation, test.materials);
+  // Their lower bound for half of each, with the soft phase around: G + c / (1 / dG + 6 c (K + 2 G) / (5 G (3 K + 4
+  // G))).
+  const double g = rubber.shear.at(1e-3), k = 2e9;
+  const double lower = g + 0.5 / (1.0 / (30e9 - g) + 6.0 * 0.5 * (k + 2.0 * g) / (5.0 * g * (3.0 * k + 4.0 * g)));
+  EXPECT_NEAR(bounds.lower(1e-3) / lower, 1.0, 1e-12);
+  EXPECT_GT(bounds.upper(1e-3), 50.0 * lower);
+}
+
+TEST(DynamicTestInSpace, LoadsOfSpaceAreRefusedInThePlane) {
+  DynamicTest<2> test = {.discretisation = Discretisation<2>(Grid<2>{{4, 4}, 1e-3}),
+                         .materials = {rubber},
+                         .load = Load::shear_yz,
+                         .times = {1e-4, 1e-2}};
+  EXPECT_THAT(test::message_of<InputError>([&] { (void)run_dynamic_test(test); }), testing::HasSubstr("shear-yz"));
+}
+
+}  // namespace
+}  // namespace breccia
