@@ -74,7 +74,8 @@ struct DescribePacking {
     const auto grains = packing.is_random() ? fmt::format("seed {}", packing.seed)
                                             : fmt::format("{}, {} sites", packing.file.string(), packing.sites.size());
     const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";
-    return fmt::format("Laguerre tessellation, {}, {}{}", walls, grains, film);
+    const auto* shares = packing.film_shares.empty() ? "" : ", by the shares of the grains";
+    return fmt::format("Laguerre tessellation, {}, {}{}{}", walls, grains, film, shares);
   }
   std::string operator()(const ImagePacking& packing) const {
     const auto& image = *packing.image;

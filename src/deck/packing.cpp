@@ -172,15 +172,18 @@ ExplicitPacking read_explicit(const Section& packing, double side, std::size_t f
   return listed;
 }
 
-/// The sites of a tessellation. Those in a table without weights all weigh the same.
-std::vector<Site<2>> read_sites(const std::filesystem::path& file, double side, Walls walls) {
+/// The sites of a tessellation. Those in a table without weights all weigh the same, and without shares of the films
+/// these are of one thickness.
+LaguerreSites<2> read_sites(const std::filesystem::path& file, double side, Walls walls) {
   const auto table = read_measured_table(file);
   table.require({Quantity::x, Quantity::y});
-  table.refuse_unknown_units({Quantity::weight});
+  table.refuse_unknown_units({Quantity::weight, Quantity::film_share});
   const auto& x = table.column(Quantity::x);
   const auto& y = table.column(Quantity::y);
   const auto* weights = table.has({Quantity::weight}) ? &table.column(Quantity::weight) : nullptr;
-  std::vector<Site<2>> sites;
+  LaguerreSites<2> read = {.side = side, .walls = walls, .sites = {}};
+  auto& sites = read.sites;
+  if (table.has({Quantity::film_share})) read.film_shares = table.column(Quantity::film_share).values;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     sites.push_back({{x.values[row], y.values[row]}, weights == nullptr ? 0.0 : weights->values[row]});
   }
@@ -188,10 +191,10 @@ std::vector<Site<2>> read_sites(const std::filesystem::path& file, double side, 
   if (sites.empty()) mistakes.add("", "expected at least one site");
   // The side of the box may be unknown because of a mistake elsewhere.
   if (!sites.empty() && side > 0.0) {
-    for (const auto& [site, text] : breccia::mistakes<2>({side, walls, sites})) mistakes.add(table.place(site), text);
+    for (const auto& [site, text] : breccia::mistakes(read)) mistakes.add(table.place(site), text);
   }
   mistakes.refuse();
-  return sites;
+  return read;
 }
 
 LaguerrePacking read_laguerre(const Section& packing, double side) {
@@ -211,7 +214,11 @@ LaguerrePacking read_laguerre(const Section& packing, double side) {
       grains.file = "missing";  // which has been reported; the filler still needs no sizes
       return grains;
     }
-    packing.report_errors_of("sites", [&] { grains.sites = read_sites(grains.file, side, grains.walls); });
+    packing.report_errors_of("sites", [&] {
+      auto read = read_sites(grains.file, side, grains.walls);
+      grains.sites = std::move(read.sites);
+      grains.film_shares = std::move(read.film_shares);
+    });
   } else {
     grains.seed = static_cast<std::uint64_t>(packing.optional_integer("seed", Range::not_negative()).value_or(1));
   }

@@ -38,26 +38,37 @@ SizesByArea sizes_by_area(const std::vector<GrainGeometry<2>>& grains, double Gr
   return {diameter_below(areas, 0.1), diameter_below(areas, 0.5)};
 }
 
-/// Length of the films shorter than five times their thickness over that of all films. The faces of the cells are in
-/// the middle of the films.
-double share_of_short_films(const Tessellation<2>& tessellation, double film) {
+/// The films between the cells of a tessellation.
+struct FilmMeasures {
+  double thinnest = std::numeric_limits<double>::infinity();  ///< [m]
+  /// Length of the films shorter than five times their thickness over that of all films [-].
+  double short_films = 0.0;
+};
+
+/// The faces of the cells are in the middle of the films.
+FilmMeasures measures_of_films(const Tessellation<2>& tessellation, double film) {
+  FilmMeasures result;
   double all = 0.0, in_short_films = 0.0;
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
     const auto& cell = tessellation.cell(site);
     const auto lengths = face_measures(cell);
     for (std::size_t face = 0; face < lengths.size(); ++face) {
       if (!Tessellation<2>::neighbour(cell.half_spaces()[face])) continue;
+      const double thickness = 2.0 * tessellation.half_film(site, cell.half_spaces()[face], film);
+      result.thinnest = std::min(result.thinnest, thickness);
       all += lengths[face];
-      if (lengths[face] < 5.0 * film) in_short_films += lengths[face];
+      if (lengths[face] < 5.0 * thickness) in_short_films += lengths[face];
     }
   }
-  return all > 0.0 ? in_short_films / all : 0.0;
+  if (all > 0.0) result.short_films = in_short_films / all;
+  return result;
 }
 
 void measure_grains(StageMicrostructure& result) {
   auto& [sites, film, count, cell_sizes, grain_sizes, short_films] = *result.grains;
   const Tessellation<2> tessellation(sites);
-  short_films = share_of_short_films(tessellation, film);
+  const auto films = measures_of_films(tessellation, film);
+  short_films = films.short_films;
   auto grains = grain_geometries(tessellation, film);
   cell_sizes = sizes_by_area(grains, &GrainGeometry<2>::cell_volume);
   std::erase_if(grains, [](const GrainGeometry<2>& grain) { return !(grain.grain_volume > 0.0); });
@@ -67,7 +78,7 @@ void measure_grains(StageMicrostructure& result) {
   for (const auto& grain : grains) outlines += grain.grain_surface;
   result.fraction = grain_fraction(tessellation, film);
   result.interface_per_area = outlines / (sites.side * sites.side);
-  result.gap = film;
+  result.gap = std::isfinite(films.thinnest) ? films.thinnest : film;
   const bool has_films_along_walls = sites.walls == Walls::hard && sites.wall_film == WallFilm::half;
   result.wall_gap = has_films_along_walls ? 0.5 * film : std::numeric_limits<double>::infinity();
   const auto deviation = result.fillers.empty() ? std::nullopt : result.fillers.front().size_deviation;

@@ -170,7 +170,7 @@ Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPa
 
 /// The sites of the grains: listed, or at random for the sizes of the filler.
 LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  if (!method.is_random()) return {stage.side, method.walls, method.sites, method.wall_film};
+  if (!method.is_random()) return {stage.side, method.walls, method.sites, method.wall_film, method.film_shares};
   const auto& filler = stage.fillers.front();
   RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
   if (const auto distribution = distribution_of(filler)) {

@@ -21,6 +21,7 @@ namespace breccia {
 namespace {
 
 constexpr const char* name_of_film = "/film_m";
+constexpr const char* name_of_film_shares = "/site_film_share";
 
 std::string name_of_size_deviation(std::size_t filler) {
   return fmt::format("/size_deviation/{}", filler);
@@ -48,6 +49,7 @@ void save_grains(StateWriter& state, const StageGrains& grains) {
   state.write("/site_y_m", y);
   state.write("/site_weight_m2", weights);
   state.write(name_of_film, grains.film);
+  if (!grains.sites.film_shares.empty()) state.write(name_of_film_shares, grains.sites.film_shares);
 }
 
 StageGrains read_grains(const StateReader& state, double side, Walls walls, WallFilm wall_film) {
@@ -55,6 +57,7 @@ StageGrains read_grains(const StateReader& state, double side, Walls walls, Wall
   const auto x = state.numbers("/site_x_m");
   const auto y = state.numbers("/site_y_m", x.size()), weights = state.numbers("/site_weight_m2", x.size());
   for (std::size_t i = 0; i < x.size(); ++i) grains.sites.sites.push_back({{x[i], y[i]}, weights[i]});
+  if (state.has(name_of_film_shares)) grains.sites.film_shares = state.numbers(name_of_film_shares, x.size());
   if (!(grains.film >= 0.0 && std::isfinite(grains.film)) || !mistakes(grains.sites).empty()) {
     throw FileError("a checkpoint of a packing: expected grains and films in a box");
   }

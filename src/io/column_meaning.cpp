@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 25> stems{{
+constexpr std::array<Stem, 26> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -46,6 +46,7 @@ constexpr std::array<Stem, 25> stems{{
     {"diameter", diameter},
     {"cumulative volume fraction", cumulative_volume_fraction},
     {"weight", weight},
+    {"film share", film_share},
     {"filler", filler},
     {"axis 1", axis_1},
     {"axis 2", axis_2},

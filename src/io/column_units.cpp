@@ -85,6 +85,11 @@ Conversion number_without_unit(std::string_view unit) {
   throw InputError(fmt::format("expected none, got \"{}\"", unit));
 }
 
+/// Quantities without a unit.
+bool is_number(Quantity quantity) {
+  return quantity == Quantity::filler || quantity == Quantity::particle || quantity == Quantity::film_share;
+}
+
 std::string_view example_of_unit(const ColumnMeaning& meaning) {
   switch (meaning.quantity) {
     case Quantity::time:
@@ -123,7 +128,7 @@ double Conversion::operator()(double value) const {
 Conversion conversion_of(const ColumnMeaning& meaning) {
   const std::string_view unit = meaning.unit;
   if (meaning.quantity == Quantity::cumulative_volume_fraction) return fraction(unit);
-  if (meaning.quantity == Quantity::filler || meaning.quantity == Quantity::particle) return number_without_unit(unit);
+  if (is_number(meaning.quantity)) return number_without_unit(unit);
   if (unit.empty()) {
     throw InputError(
         fmt::format("expected one in the name of the column, as in \"[{}]\", got none", example_of_unit(meaning)));

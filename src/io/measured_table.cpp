@@ -43,6 +43,8 @@ std::string_view example_of(Quantity quantity) {
       return "called cumulative_volume_fraction";
     case Quantity::weight:
       return "called weight, such as weight_m2";
+    case Quantity::film_share:
+      return "called film_share";
     case Quantity::filler:
       return "called filler";
     case Quantity::axis_1:

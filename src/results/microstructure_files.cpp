@@ -49,15 +49,16 @@ void write_grains(const std::filesystem::path& directory, const Stage& stage, co
     aspect_ratios.push_back(grain.aspect_ratio);
     neighbours.push_back(static_cast<double>(grain.neighbours));
   }
-  write_csv(directory / "grains.csv",
-            {{"x_m", x},
-             {"y_m", y},
-             {"weight_m2", weights},
-             {"cell_area_m2", cells},
-             {"grain_area_m2", areas},
-             {"equivalent_diameter_m", diameters},
-             {"aspect_ratio", aspect_ratios},
-             {"neighbours", neighbours}},
+  std::vector<CsvColumn> columns = {{"x_m", x},
+                                    {"y_m", y},
+                                    {"weight_m2", weights},
+                                    {"cell_area_m2", cells},
+                                    {"grain_area_m2", areas},
+                                    {"equivalent_diameter_m", diameters},
+                                    {"aspect_ratio", aspect_ratios},
+                                    {"neighbours", neighbours}};
+  if (!grains.sites.film_shares.empty()) columns.push_back({"film_share", grains.sites.film_shares});
+  write_csv(directory / "grains.csv", columns,
             fmt::format("Grains of stage {} in a box of {} m, with films of {} m between them", stage.name, stage.side,
                         grains.film));
   write_text(directory / "microstructure.svg", grain_picture(tessellation, grains.film));

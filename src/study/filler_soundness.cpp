@@ -137,7 +137,13 @@ void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mis
     mistakes.add(part, fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
   }
   if (grains.is_random() || !accepts(allowed::side, stage.side)) return;
-  for (const auto& [site, text] : breccia::mistakes<2>({stage.side, grains.walls, grains.sites})) {
+  const LaguerreSites<2> listed = {stage.side, grains.walls, grains.sites, grains.wall_film, grains.film_shares};
+  if (!listed.film_shares.empty() && listed.film_shares.size() != listed.sites.size()) {
+    mistakes.add(part, fmt::format("expected a share of the films for each of {} sites, or none, got {}",
+                                   listed.sites.size(), listed.film_shares.size()));
+    return;
+  }
+  for (const auto& [site, text] : breccia::mistakes(listed)) {
     mistakes.add(part, fmt::format("site {}: {}", site + 1, text));
   }
 }

@@ -162,8 +162,9 @@ class Content {
     static_cast<void>(file);
   }
   void add(const LaguerrePacking& packing) {
-    const auto& [walls, wall_film, seed, film, file, sites] = packing;
+    const auto& [walls, wall_film, seed, film, file, sites, film_shares] = packing;
     add_all(walls, seed, film, sites);
+    if (!film_shares.empty()) add_all(std::string("shares of the films"), film_shares);
     if (wall_film == WallFilm::none) add(std::string("no film along the walls"));
     static_cast<void>(file);
   }

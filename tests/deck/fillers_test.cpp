@@ -182,6 +182,13 @@ TEST_F(DeckStages, GrainsMayGrowFromListedSites) {
   EXPECT_THAT(mistakes(lines), HasSubstr("sites.csv:2: ")) << "the heavier site takes its place";
   directory.write("sites.csv", "x_mm,y_mm,weight_mm\n1,1,0\n");
   EXPECT_THAT(mistakes(lines), HasSubstr("sites.csv"));
+  directory.write("sites.csv", "x_mm,y_mm,film_share\n1,1,0.5\n4,5,2\n");
+  EXPECT_THAT(stage(lines).grains()->film_shares, ElementsAre(0.5, 2.0));
+  directory.write("sites.csv", "x_mm,y_mm,film_share\n1,1,0.5\n4,5,-2\n");
+  EXPECT_THAT(mistakes(lines),
+              AllOf(HasSubstr("sites.csv:3: "), HasSubstr("the share -2 of the films is not positive")));
+  directory.write("sites.csv", "x_mm,y_mm,film_share_um\n1,1,0.5\n4,5,2\n");
+  EXPECT_THAT(mistakes(lines), HasSubstr("film_share_um")) << "a share has no unit";
   directory.write("sites.csv", "x_mm,y_mm,weight_mm2\n1,1,0\n4,5,0.5\n");
   EXPECT_THAT(
       mistakes("cells = 60\nfiller = { material = \"hmx\", sizes = { diameter = \"1 mm\" } }\npacking = { method = "

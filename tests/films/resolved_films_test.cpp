@@ -3,12 +3,15 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "breccia/discretisation/grain_cells.hpp"
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/films/film_sampling.hpp"
 #include "breccia/io/csv.hpp"
+#include "breccia/quasistatic/apparent_moduli.hpp"
 
 #include "film_composite.hpp"
 #include "films/grains_and_films.hpp"
@@ -57,6 +60,62 @@ TEST(ResolvedFilms, AreExactForALaminateInShear) {
   const double found = film_moduli(two_grains, std::array{binder}, std::array{Load::shear}).front().front();
   const double compliance = (1.0 - thickness) / test::hmx.shear + thickness / binder.shear;
   EXPECT_NEAR(found * compliance, 1.0, 1e-10);
+}
+
+/// The 25 grains with films from half to three times as thick as the thinnest, by pairs of grains.
+FilmProblem with_several_thicknesses(Boundary boundary = Boundary::periodic) {
+  auto sites = test::voronoi_sites_25();
+  if (boundary != Boundary::periodic) sites.walls = Walls::hard;
+  for (std::size_t site = 0; site < sites.sites.size(); ++site) {
+    sites.film_shares.push_back(0.5 + 0.25 * static_cast<double>(site % 5));
+  }
+  return {.tessellation = Tessellation<2>(std::move(sites)),
+          .thickness = test::film_of_25,
+          .grain = test::hmx,
+          .boundary = boundary};
+}
+
+TEST(FilmsOfSeveralThicknesses, PassThePatchTest) {
+  for (const auto boundary : all_boundaries) {
+    expect_one_material(with_layers(with_several_thicknesses(boundary), 2));
+    EXPECT_NEAR(FilmOperator(with_several_thicknesses(boundary)).area(), 1.0, 1e-12);
+  }
+}
+
+// Thin ones against layers, at moduli of the binder from stiff to soft.
+TEST(FilmsOfSeveralThicknesses, AreThoseThatLayersResolve) {
+  const std::array binders = {Moduli{test::binder_bulk, 5e8}, Moduli{test::binder_bulk, 3e7},
+                              Moduli{test::binder_bulk, 7e5}};
+  const auto resolved = film_moduli(with_layers(with_several_thicknesses(), 2), binders, all_loads);
+  const auto thin = film_moduli(with_several_thicknesses(), binders, all_loads);
+  for (std::size_t b = 0; b < binders.size(); ++b) {
+    for (std::size_t l = 0; l < all_loads.size(); ++l) {
+      EXPECT_NEAR(thin[b][l] / resolved[b][l], 1.0, 0.012) << binders[b].shear << " " << name_of(all_loads[l]);
+    }
+  }
+}
+
+// Mixed cells of the same grains err alike with films of one thickness and of several.
+TEST(FilmsOfSeveralThicknesses, ChangeTheModuliOfCellsAsMuch) {
+  const auto by_cells = [](const FilmProblem& problem) {
+    const Material grain = {"hmx", 1850.0, PronySeries(test::hmx.bulk), PronySeries(test::hmx.shear)};
+    const Material binder = {"binder", 1480.0, PronySeries(test::binder_bulk), PronySeries(1e7)};
+    return apparent_moduli<2>(
+        {.discretisation = discretise_mixed(problem.tessellation, problem.thickness, 256, 0, 1, 2),
+         .materials = {binder, grain},
+         .boundary = Boundary::periodic,
+         .linear = {.tolerance = 1e-7, .threads = 1}},
+        all_loads);
+  };
+  const std::array binder = {Moduli{test::binder_bulk, 1e7}};
+  const auto equal = test::voronoi_problem(), several = with_several_thicknesses();
+  const auto of_equal = by_cells(equal), of_several = by_cells(several);
+  const auto films_of_equal = film_moduli(equal, binder, all_loads).front();
+  const auto films_of_several = film_moduli(several, binder, all_loads).front();
+  for (std::size_t l = 0; l < all_loads.size(); ++l) {
+    EXPECT_NEAR(films_of_several[l] / films_of_equal[l], of_several[l] / of_equal[l], 0.01) << name_of(all_loads[l]);
+  }
+  EXPECT_GT(of_several[1] / of_equal[1], 1.008) << "the shares matter under the shear of the diagonals";
 }
 
 // The reference has triangles of another mesh and program and is converged to 0.1 %.

@@ -108,8 +108,7 @@ TEST(GrainLocator, FilmsAreExactlyAsThickAsAsked) {
   expect_exact_films<3>(random_sites<3>({1.0, Walls::periodic, diameters_of_ratio(50, 3.0), 8, 2, 1e-9}), 0.01);
 }
 
-TEST(GrainLocator, ABallOfTheDepthHoldsNothingElse) {
-  const auto sites = random_sites<2>({1.0, Walls::periodic, diameters_of_ratio(50, 10.0), 6, 1, 1e-9});
+void expect_depths_of_balls_that_hold_nothing_else(const LaguerreSites<2>& sites) {
   const GrainLocator<2> locator(Tessellation<2>(sites), 0.02);
   const auto directions = random_places<2>(8, 1.0, 3);
   for (const auto& place : random_places<2>(2000, 1.0, 2)) {
@@ -124,6 +123,38 @@ TEST(GrainLocator, ABallOfTheDepthHoldsNothingElse) {
       }
     }
   }
+}
+
+TEST(GrainLocator, ABallOfTheDepthHoldsNothingElse) {
+  auto sites = random_sites<2>({1.0, Walls::periodic, diameters_of_ratio(50, 10.0), 6, 1, 1e-9});
+  expect_depths_of_balls_that_hold_nothing_else(sites);
+  for (std::size_t site = 0; site < sites.sites.size(); ++site) sites.film_shares.push_back(site % 3 == 0 ? 0.1 : 1.2);
+  expect_depths_of_balls_that_hold_nothing_else(sites);
+}
+
+TEST(GrainLocator, FindsTheGrainsOfFilmsOfSeveralThicknesses) {
+  auto sites = random_sites<2>({1.0, Walls::periodic, diameters_of_ratio(50, 5.0), 6, 1, 1e-9});
+  for (std::size_t site = 0; site < sites.sites.size(); ++site) sites.film_shares.push_back(site % 2 == 0 ? 0.3 : 2.0);
+  const Tessellation<2> tessellation(sites);
+  const double film = film_thickness(tessellation, 0.6);
+  const GrainLocator<2> locator(tessellation, film);
+  std::vector<ConvexCell<2>> grains;
+  for (std::size_t site = 0; site < tessellation.size(); ++site) grains.push_back(tessellation.grain(site, film));
+  std::size_t in_grains = 0;
+  constexpr std::size_t places = 50000;
+  for (const auto& place : random_places<2>(places, 1.0, 4)) {
+    const auto found = locator.at(place);
+    if (!found.is_in_grain()) continue;
+    ++in_grains;
+    const auto& site = sites.sites[found.site].position;
+    double outside = -1.0;  // beyond all faces of the grain, seen from the image of its site that is nearest
+    for (const auto& face : grains[found.site].half_spaces()) {
+      const Vector<2> seen = {std::remainder(place[0] - site[0], 1.0), std::remainder(place[1] - site[1], 1.0)};
+      outside = std::max(outside, face.height(seen));
+    }
+    EXPECT_LE(outside, 1e-12);
+  }
+  EXPECT_NEAR(static_cast<double>(in_grains) / places, 0.6, 0.01);
 }
 
 TEST(GrainLocator, APeriodicTessellationContinues) {

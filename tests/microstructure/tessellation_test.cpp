@@ -101,6 +101,27 @@ TEST(Tessellation, BandsOfWeightedSites) {
   EXPECT_NEAR(volume(walls.grain(0, 0.5)), 1.7 * 3.5, 1e-14);
 }
 
+// The film between the bands has the mean of their shares; those to their own images, and along walls, have their own.
+TEST(Tessellation, SharesOfTheFilms) {
+  auto sites = two_bands(Walls::periodic);
+  sites.film_shares = {0.5, 1.5};
+  const Tessellation<2> periodic(sites);
+  EXPECT_NEAR(volume(periodic.grain(0, 0.5)), 1.9 * 3.75, 1e-14);
+  EXPECT_NEAR(volume(periodic.grain(1, 0.5)), 1.1 * 3.25, 1e-14);
+  EXPECT_NEAR(film_thickness(periodic, grain_fraction(periodic, 0.5)), 0.5, 1e-12);
+
+  sites.walls = Walls::hard;
+  const Tessellation<2> walls(sites);
+  EXPECT_NEAR(volume(walls.grain(0, 0.5)), (2.2 - 0.125 - 0.25) * 3.75, 1e-14);
+  sites.wall_film = WallFilm::none;
+  EXPECT_NEAR(volume(Tessellation<2>(sites).grain(1, 0.5)), (1.8 - 0.25) * 4.0, 1e-14);
+
+  sites.film_shares = {0.5, 0.0};
+  expect_error<InputError>([&] { Tessellation<2> refused(sites); }, "site 2: the share 0 of the films is not positive");
+  sites.film_shares = {1.0};
+  expect_error<InputError>([&] { Tessellation<2> refused(sites); }, "a share of the films for each of 2 sites, or none, got 1");
+}
+
 // The neighbour beyond a face lies along its normal, displaced by whole sides.
 TEST(Tessellation, KnowsWhichImageIsBeyondAFace) {
   auto sites = test::voronoi_sites_25();

@@ -8,12 +8,13 @@
 
 namespace breccia {
 
-/// Elastic grains, the cells of a tessellation of a plane, parted by films of binder of one thickness: the model of
-/// grains and films (theory, section 17), in plane strain. A periodic boundary goes with a periodic tessellation, the
-/// others with hard walls. Walls cut grains and films like a window in a larger body; no film runs along them.
+/// Elastic grains, the cells of a tessellation of a plane, parted by films of binder of one thickness, or of one for
+/// each pair of grains (LaguerreSites::film_shares): the model of grains and films (theory, section 17), in plane
+/// strain. A periodic boundary goes with a periodic tessellation, the others with hard walls. Walls cut grains and
+/// films like a window in a larger body; no film runs along them.
 struct FilmProblem {
   Tessellation<2> tessellation;
-  double thickness;  ///< of the films [m]
+  double thickness;  ///< of the films, of those of a mean share of one [m]
   Moduli grain;      ///< [Pa]
   Boundary boundary = Boundary::periodic;
   /// Length of the longest element along a face, over the square root of the area of the smaller of the two grains

@@ -26,6 +26,7 @@ enum class Quantity {
   z,                           ///< [m]
   cumulative_volume_fraction,  ///< from 0 to 1
   weight,                      ///< of a site of a tessellation [m^2]
+  film_share,                  ///< of the films around the grain of a site [-]
   filler,                      ///< number of the filler of a particle; known beside sizes or corners alone
   axis_1,                      ///< whole first axis of an ellipse [m]
   axis_2,                      ///< whole second axis of an ellipse [m]

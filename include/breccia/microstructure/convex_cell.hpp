@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -61,8 +62,8 @@ class ConvexCell {
   void trim();
   /// The places whose distance from all faces is at least `distance` [m].
   [[nodiscard]] ConvexCell eroded(double distance) const;
-  /// The same, but faces for which `recedes` is false stay where they are.
-  [[nodiscard]] ConvexCell eroded(double distance, bool (*recedes)(const HalfSpace<dim>&)) const;
+  /// The places whose distance from each face is at least that of the face [m]; where it is 0, the face stays.
+  [[nodiscard]] ConvexCell eroded(const std::function<double(const HalfSpace<dim>&)>& distance) const;
 
  private:
   std::vector<Corner> corners_;

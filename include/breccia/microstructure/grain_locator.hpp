@@ -26,8 +26,8 @@ class SiteTree;
 template <int dim>
 class GrainLocator {
  public:
-  /// `film` is the thickness of the film [m]. Throws InputError if it is negative or not finite. The tessellation need
-  /// not outlive the locator.
+  /// `film` is the thickness of the film [m], which the shares of the sites scale. Throws InputError if it is negative
+  /// or not finite. The tessellation need not outlive the locator.
   GrainLocator(const Tessellation<dim>& tessellation, double film);
   GrainLocator(GrainLocator&&) noexcept;
   GrainLocator& operator=(GrainLocator&&) noexcept;
@@ -43,9 +43,10 @@ class GrainLocator {
   struct Face {
     Vector<dim> normal;
     double offset;
+    double half_film;
   };
 
-  double film_;
+  double least_half_film_;
   std::unique_ptr<SiteTree<dim>> tree_;
   std::vector<std::size_t> first_face_;  // of each cell; behind them the number of all
   std::vector<Face> faces_;              // seen from the site of their cell

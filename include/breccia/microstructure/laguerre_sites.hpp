@@ -30,6 +30,9 @@ struct LaguerreSites {
   Walls walls = Walls::periodic;
   std::vector<Site<dim>> sites;
   WallFilm wall_film = WallFilm::half;  ///< without a meaning in a periodic box
+  /// Thickness of the films around the grain of each site over that of the tessellation [-]; a film between two grains
+  /// has the mean of theirs, one along a wall that of its grain. Empty where all are one.
+  std::vector<double> film_shares = {};
 };
 
 /// What is wrong with one site.
@@ -38,9 +41,10 @@ struct SiteMistake {
   std::string text;
 };
 
-/// Everything that is wrong, in the order of the sites: a position that is not in the box, a weight that is not finite;
-/// if there is nothing of that kind, the sites without a place that belongs to them. Throws InputError if the box has
-/// no size or there are no sites or more than most_particles. Instantiated for 2 and 3 dimensions.
+/// Everything that is wrong, in the order of the sites: a position that is not in the box, a weight that is not finite,
+/// a share of the films that is not positive; if there is nothing of that kind, the sites without a place that belongs
+/// to them. Throws InputError if the box has no size, there are no sites or more than most_particles, or the number of
+/// the shares is not that of the sites. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> mistakes(const LaguerreSites<dim>& sites);
 

@@ -15,7 +15,8 @@ namespace breccia {
 /// A Laguerre tessellation: convex cells that fill a box, one for each site. A film of uniform thickness t between the
 /// cells leaves of each of them a grain, the places whose distance from all faces of the cell is at least t/2; so
 /// every film is t thick between two grains and t/2 along a hard wall (theory, Eq. 49). Where the walls have no film,
-/// their faces do not count.
+/// their faces do not count. Where the sites have shares of the films (LaguerreSites::film_shares), t differs from face
+/// to face by the mean share of the two grains.
 template <int dim>
 class Tessellation {
  public:
@@ -32,6 +33,9 @@ class Tessellation {
   [[nodiscard]] ConvexCell<dim> grain(std::size_t site, double film) const;
   /// The site beyond a face of a cell (it may be an image of the cell's own site); none beyond a wall.
   [[nodiscard]] static std::optional<std::size_t> neighbour(const HalfSpace<dim>& face) noexcept;
+  /// Half of the thickness of the film at a face of the cell of a site, if the film of the tessellation has this
+  /// thickness [m]; 0 at a wall without a film.
+  [[nodiscard]] double half_film(std::size_t site, const HalfSpace<dim>& face, double film) const;
   /// Whether a film makes grains recede from this face: from all but walls without one.
   [[nodiscard]] bool recedes(const HalfSpace<dim>& face) const noexcept {
     return sites_.wall_film == WallFilm::half || neighbour(face).has_value();

@@ -101,11 +101,12 @@ struct RandomSequentialPacking {
 /// Grains of a Laguerre tessellation, which fill the box but for films of the matrix of one thickness between them.
 struct LaguerrePacking {
   Walls walls = Walls::periodic;
-  WallFilm wall_film = WallFilm::half;  ///< along hard walls
-  std::uint64_t seed = 1;               ///< of a random tessellation
-  std::optional<double> film = {};      ///< thickness [m]; without it that of the fraction of the filler
-  std::filesystem::path file = {};      ///< of the sites; empty for a random tessellation
-  std::vector<Site<2>> sites = {};      ///< of the grains; none for a random tessellation
+  WallFilm wall_film = WallFilm::half;   ///< along hard walls
+  std::uint64_t seed = 1;                ///< of a random tessellation
+  std::optional<double> film = {};       ///< thickness [m]; without it that of the fraction of the filler
+  std::filesystem::path file = {};       ///< of the sites; empty for a random tessellation
+  std::vector<Site<2>> sites = {};       ///< of the grains; none for a random tessellation
+  std::vector<double> film_shares = {};  ///< of listed sites [-] (LaguerreSites); none for films of one thickness
 
   [[nodiscard]] bool is_random() const { return sites.empty(); }
 };

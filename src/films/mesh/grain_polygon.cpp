@@ -27,20 +27,22 @@ Outline outline(const ConvexCell<2>& cell) {
   return outline;
 }
 
-/// A cell without its share of the films [m], and the half-space of the cell from which each of its own comes.
+/// A cell without its share of the films, and the half-space of the cell from which each of its own comes.
 struct ErodedCell {
   ConvexCell<2> cell;
   std::vector<std::uint32_t> origin;
 };
 
-ErodedCell eroded(const ConvexCell<2>& cell, double thickness) {
+/// `thickness` is that of the films of the tessellation [m].
+ErodedCell eroded(const Tessellation<2>& tessellation, std::size_t site, double thickness) {
+  const auto& cell = tessellation.cell(site);
   ErodedCell result{cell, {}};
   const auto count = static_cast<std::uint32_t>(cell.half_spaces().size());
   for (std::uint32_t plane = 0; plane < count; ++plane) result.origin.push_back(plane);
   for (std::uint32_t plane = 0; plane < count; ++plane) {
     auto half_space = cell.half_spaces()[plane];
     if (!Tessellation<2>::neighbour(half_space)) continue;
-    half_space.offset -= 0.5 * thickness;
+    half_space.offset -= tessellation.half_film(site, half_space, thickness);
     if (result.cell.cut(half_space)) result.origin.push_back(plane);
   }
   return result;
@@ -76,7 +78,7 @@ GrainPolygon grain_polygon(const Tessellation<2>& tessellation, std::size_t site
     grain.edges.push_back({Tessellation<2>::neighbour(face), {image[0], image[1]}, to_eigen(face.normal), {}});
   }
 
-  const auto remaining = eroded(cell, thickness * side);
+  const auto remaining = eroded(tessellation, site, thickness * side);
   const auto found = outline(remaining.cell);
   const auto origin = to_eigen(tessellation.sites().sites[site].position);
   std::vector<Eigen::Vector2d> corners(grain.edges.size());

@@ -179,15 +179,16 @@ void ConvexCell<dim>::trim() {
 
 template <int dim>
 ConvexCell<dim> ConvexCell<dim>::eroded(double distance) const {
-  return eroded(distance, [](const HalfSpace<dim>&) { return true; });
+  return eroded([distance](const HalfSpace<dim>&) { return distance; });
 }
 
 template <int dim>
-ConvexCell<dim> ConvexCell<dim>::eroded(double distance, bool (*recedes)(const HalfSpace<dim>&)) const {
+ConvexCell<dim> ConvexCell<dim>::eroded(const std::function<double(const HalfSpace<dim>&)>& distance) const {
   ConvexCell result = *this;
   for (HalfSpace<dim> half_space : half_spaces_) {
-    if (!recedes(half_space)) continue;
-    half_space.offset -= distance;
+    const double depth = distance(half_space);
+    if (!(depth > 0.0)) continue;
+    half_space.offset -= depth;
     result.cut(half_space);
   }
   result.trim();

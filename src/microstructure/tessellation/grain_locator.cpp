@@ -15,7 +15,7 @@ namespace breccia {
 
 template <int dim>
 GrainLocator<dim>::GrainLocator(const Tessellation<dim>& tessellation, double film)
-    : film_(film), tree_(std::make_unique<SiteTree<dim>>(tessellation.sites())) {
+    : least_half_film_(0.5 * film), tree_(std::make_unique<SiteTree<dim>>(tessellation.sites())) {
   if (!(film >= 0.0) || !std::isfinite(film)) {
     throw InputError(
         fmt::format("tessellation: the thickness of the film must be finite and not negative, got {} m", film));
@@ -23,7 +23,9 @@ GrainLocator<dim>::GrainLocator(const Tessellation<dim>& tessellation, double fi
   first_face_.push_back(0);
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
     for (const auto& face : tessellation.cell(site).half_spaces()) {
-      if (tessellation.recedes(face)) faces_.push_back({face.normal, face.offset});
+      if (!tessellation.recedes(face)) continue;
+      faces_.push_back({face.normal, face.offset, tessellation.half_film(site, face, film)});
+      least_half_film_ = std::min(least_half_film_, faces_.back().half_film);
     }
     first_face_.push_back(faces_.size());
   }
@@ -37,17 +39,22 @@ template <int dim>
 GrainLocator<dim>::~GrainLocator() = default;
 
 // The faces of the cell are enough. A ball around the place that reaches the nearest face is within the convex cell, so
-// it does not cross the plane of any other site: no such plane is nearer (theory, Eq. 49). In the film, at the distance
-// d < t/2 from the nearest face, the cell's own grain is at least t/2 - d away, and another grain t/2 + d: it lies t/2
-// behind a plane that is d away or more.
+// it does not cross the plane of any other site: no such plane is nearer (theory, Eq. 49). In a film, at the distance
+// d < t/2 from its face, the cell's own grain is at least t/2 - d away. Another grain is at least half of the thinnest
+// film behind a face that is no nearer than the nearest of this cell.
 template <int dim>
 GrainPlace GrainLocator<dim>::at(const Vector<dim>& position) const {
   const auto [site, place] = tree_->owner(position);
-  double distance = std::numeric_limits<double>::infinity();  // from the nearest face
-  for (std::size_t face = first_face_[site]; face < first_face_[site + 1]; ++face) {
-    distance = std::min(distance, faces_[face].offset - dot(faces_[face].normal, place));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double nearest = infinity, depth = infinity;  // distances from the nearest face, and into the grain
+  for (std::size_t k = first_face_[site]; k < first_face_[site + 1]; ++k) {
+    const auto& face = faces_[k];
+    const double distance = std::max(0.0, face.offset - dot(face.normal, place));
+    nearest = std::min(nearest, distance);
+    depth = std::min(depth, distance - face.half_film);
   }
-  return {site, std::max(0.0, distance) - 0.5 * film_};
+  if (depth >= 0.0) return {site, depth};
+  return {site, std::max(depth, -(nearest + least_half_film_))};
 }
 
 template class GrainLocator<2>;

@@ -22,6 +22,12 @@ std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites) {
     throw InputError(
         fmt::format("tessellation: it needs from 1 to {} sites, got {}", most_particles, sites.sites.size()));
   }
+  const auto& shares = sites.film_shares;
+  if (!shares.empty() && shares.size() != sites.sites.size()) {
+    throw InputError(
+        fmt::format("tessellation: it needs a share of the films for each of {} sites, or none, got {} of them",
+                    sites.sites.size(), shares.size()));
+  }
   const auto is_in_box = [&](double x) { return x >= 0.0 && x <= sites.side; };
   std::vector<SiteMistake> found;
   for (std::size_t number = 0; number < sites.sites.size(); ++number) {
@@ -31,6 +37,9 @@ std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites) {
                                            fmt::join(position, " m, "), sites.side)});
     }
     if (!std::isfinite(weight)) found.push_back({number, fmt::format("the weight {} m^2 is not finite", weight)});
+    if (!shares.empty() && !(shares[number] > 0.0 && std::isfinite(shares[number]))) {
+      found.push_back({number, fmt::format("the share {} of the films is not positive and finite", shares[number])});
+    }
   }
   return found;
 }

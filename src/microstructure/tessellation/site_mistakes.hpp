@@ -9,8 +9,9 @@ namespace breccia {
 
 // The parts of mistakes(), for those who have the cells. Instantiated for 2 and 3 dimensions.
 
-/// Positions outside the box and weights that are not finite. Throws InputError if the box has no size or there are no
-/// sites or more than most_particles.
+/// Positions outside the box, weights that are not finite and shares of the films that are not positive. Throws
+/// InputError if the box has no size, there are no sites or more than most_particles, or the number of the shares is
+/// not that of the sites.
 template <int dim>
 [[nodiscard]] std::vector<SiteMistake> mistakes_of_numbers(const LaguerreSites<dim>& sites);
 

@@ -22,7 +22,7 @@ struct Filling {
   double slope = 0.0;
 };
 
-/// Each face of a grain that recedes does so by half of what the film grows.
+/// Each face of a grain recedes by half of what its film grows.
 template <int dim>
 Filling filling(const Tessellation<dim>& tessellation, double film) {
   const double box = times_power<dim>(1.0, tessellation.side());
@@ -32,7 +32,7 @@ Filling filling(const Tessellation<dim>& tessellation, double film) {
     const auto faces = face_measures(grain);
     result.fraction += volume(grain) / box;
     for (std::size_t face = 0; face < faces.size(); ++face) {
-      if (tessellation.recedes(grain.half_spaces()[face])) result.slope -= 0.5 * faces[face] / box;
+      result.slope -= tessellation.half_film(site, grain.half_spaces()[face], 1.0) * faces[face] / box;
     }
   }
   return result;
@@ -49,8 +49,15 @@ Tessellation<dim>::Tessellation(LaguerreSites<dim> sites) : sites_(std::move(sit
 
 template <int dim>
 ConvexCell<dim> Tessellation<dim>::grain(std::size_t site, double film) const {
-  if (sites_.wall_film == WallFilm::half) return cells_[site].eroded(0.5 * film);
-  return cells_[site].eroded(0.5 * film, [](const HalfSpace<dim>& face) { return neighbour(face).has_value(); });
+  return cells_[site].eroded([&](const HalfSpace<dim>& face) { return half_film(site, face, film); });
+}
+
+template <int dim>
+double Tessellation<dim>::half_film(std::size_t site, const HalfSpace<dim>& face, double film) const {
+  if (!recedes(face)) return 0.0;
+  if (sites_.film_shares.empty()) return 0.5 * film;
+  const auto beyond = neighbour(face).value_or(site);
+  return 0.5 * film * std::midpoint(sites_.film_shares[site], sites_.film_shares[beyond]);
 }
 
 template <int dim>
