@@ -119,7 +119,8 @@ TEST(Tessellation, SharesOfTheFilms) {
   sites.film_shares = {0.5, 0.0};
   expect_error<InputError>([&] { Tessellation<2> refused(sites); }, "site 2: the share 0 of the films is not positive");
   sites.film_shares = {1.0};
-  expect_error<InputError>([&] { Tessellation<2> refused(sites); }, "a share of the films for each of 2 sites, or none, got 1");
+  expect_error<InputError>([&] { Tessellation<2> refused(sites); },
+                           "a share of the films for each of 2 sites, or none, got 1");
 }
 
 // The neighbour beyond a face lies along its normal, displaced by whole sides.
