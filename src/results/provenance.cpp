@@ -234,7 +234,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = stage.fillers[number];
     const auto& statistics = packed[number];
     Json filler = {{"material", material.name},
-                   {"particles", stage.image() == nullptr ? Json(statistics.particles) : Json()},
+                   {"particles", stage.has_image() ? Json() : Json(statistics.particles)},
                    {"fraction", statistics.fraction},
                    {"fraction_asked", json_of(fraction)},
                    {"smallest_diameter_m", json_of(statistics.smallest_diameter)},
@@ -248,7 +248,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
                            {"thickness_cells", coating->thickness / stage.cell_size()},
                            {"fraction", statistics.coating_fraction}};
     }
-    if (shape) filler["shape"] = in_words(*shape);
+    if (shape) filler["shape"] = in_words(*shape, stage.dimensions);
     fillers.push_back(std::move(filler));
   }
   return fillers;
@@ -283,6 +283,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["smallest_diameter_m"] = equivalent_diameter(smallest.shape);
     microstructure["largest_diameter_m"] = equivalent_diameter(largest.shape);
   }
+  if (packing.ellipsoids) {
+    const auto [smallest, largest] = std::ranges::minmax(
+        packing.ellipsoids->particles, {}, [](const Ellipsoid& particle) { return equivalent_diameter(particle); });
+    microstructure["smallest_diameter_m"] = equivalent_diameter(smallest);
+    microstructure["largest_diameter_m"] = equivalent_diameter(largest);
+  }
   if (packing.grains) {
     const auto& grains = packing.fillers.front();
     microstructure["film_m"] = packing.grains->film;
@@ -295,6 +301,11 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["particles"] = Json();  // which pixels do not tell
     microstructure["pixels"] = image->pixels;
     microstructure["pixel_m"] = image->pixel_side;
+  }
+  if (const auto* stack = stage.stack()) {
+    microstructure["particles"] = Json();
+    microstructure["pixels"] = stack->pixels;
+    microstructure["pixel_m"] = stack->pixel_side;
   }
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {

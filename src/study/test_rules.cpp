@@ -48,7 +48,8 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
-  const auto& [walls, wall_film, seed, film, file, sites] = *stage.grains();
+  const auto walls = stage.grains()->walls;
+  const auto wall_film = stage.grains()->wall_film;
   if (walls == Walls::hard && wall_film == WallFilm::half) {
     lacks(R"(expected packing.walls = "cut" or false; no film of this model runs along a wall)");
   }
@@ -89,6 +90,7 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   const auto& tests = study.tests;
   if (uses(tests, Method::dynamic)) mistakes.emplace_back(R"(three dimensions: expected method "quasistatic")");
   if (tests.lists_field_times) mistakes.emplace_back("three dimensions: expected no times of fields");
+  if (tests.model == Model::films) mistakes.emplace_back(R"(three dimensions: expected model "cells")");
   return mistakes;
 }
 
