@@ -77,7 +77,8 @@ TEST(SpaceGrains, RhombicDodecahedraHaveTheirExactFraction) {
   study.write("fcc.csv", face_centred);
   const auto check = study.breccia("check");
   ASSERT_EQ(check.exit_code, 0) << check.errors;
-  EXPECT_THAT(check.output, AllOf(HasSubstr("Laguerre tessellation, periodic"), HasSubstr("4 sites, films of 100 um")));
+  EXPECT_THAT(check.output, AllOf(HasSubstr("Laguerre tessellation, periodic"), HasSubstr("4 sites, films of 100 um"),
+                                  HasSubstr("  A: 1.2 cells across a film\n")));
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, AllOf(HasSubstr("4 grains fill"), HasSubstr("films of 100 um (1.2 cells)")));
@@ -190,8 +191,7 @@ TEST(SpaceImages, LayersAreExact) {
 
 TEST(SpaceImages, ExtrudedAlongZHaveTheModuliOfThePlane) {
   // Standard volumetric strains: averaged ones are those of a cell, which a square and a cube have differently.
-  constexpr auto standard =
-      "loads = [\"shear\", \"shear-xx-yy\"]\nmixing = \"points\"\nvolumetric = \"standard\"\n";
+  constexpr auto standard = "loads = [\"shear\", \"shear-xx-yy\"]\nmixing = \"points\"\nvolumetric = \"standard\"\n";
   const auto is_glass = [](std::size_t x, std::size_t y) { return (x > 1 && x < 5 && y > 2) || (x == 6 && y < 3); };
   StudyDirectory space(deck_of(stack("image.npy"), standard));
   write_npy(space.path() / "image.npy", std::vector<std::size_t>{8, 8, 8},

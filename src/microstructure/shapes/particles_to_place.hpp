@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
 
 #include "breccia/microstructure/random_sequential.hpp"
 
