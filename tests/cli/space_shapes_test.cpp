@@ -19,7 +19,7 @@
 
 #include "study_directory.hpp"
 
-namespace breccia {
+namespace breccia::shapes_in_space {
 namespace {
 
 using test::read_curve;
@@ -314,4 +314,4 @@ TEST(SpaceEllipsoids, ThatJamAreExplained) {
 }
 
 }  // namespace
-}  // namespace breccia
+}  // namespace breccia::shapes_in_space
