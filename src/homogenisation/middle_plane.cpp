@@ -5,7 +5,7 @@
 namespace breccia {
 
 LabelImage<2> middle_plane(const Stage& stage, const StageMicrostructure& packed, std::size_t normal) {
-  constexpr int pixels = 800;
+  constexpr int pixels = 500;
   const auto labelling = labelling_in_space(stage, packed);
   const std::size_t across = (normal + 1) % 3, up = (normal + 2) % 3;
   LabelImage<2> plane = {.pixels = {pixels, pixels},
