@@ -306,7 +306,7 @@ TEST(SpaceEllipsoids, AtRandomAreReadBack) {
 TEST(SpaceEllipsoids, ThatJamAreExplained) {
   StudyDirectory study(
       deck_of("box = \"1 mm\"\ncells = 8\nfiller = { material = \"glass\", fraction = 0.75, gap = \"20 um\", sizes = { "
-              "diameter = \"0.4 mm\" }, shape = { aspect = 2 } }\npacking = { method = \"random-sequential\", walls = "
+              "diameter = \"0.6 mm\" }, shape = { aspect = 2 } }\npacking = { method = \"random-sequential\", walls = "
               "false }\n"));
   const auto run = study.breccia("run");
   EXPECT_EQ(run.exit_code, 3);
