@@ -153,20 +153,21 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
   // Between grains no rule is known for points, which take far more cells.
   const bool has_no_rule = packed.grains && mixing == Mixing::points;
+  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
+  const double cells_per_gap = gap / stage.cell_size();
+  const auto shown = fmt::format("{:.2g}", cells_per_gap);
+  const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells",
+                                 packed.grains ? "across a film" : "in the narrowest gap");
   // The rule was measured with discs.
-  const bool is_flat = stage.dimensions == 2;
-  if (!is_flat || !std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
+  if (stage.dimensions == 3) return fmt::format("  {}: {}\n", stage.name, width);
   std::vector<std::string> advice;
   for (const double error : errors) {
     const double per_gap = packed.grains ? cells_per_film_for(error) : cells_per_gap_for(mixing, error);
     const double cells = std::ceil(per_gap * stage.side / gap);
     advice.push_back(fmt::format("{:.0f} for {:.2g} %", cells, 100.0 * error));
   }
-  const double cells_per_gap = gap / stage.cell_size();
   const auto expected = packed.grains ? expected_film_error(cells_per_gap) : expected_grid_error(mixing, cells_per_gap);
-  const auto shown = fmt::format("{:.2g}", cells_per_gap);
-  return fmt::format("  {}: {} {} {}, error of the grid {}; cells = {}\n", stage.name, shown,
-                     shown == "1" ? "cell" : "cells", packed.grains ? "across a film" : "in the narrowest gap",
+  return fmt::format("  {}: {}, error of the grid {}; cells = {}\n", stage.name, width,
                      expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
                      fmt::join(advice, ", "));
 }

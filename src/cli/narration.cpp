@@ -19,7 +19,8 @@ namespace {
 
 /// "40 particles", "25 grains", "pixels of the filler".
 std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& packed) {
-  if (stage.image() != nullptr) return stage.fillers.size() > 1 ? "pixels of the fillers" : "pixels of the filler";
+  const auto* pixels = stage.dimensions == 3 ? "voxels" : "pixels";
+  if (stage.has_image()) return fmt::format("{} of the filler{}", pixels, stage.fillers.size() > 1 ? "s" : "");
   return fmt::format("{} {}", packed.particles(), packed.grains ? "grains" : "particles");
 }
 
@@ -37,7 +38,8 @@ std::string describe(const Stage& stage, const StageResult& result) {
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {
       const auto& own = packed.fillers[number];
-      const auto particles = stage.image() != nullptr ? "pixels" : fmt::format("{} particles", own.particles);
+      const auto particles = stage.has_image() ? (stage.dimensions == 3 ? "voxels" : "pixels")
+                                               : fmt::format("{} particles", own.particles);
       text += fmt::format("\n  filler {}, {}: {} fill {:.2f} %", number, stage.fillers[number].material.name, particles,
                           100.0 * own.fraction);
     }

@@ -66,22 +66,26 @@ struct DescribeSizes {
   }
 };
 
+template <int dim>
+std::string describe(const ImagePacking& packing, const LabelImage<dim>& image, std::string_view elements) {
+  return fmt::format("{}{}{}, {} {} of {}{}", packing.file.string(), packing.array.empty() ? "" : ":/", packing.array,
+                     fmt::join(image.pixels, " x "), elements, length(image.pixel_side),
+                     image.walls == Walls::periodic ? ", periodic" : "");
+}
+
 struct DescribePacking {
   std::string operator()(const LaguerrePacking& packing) const {
     const auto* hard =
         packing.wall_film == WallFilm::half ? "half a film along the walls" : "cut by the walls like a window";
     const auto* walls = packing.walls == Walls::hard ? hard : "periodic";
     const auto grains = packing.is_random() ? fmt::format("seed {}", packing.seed)
-                                            : fmt::format("{}, {} sites", packing.file.string(), packing.sites.size());
+                                            : fmt::format("{}, {} sites", packing.file.string(), packing.site_count());
     const auto film = packing.film ? fmt::format(", films of {}", length(*packing.film)) : "";
     const auto* shares = packing.film_shares.empty() ? "" : ", by the shares of the grains";
     return fmt::format("Laguerre tessellation, {}, {}{}{}", walls, grains, film, shares);
   }
   std::string operator()(const ImagePacking& packing) const {
-    const auto& image = *packing.image;
-    return fmt::format("{}{}{}, {} x {} pixels of {}{}", packing.file.string(), packing.array.empty() ? "" : ":/",
-                       packing.array, image.pixels[0], image.pixels[1], length(image.pixel_side),
-                       image.walls == Walls::periodic ? ", periodic" : "");
+    return packing.stack ? describe(packing, *packing.stack, "voxels") : describe(packing, *packing.image, "pixels");
   }
   std::string operator()(const LubachevskyStillingerPacking& packing) const {
     return fmt::format("Lubachevsky-Stillinger, {}, seed {}", packing.walls == Walls::hard ? "hard walls" : "periodic",
@@ -95,12 +99,14 @@ struct DescribePacking {
     return fmt::format("regular, {} columns x {} rows", packing.columns, packing.rows);
   }
   std::string operator()(const LatticePacking& packing) const {
-    return fmt::format("cubic lattice \"{}\", {} repeats, periodic", name_of(packing.lattice), packing.repeats);
+    return fmt::format("cubic lattice \"{}\", {}, periodic", name_of(packing.lattice),
+                       display_count(static_cast<std::size_t>(packing.repeats), "repeat"));
   }
   std::string operator()(const ExplicitPacking& packing) const {
     auto particles = fmt::format("{} discs", packing.discs.size());
     if (!packing.particles.empty()) particles = fmt::format("{} particles", packing.particles.size());
     if (!packing.spheres.empty()) particles = fmt::format("{} spheres", packing.spheres.size());
+    if (!packing.ellipsoids.empty()) particles = fmt::format("{} ellipsoids", packing.ellipsoids.size());
     return fmt::format("{}, {}{}", packing.file.string(), particles,
                        packing.walls == Walls::periodic ? ", periodic" : "");
   }
@@ -114,7 +120,7 @@ std::string describe_filler(const Stage& stage, const Filler& filler) {
     text += fmt::format(", cut to {} .. {}", length(*filler.smallest), length(*filler.largest));
   }
   text += '\n';
-  if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape));
+  if (filler.shape) text += fmt::format("    shape    {}\n", in_words(*filler.shape, stage.dimensions));
   if (filler.coating) {
     text += fmt::format("    coating  {}, {} ({:.3g} cells)\n", filler.coating->material.name,
                         length(filler.coating->thickness), filler.coating->thickness / stage.cell_size());

@@ -127,7 +127,7 @@ Filler read_filler(const Section& section, const Stage& stage, const std::vector
   Filler filler;
   filler.material = read_material_reference(section, "material", materials);
   section.refuse({"image"}, image_elsewhere);
-  filler.shape = read_shape(section, stage.packing);
+  filler.shape = read_shape(section, stage);
   if (stage.grains() == nullptr) filler.coating = read_coating(section, materials);
   read_amount(section, stage.packing, filler);
   read_gap(section, stage, filler);

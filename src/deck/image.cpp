@@ -1,6 +1,7 @@
 #include "image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/io/raster_reader.hpp"
 #include "breccia/microstructure/pixel_labels.hpp"
@@ -75,9 +77,10 @@ bool take_page(const Section& packing, std::optional<std::int64_t> page, Raster&
   if (!page && pages > 1) {
     // Programs that read colours leave arrays of [y][x][colour].
     const bool may_be_colours = raster.extents[0] == 3 || raster.extents[0] == 4;
-    packing.report("file", fmt::format("a stack of {} images: three dimensions are not available yet; {}", pages,
-                                       may_be_colours ? "if it is one image in colours, save one of them, or labels"
-                                                      : "packing.page = 1 takes the first one"));
+    packing.report(
+        "file", fmt::format("a stack of {} images: expected one image in a box of two dimensions; {}", pages,
+                            may_be_colours ? "if it is one image in colours, save one of them, or labels"
+                                           : "packing.page = 1 takes the first one, dimensions = 3 the whole stack"));
     return false;
   }
   const auto pixels = static_cast<std::int64_t>(raster.extents[0] * raster.extents[1]);
@@ -98,8 +101,30 @@ bool require_square(const Section& packing, const Raster& raster) {
   return false;
 }
 
-std::optional<Raster> read_pixels(const Section& packing, ImagePacking& image) {
+/// Reports what is not a cube of voxels.
+bool require_cube(const Section& packing, const Raster& raster) {
+  if (raster.extents.size() < 3) {
+    packing.report("file", fmt::format("expected a stack of images in a box of three dimensions, got one of {} pixels",
+                                       fmt::join(raster.extents, " x ")));
+    return false;
+  }
+  const auto [fewest, most] = std::ranges::minmax(raster.extents);
+  if (fewest == most) return true;
+  packing.report("file",
+                 fmt::format("expected a cube of voxels, since boxes are cubic, got {} voxels; crop it to {}",
+                             fmt::join(raster.extents, " x "), fmt::join(std::array{fewest, fewest, fewest}, " x ")));
+  return false;
+}
+
+/// Reads one image, a page of a stack.
+bool take_image(const Section& packing, std::optional<std::int64_t> page, Raster& raster) {
+  return take_page(packing, page, raster) && require_square(packing, raster);
+}
+
+/// Reads the pixels of a square image, or the voxels of a cubic stack in a box of three dimensions.
+std::optional<Raster> read_pixels(const Section& packing, int dimensions, ImagePacking& image) {
   const auto page = packing.optional_integer("page", Range::positive());
+  if (dimensions == 3) packing.refuse({"page"}, "a box of three dimensions takes the whole stack");
   const auto written = packing.text("file");
   if (written.empty()) return std::nullopt;
   auto [file, array] = raster_name(written);
@@ -108,8 +133,9 @@ std::optional<Raster> read_pixels(const Section& packing, ImagePacking& image) {
   if (image.file.empty()) return std::nullopt;
   std::optional<Raster> raster;
   packing.report_errors_of("file", [&] { raster = read_raster(image.file, image.array); });
-  const bool is_plane = raster && take_page(packing, page, *raster);
-  return is_plane && require_square(packing, *raster) ? raster : std::nullopt;
+  if (!raster) return std::nullopt;
+  const bool fits = dimensions == 3 ? require_cube(packing, *raster) : take_image(packing, page, *raster);
+  return fits ? raster : std::nullopt;
 }
 
 /// The side of the box [m] from `box` or `pixel` or both, which must agree; not a number where that is not
@@ -142,6 +168,24 @@ double read_side(const Section& section, const Section& packing, const std::opti
   return *box;
 }
 
+/// A square or cubic image of labels that fills a box of this side [m].
+template <int dim>
+std::shared_ptr<const LabelImage<dim>> labelled(const Raster& raster, const std::vector<ValueLabel>& table, double side,
+                                                Walls walls) {
+  const int pixels = static_cast<int>(raster.extents[0]);
+  LabelImage<dim> image = {
+      .pixels = {}, .pixel_side = side / pixels, .walls = walls, .labels = pixel_labels(raster.values, table)};
+  image.pixels.fill(pixels);
+  return std::make_shared<const LabelImage<dim>>(std::move(image));
+}
+
+/// Pixels along each side of the image of a stage; nothing where it could not be read, which has been reported.
+std::optional<int> pixels_along(const Stage& stage) {
+  if (stage.stack() != nullptr) return stage.stack()->pixels[0];
+  if (stage.image() != nullptr) return stage.image()->pixels[0];
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool has_image(const Section& stage) {
@@ -160,33 +204,36 @@ void read_image(const Section& section, const std::vector<Material>& materials, 
   packing.refuse({"seed"}, "nothing in an image is at random");
   const auto table = read_labels(packing, materials, stage);
   ImagePacking image;
-  auto raster = read_pixels(packing, image);
+  auto raster = read_pixels(packing, stage.dimensions, image);
   stage.side = read_side(section, packing, raster);
   const bool is_periodic = packing.optional_boolean("periodic").value_or(false);
   if (raster && !table.empty()) {
     packing.report_errors_of("labels", [&] {
-      const int pixels = static_cast<int>(raster->extents[0]);
-      auto labels = pixel_labels(raster->values, table);
-      image.image =
-          std::make_shared<const LabelImage<2>>(LabelImage<2>{.pixels = {pixels, pixels},
-                                                              .pixel_side = stage.side / pixels,
-                                                              .walls = is_periodic ? Walls::periodic : Walls::hard,
-                                                              .labels = std::move(labels)});
+      const auto walls = is_periodic ? Walls::periodic : Walls::hard;
+      if (stage.dimensions == 3) {
+        image.stack = labelled<3>(*raster, table, stage.side, walls);
+      } else {
+        image.image = labelled<2>(*raster, table, stage.side, walls);
+      }
     });
   }
   stage.packing = std::move(image);
 }
 
 int cells_of_points(const Section& section, const Stage& stage) {
-  // An image that could not be read has been reported already.
-  if (stage.image() == nullptr) return static_cast<int>(allowed::cells.lower);
-  const int pixels = stage.image()->pixels[0];
+  const auto known = pixels_along(stage);
+  if (!known) return static_cast<int>(allowed::cells.lower);
+  const int pixels = *known;
   if (pixels % 2 == 0 && accepts(allowed::cells, 0.5 * pixels)) return pixels / 2;
-  section.report("cells", fmt::format("missing: cells of 2 x 2 points cannot give each of {} x {} pixels one point; "
-                                      "cells = {} gives each four points, and an image of an even number of pixels, {} "
-                                      "or more, needs no cells",
-                                      pixels, pixels, std::max(pixels, static_cast<int>(allowed::cells.lower)),
-                                      2.0 * allowed::cells.lower));
+  const bool is_flat = stage.dimensions == 2;
+  section.report(
+      "cells",
+      fmt::format("missing: cells of {} points cannot give each of {} one point; cells = {} gives each {} "
+                  "points, and an image of an even number of pixels, {} or more, needs no cells",
+                  is_flat ? "2 x 2" : "2 x 2 x 2",
+                  is_flat ? fmt::format("{0} x {0} pixels", pixels) : fmt::format("{0} x {0} x {0} voxels", pixels),
+                  std::max(pixels, static_cast<int>(allowed::cells.lower)), is_flat ? "four" : "eight",
+                  2.0 * allowed::cells.lower));
   return static_cast<int>(allowed::cells.lower);
 }
 

@@ -1,11 +1,13 @@
 #include "listed_particles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/measured_table_reader.hpp"
@@ -15,11 +17,15 @@ namespace breccia {
 namespace {
 
 /// Adds a centre outside the box to the mistakes.
-void check_centre(const Vector<2>& centre, double side, const std::string& place, FileMistakes& mistakes) {
+template <std::size_t dim>
+void check_centre(const std::array<double, dim>& centre, double side, const std::string& place,
+                  FileMistakes& mistakes) {
   const auto is_outside = [side](double x) { return x < 0.0 || x > side; };
   if (std::ranges::none_of(centre, is_outside)) return;
+  std::vector<std::string> coordinates;
+  for (const double x : centre) coordinates.push_back(readable(x, Dimension::length));
   mistakes.add(place, fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
-               fmt::format("({}, {})", readable(centre[0], Dimension::length), readable(centre[1], Dimension::length)));
+               fmt::format("({})", fmt::join(coordinates, ", ")));
 }
 
 }  // namespace
@@ -56,6 +62,47 @@ std::vector<Particle> read_ellipses(const MeasuredTable& table, double side, Fil
   }
   if (particles.empty()) mistakes.add("", "expected at least one ellipse");
   return particles;
+}
+
+bool lists_ellipsoids(const MeasuredTable& table) {
+  constexpr std::array quantities = {Quantity::axis_1,  Quantity::axis_2,    Quantity::axis_3,
+                                     Quantity::azimuth, Quantity::elevation, Quantity::roll};
+  return std::ranges::any_of(quantities, [&table](Quantity quantity) { return table.has({quantity}); });
+}
+
+std::vector<Ellipsoid> read_ellipsoids(const MeasuredTable& table, double side, FileMistakes& mistakes) {
+  if (table.has({Quantity::diameter})) {
+    throw InputError(
+        fmt::format("{}: expected either diameters, or axis_1, axis_2, axis_3, azimuth, elevation and roll, but it has "
+                    "columns of both",
+                    table.path().string()));
+  }
+  table.require({Quantity::x, Quantity::y, Quantity::z, Quantity::axis_1, Quantity::axis_2, Quantity::axis_3,
+                 Quantity::azimuth, Quantity::elevation, Quantity::roll});
+  const auto values = [&table](Quantity quantity, std::size_t row) { return table.column(quantity).values[row]; };
+  const auto written = [&table](Quantity quantity, std::size_t row) { return table.column(quantity).written[row]; };
+  const auto is_length = [](double length) { return length > 0.0 && std::isfinite(length); };
+  std::vector<Ellipsoid> ellipsoids;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const Vector<3> centre = {values(Quantity::x, row), values(Quantity::y, row), values(Quantity::z, row)};
+    const Vector<3> axes = {values(Quantity::axis_1, row), values(Quantity::axis_2, row),
+                            values(Quantity::axis_3, row)};
+    const Turn turn = {values(Quantity::azimuth, row), values(Quantity::elevation, row), values(Quantity::roll, row)};
+    if (!std::ranges::all_of(axes, is_length)) {
+      mistakes.add(table.place(row), "expected positive axes",
+                   fmt::format("{}, {} and {}", written(Quantity::axis_1, row), written(Quantity::axis_2, row),
+                               written(Quantity::axis_3, row)));
+    } else if (!std::isfinite(turn.azimuth + turn.elevation + turn.roll)) {
+      mistakes.add(table.place(row), "expected finite angles",
+                   fmt::format("{}, {} and {}", written(Quantity::azimuth, row), written(Quantity::elevation, row),
+                               written(Quantity::roll, row)));
+    } else {
+      check_centre(centre, side, table.place(row), mistakes);
+    }
+    ellipsoids.push_back({centre, axes, turned(turn)});
+  }
+  if (ellipsoids.empty()) mistakes.add("", "expected at least one ellipsoid");
+  return ellipsoids;
 }
 
 ListedPolygons read_polygons(const std::filesystem::path& file, double side, std::size_t fillers) {

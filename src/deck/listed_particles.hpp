@@ -6,6 +6,7 @@
 
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table.hpp"
+#include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/particle.hpp"
 
 namespace breccia {
@@ -19,6 +20,13 @@ bool lists_ellipses(const MeasuredTable& table);
 /// The ellipses of a table with the columns x, y, axis_1, axis_2 and angle. Adds what is wrong with rows to `mistakes`;
 /// throws InputError where a column is missing.
 std::vector<Particle> read_ellipses(const MeasuredTable& table, double side, FileMistakes& mistakes);
+
+/// Whether a table has a column of ellipsoids.
+bool lists_ellipsoids(const MeasuredTable& table);
+
+/// The ellipsoids of a table with the columns x, y, z, axis_1, axis_2, axis_3, azimuth, elevation and roll. Adds what
+/// is wrong with rows to `mistakes`; throws InputError where a column is missing.
+std::vector<Ellipsoid> read_ellipsoids(const MeasuredTable& table, double side, FileMistakes& mistakes);
 
 /// Polygons, with the number of the filler of each.
 struct ListedPolygons {

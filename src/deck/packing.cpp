@@ -132,19 +132,23 @@ void add_polygons(ListedPolygons polygons, ExplicitPacking& listed) {
   std::ranges::move(polygons.fillers, std::back_inserter(listed.fillers));
 }
 
-/// Reads the spheres of a box of three dimensions.
-ExplicitPacking read_spheres(const Section& packing, double side, std::size_t fillers) {
+/// Reads the spheres or ellipsoids of a box of three dimensions.
+ExplicitPacking read_explicit_in_space(const Section& packing, double side, std::size_t fillers) {
   packing.refuse({"discs", "polygons"}, "they are particles of a box of two dimensions");
   ExplicitPacking listed{packing.file("particles"), {}, read_walls(packing), {}};
   if (listed.file.empty()) return listed;
   packing.report_errors_of("particles", [&] {
     const auto table = read_measured_table(listed.file);
     FileMistakes mistakes(listed.file);
-    auto spheres = read_balls<3>(table, side, mistakes);
-    auto numbers = read_filler_numbers(table, fillers, mistakes);
+    auto read = listed;
+    if (lists_ellipsoids(table)) {
+      read.ellipsoids = read_ellipsoids(table, side, mistakes);
+    } else {
+      read.spheres = read_balls<3>(table, side, mistakes);
+    }
+    read.fillers = read_filler_numbers(table, fillers, mistakes);
     mistakes.refuse();
-    listed.spheres = std::move(spheres);
-    listed.fillers = std::move(numbers);
+    listed = std::move(read);
   });
   return listed;
 }
@@ -174,18 +178,21 @@ ExplicitPacking read_explicit(const Section& packing, double side, std::size_t f
 
 /// The sites of a tessellation. Those in a table without weights all weigh the same, and without shares of the films
 /// these are of one thickness.
-LaguerreSites<2> read_sites(const std::filesystem::path& file, double side, Walls walls) {
+template <int dim>
+LaguerreSites<dim> read_sites(const std::filesystem::path& file, double side, Walls walls) {
   const auto table = read_measured_table(file);
   table.require({Quantity::x, Quantity::y});
+  if (dim == 3) table.require({Quantity::x, Quantity::y, Quantity::z});
   table.refuse_unknown_units({Quantity::weight, Quantity::film_share});
-  const auto& x = table.column(Quantity::x);
-  const auto& y = table.column(Quantity::y);
+  const auto columns = coordinate_columns(table, dim);
   const auto* weights = table.has({Quantity::weight}) ? &table.column(Quantity::weight) : nullptr;
-  LaguerreSites<2> read = {.side = side, .walls = walls, .sites = {}};
+  LaguerreSites<dim> read = {.side = side, .walls = walls, .sites = std::vector<Site<dim>>(table.rows())};
   auto& sites = read.sites;
   if (table.has({Quantity::film_share})) read.film_shares = table.column(Quantity::film_share).values;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    sites.push_back({{x.values[row], y.values[row]}, weights == nullptr ? 0.0 : weights->values[row]});
+  for (std::size_t row = 0; row < sites.size(); ++row) {
+    auto& [position, weight] = sites[row];
+    for (std::size_t axis = 0; axis < position.size(); ++axis) position[axis] = columns[axis]->values[row];
+    weight = weights == nullptr ? 0.0 : weights->values[row];
   }
   FileMistakes mistakes(file);
   if (sites.empty()) mistakes.add("", "expected at least one site");
@@ -197,7 +204,7 @@ LaguerreSites<2> read_sites(const std::filesystem::path& file, double side, Wall
   return read;
 }
 
-LaguerrePacking read_laguerre(const Section& packing, double side) {
+LaguerrePacking read_laguerre(const Section& packing, const Stage& stage) {
   LaguerrePacking grains;
   if (packing.kind("walls") == Kind::text) {
     grains.wall_film = packing.choice<WallFilm>("walls", {{"cut", WallFilm::none}}).value_or(WallFilm::half);
@@ -215,9 +222,15 @@ LaguerrePacking read_laguerre(const Section& packing, double side) {
       return grains;
     }
     packing.report_errors_of("sites", [&] {
-      auto read = read_sites(grains.file, side, grains.walls);
-      grains.sites = std::move(read.sites);
-      grains.film_shares = std::move(read.film_shares);
+      const auto take = [&](auto read, auto& sites) {
+        sites = std::move(read.sites);
+        grains.film_shares = std::move(read.film_shares);
+      };
+      if (stage.dimensions == 3) {
+        take(read_sites<3>(grains.file, stage.side, grains.walls), grains.sites_in_space);
+      } else {
+        take(read_sites<2>(grains.file, stage.side, grains.walls), grains.sites);
+      }
     });
   } else {
     grains.seed = static_cast<std::uint64_t>(packing.optional_integer("seed", Range::not_negative()).value_or(1));
@@ -241,8 +254,13 @@ bool takes_seed(const Section& packing) {
 }
 
 void require_room(const Stage& stage, const ExplicitPacking& listed) {
-  if (listed.discs.empty() && listed.particles.empty() && listed.spheres.empty()) return;  // which has been reported
+  const bool is_empty = listed.discs.empty() && listed.particles.empty();
+  if (is_empty && listed.spheres.empty() && listed.ellipsoids.empty()) return;  // which has been reported
   try {
+    if (!listed.ellipsoids.empty()) {
+      require_valid(ellipsoid_box(stage, listed));
+      return;
+    }
     if (!listed.particles.empty()) {
       require_valid(particle_box(stage, listed));
     } else if (stage.dimensions == 3) {
@@ -257,25 +275,48 @@ void require_room(const Stage& stage, const ExplicitPacking& listed) {
 
 namespace {
 
+/// The packings whose keys are the same in two and three dimensions.
+std::optional<PackingMethod> read_in_any_box(const Section& packing, const Stage& stage, MethodName method) {
+  switch (method) {
+    case MethodName::laguerre:
+      return read_laguerre(packing, stage);
+    case MethodName::image:
+      return std::nullopt;  // read_image() reads it
+    case MethodName::sequential:
+      return read_random<RandomSequentialPacking>(packing);
+    default:
+      return read_random<LubachevskyStillingerPacking>(packing);
+  }
+}
+
 /// The packings of a box of three dimensions.
-std::optional<PackingMethod> read_packing_in_space(const Section& packing, double side, std::size_t fillers) {
+std::optional<PackingMethod> read_packing_in_space(const Section& packing, const Stage& stage, std::size_t fillers) {
   const auto method = packing.choice<MethodName>("method", {{random_method, MethodName::lubachevsky_stillinger},
                                                             {"regular", MethodName::regular},
-                                                            {"explicit", MethodName::listed}});
+                                                            {"explicit", MethodName::listed},
+                                                            {grain_method, MethodName::laguerre},
+                                                            {image_method, MethodName::image},
+                                                            {sequential_method, MethodName::sequential}});
+  packing.refuse({"image"}, image_elsewhere);
   if (!method) {
     packing.accept_all_keys();
     return std::nullopt;
   }
-  if (*method == MethodName::regular) return read_lattice(packing);
-  if (*method == MethodName::listed) return read_spheres(packing, side, fillers);
-  return read_random<LubachevskyStillingerPacking>(packing);
+  switch (*method) {
+    case MethodName::regular:
+      return read_lattice(packing);
+    case MethodName::listed:
+      return read_explicit_in_space(packing, stage.side, fillers);
+    default:
+      return read_in_any_box(packing, stage, *method);
+  }
 }
 
 }  // namespace
 
 std::optional<PackingMethod> read_packing(const Section& section, const Stage& stage, std::size_t fillers) {
   const auto packing = section.section("packing");
-  if (stage.dimensions == 3) return read_packing_in_space(packing, stage.side, fillers);
+  if (stage.dimensions == 3) return read_packing_in_space(packing, stage, fillers);
   if (asks_for_other_shapes(packing)) {
     packing.report("method", shapes_elsewhere);
     packing.accept_all_keys();
@@ -299,14 +340,8 @@ std::optional<PackingMethod> read_packing(const Section& section, const Stage& s
       return read_regular(packing);
     case MethodName::listed:
       return read_explicit(packing, stage.side, fillers);
-    case MethodName::laguerre:
-      return read_laguerre(packing, stage.side);
-    case MethodName::image:
-      return std::nullopt;  // read_image() reads it
-    case MethodName::sequential:
-      return read_random<RandomSequentialPacking>(packing);
     default:
-      return read_random<LubachevskyStillingerPacking>(packing);
+      return read_in_any_box(packing, stage, *method);
   }
 }
 

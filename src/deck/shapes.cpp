@@ -18,11 +18,14 @@ namespace {
 /// Why a packing has no place for shapes of fillers; nothing where it has.
 struct ReasonAgainstShapes {
   using Reason = std::optional<std::string>;
+  const char* round;  ///< the particles without a shape
 
   Reason operator()(const RandomSequentialPacking&) const { return std::nullopt; }
   Reason operator()(const LubachevskyStillingerPacking&) const {
-    return "the method \"lubachevsky-stillinger\" packs discs alone; packing.method = \"random-sequential\" packs "
-           "other shapes";
+    return fmt::format(
+        "the method \"lubachevsky-stillinger\" packs {} alone; packing.method = \"random-sequential\" packs other "
+        "shapes",
+        round);
   }
   Reason operator()(const RegularPacking&) const {
     return "a regular packing has discs alone; packing.method = \"random-sequential\" packs other shapes";
@@ -52,6 +55,15 @@ PolygonalOutline read_polygon(const std::filesystem::path& file) {
   return outline;
 }
 
+/// The aspect of ellipsoids; nothing for spheres, and where a mistake has been reported.
+std::optional<FillerShape> read_ellipsoids_of_revolution(const Section& shape) {
+  shape.refuse({"polygon"}, "particles of three dimensions are ellipsoids: { aspect = 1.5 }");
+  shape.refuse({"angle"}, "ellipsoids are turned at random; packing.method = \"explicit\" takes their angles");
+  const double aspect = shape.number("aspect", allowed::aspect);
+  if (aspect == 1.0) return std::nullopt;
+  return FillerShape{EllipticOutline{aspect}, {}};
+}
+
 /// The shape of a table that has one; nothing for discs, and where a mistake has been reported.
 std::optional<FillerShape> read_outline(const Section& shape) {
   const auto key = shape.exactly_one({"aspect", "polygon"});
@@ -71,14 +83,18 @@ std::optional<FillerShape> read_outline(const Section& shape) {
 
 }  // namespace
 
-std::optional<FillerShape> read_shape(const Section& filler, const PackingMethod& packing) {
+std::optional<FillerShape> read_shape(const Section& filler, const Stage& stage) {
   if (!filler.has("shape")) return std::nullopt;
   if (filler.kind("shape") != Kind::table) {
-    filler.report("shape", "expected { aspect = 1.5 } for ellipses or { polygon = \"file.csv\" }");
+    filler.report("shape", stage.dimensions == 3
+                               ? "expected { aspect = 1.5 } for ellipsoids of revolution"
+                               : "expected { aspect = 1.5 } for ellipses or { polygon = \"file.csv\" }");
     return std::nullopt;
   }
-  const auto read = read_outline(filler.section("shape"));
-  const auto reason = std::visit(ReasonAgainstShapes(), packing);
+  const bool is_flat = stage.dimensions == 2;
+  const auto shape = filler.section("shape");
+  const auto read = is_flat ? read_outline(shape) : read_ellipsoids_of_revolution(shape);
+  const auto reason = std::visit(ReasonAgainstShapes{is_flat ? "discs" : "spheres"}, stage.packing);
   if (!read || !reason) return read;
   filler.report("shape", *reason);
   return std::nullopt;

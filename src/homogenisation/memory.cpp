@@ -68,6 +68,7 @@ double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
   if (study.tests.mixing == Mixing::points) return 0.0;
   if (const auto* image = stage.image()) return std::min(1.0, specific_interface(*image) * stage.side / cells);
+  if (const auto* stack = stage.stack()) return std::min(1.0, specific_interface(*stack) * stage.side / cells);
   double share = 0.0;
   for (const auto& filler : stage.fillers) share += share_of_mixed_cells(stage, filler, stage.side / cells);
   return std::min(1.0, share);

@@ -22,74 +22,96 @@ namespace breccia {
 
 namespace {
 
-/// The diameter [m] of a disc with the area below which a share of the whole of these areas [m^2] is.
+/// The diameter [m] of a disc with the area below which a share of the whole of these areas [m^2] is; in three
+/// dimensions that of a ball with the volume.
+template <int dim>
 double diameter_below(std::span<const double> rising_areas, double share) {
   const double whole = std::accumulate(rising_areas.begin(), rising_areas.end(), 0.0);
   double below = 0.0;
   const auto found = std::ranges::find_if(rising_areas, [&](double area) { return (below += area) >= share * whole; });
+  if constexpr (dim == 3) return std::cbrt(6.0 * *found / std::numbers::pi);
   return 2.0 * std::sqrt(*found / std::numbers::pi);
 }
 
-SizesByArea sizes_by_area(const std::vector<GrainGeometry<2>>& grains, double GrainGeometry<2>::*area) {
+template <int dim>
+SizesByArea sizes_by_area(const std::vector<GrainGeometry<dim>>& grains, double GrainGeometry<dim>::*area) {
   if (grains.empty()) return {};
   std::vector<double> areas;
   for (const auto& grain : grains) areas.push_back(grain.*area);
   std::ranges::sort(areas);
-  return {diameter_below(areas, 0.1), diameter_below(areas, 0.5)};
+  return {diameter_below<dim>(areas, 0.1), diameter_below<dim>(areas, 0.5)};
 }
 
-/// The films between the cells of a tessellation.
-struct FilmMeasures {
-  double thinnest = std::numeric_limits<double>::infinity();  ///< [m]
-  /// Length of the films shorter than five times their thickness over that of all films [-].
-  double short_films = 0.0;
-};
+/// Thickness of the thinnest film between the cells of a tessellation [m]; `film` if there are no two cells.
+template <int dim>
+double thinnest_film(const Tessellation<dim>& tessellation, double film) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t site = 0; site < tessellation.size(); ++site) {
+    for (const auto& face : tessellation.cell(site).half_spaces()) {
+      if (!Tessellation<dim>::neighbour(face)) continue;
+      thinnest = std::min(thinnest, 2.0 * tessellation.half_film(site, face, film));
+    }
+  }
+  return std::isfinite(thinnest) ? thinnest : film;
+}
 
-/// The faces of the cells are in the middle of the films.
-FilmMeasures measures_of_films(const Tessellation<2>& tessellation, double film) {
-  FilmMeasures result;
+/// Length of the films shorter than five times their thickness over that of all films. The faces of the cells are in
+/// the middle of the films.
+double share_of_short_films(const Tessellation<2>& tessellation, double film) {
   double all = 0.0, in_short_films = 0.0;
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
     const auto& cell = tessellation.cell(site);
     const auto lengths = face_measures(cell);
     for (std::size_t face = 0; face < lengths.size(); ++face) {
       if (!Tessellation<2>::neighbour(cell.half_spaces()[face])) continue;
-      const double thickness = 2.0 * tessellation.half_film(site, cell.half_spaces()[face], film);
-      result.thinnest = std::min(result.thinnest, thickness);
       all += lengths[face];
+      const double thickness = 2.0 * tessellation.half_film(site, cell.half_spaces()[face], film);
       if (lengths[face] < 5.0 * thickness) in_short_films += lengths[face];
     }
   }
-  if (all > 0.0) result.short_films = in_short_films / all;
-  return result;
+  return all > 0.0 ? in_short_films / all : 0.0;
 }
 
-void measure_grains(StageMicrostructure& result) {
-  auto& [sites, film, count, cell_sizes, grain_sizes, short_films] = *result.grains;
-  const Tessellation<2> tessellation(sites);
-  const auto films = measures_of_films(tessellation, film);
-  short_films = films.short_films;
+template <int dim>
+void measure_grains(const Tessellation<dim>& tessellation, StageMicrostructure& result) {
+  auto& own = *result.grains;
+  const double film = own.film;
   auto grains = grain_geometries(tessellation, film);
-  cell_sizes = sizes_by_area(grains, &GrainGeometry<2>::cell_volume);
-  std::erase_if(grains, [](const GrainGeometry<2>& grain) { return !(grain.grain_volume > 0.0); });
-  count = grains.size();
-  grain_sizes = sizes_by_area(grains, &GrainGeometry<2>::grain_volume);
+  own.cells = sizes_by_area(grains, &GrainGeometry<dim>::cell_volume);
+  std::erase_if(grains, [](const GrainGeometry<dim>& grain) { return !(grain.grain_volume > 0.0); });
+  own.count = grains.size();
+  own.sizes = sizes_by_area(grains, &GrainGeometry<dim>::grain_volume);
   double outlines = 0.0;
   for (const auto& grain : grains) outlines += grain.grain_surface;
+  double box = 1.0;
+  for (int axis = 0; axis < dim; ++axis) box *= tessellation.side();
   result.fraction = grain_fraction(tessellation, film);
-  result.interface_per_area = outlines / (sites.side * sites.side);
-  result.gap = std::isfinite(films.thinnest) ? films.thinnest : film;
+  result.interface_per_area = outlines / box;
+  result.gap = thinnest_film(tessellation, film);
+  const auto& sites = tessellation.sites();
   const bool has_films_along_walls = sites.walls == Walls::hard && sites.wall_film == WallFilm::half;
   result.wall_gap = has_films_along_walls ? 0.5 * film : std::numeric_limits<double>::infinity();
   const auto deviation = result.fillers.empty() ? std::nullopt : result.fillers.front().size_deviation;
-  result.fillers = {{.particles = count, .fraction = result.fraction, .size_deviation = deviation}};
+  result.fillers = {{.particles = own.count, .fraction = result.fraction, .size_deviation = deviation}};
   if (grains.empty()) return;
-  const auto [smallest, largest] = std::ranges::minmax(grains, {}, &GrainGeometry<2>::diameter);
+  const auto [smallest, largest] = std::ranges::minmax(grains, {}, &GrainGeometry<dim>::diameter);
   result.fillers.front().smallest_diameter = smallest.diameter;
   result.fillers.front().largest_diameter = largest.diameter;
 }
 
-void measure_image(const Stage& stage, const LabelImage<2>& image, StageMicrostructure& result) {
+void measure_grains(StageMicrostructure& result) {
+  auto& grains = *result.grains;
+  if (grains.sites_in_space) {
+    measure_grains(Tessellation<3>(*grains.sites_in_space), result);
+    return;
+  }
+  const Tessellation<2> tessellation(grains.sites);
+  grains.short_films = share_of_short_films(tessellation, grains.film);
+  measure_grains(tessellation, result);
+}
+
+template <int dim>
+void measure_image(const Stage& stage, const LabelImage<dim>& image, StageMicrostructure& result) {
   const auto fractions = label_fractions(image, stage.fillers.size() + 1);
   result.fillers.clear();
   for (std::size_t filler = 0; filler < stage.fillers.size(); ++filler) {
@@ -127,11 +149,15 @@ void measure(const Stage& stage, StageMicrostructure& result) {
     measure_image(stage, *image, result);
     return;
   }
+  if (const auto* stack = stage.stack()) {
+    measure_image(stage, *stack, result);
+    return;
+  }
   if (result.grains) {
     measure_grains(result);
     return;
   }
-  if (result.shaped) {
+  if (result.shaped || result.ellipsoids) {
     measure_shaped(stage, result);
     return;
   }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
+#include "breccia/microstructure/ellipsoid_locator.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
 #include "breccia/microstructure/particle_locator.hpp"
 #include "breccia/study/coatings.hpp"
@@ -14,6 +15,13 @@ namespace breccia {
 namespace {
 
 constexpr std::int32_t no_particle = -1;
+
+template <int dim>
+Grid<dim> grid_of(double side, int cells) {
+  Grid<dim> grid = {.cells = {}, .cell_side = side / cells};
+  grid.cells.fill(cells);
+  return grid;
+}
 
 template <int dim>
 std::vector<PhaseIndex> phases_of_points(const Discretisation<dim>& discretisation) {
@@ -69,12 +77,13 @@ std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstr
 }
 
 /// The particle of every point in it or in its coating.
-std::vector<std::int32_t> particles_of_points(const ParticleBox& box, int cells) {
-  const ParticleLocator locator(box);
-  const Discretisation<2> points(Grid<2>{{cells, cells}, box.side / cells});
+template <int dim, class Locator, class Box>
+std::vector<std::int32_t> particles_near_points(const Box& box, int cells) {
+  const Locator locator(box);
+  const Discretisation<dim> points(grid_of<dim>(box.side, cells));
   std::vector<std::int32_t> particles(points.points(), no_particle);
-  points.grid().for_each_cell([&](const Index<2>& cell) {
-    for (int point = 0; point < Discretisation<2>::points_per_cell; ++point) {
+  points.grid().for_each_cell([&](const Index<dim>& cell) {
+    for (int point = 0; point < Discretisation<dim>::points_per_cell; ++point) {
       const auto [particle, distance] = locator.at(points.position(cell, point));
       if (!particle || distance > box.coating_of(*particle)) continue;
       particles[points.grid().point_index(cell, point)] = static_cast<std::int32_t>(*particle);
@@ -83,24 +92,31 @@ std::vector<std::int32_t> particles_of_points(const ParticleBox& box, int cells)
   return particles;
 }
 
-PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int cells) {
+template <int dim>
+PointLabels labels_of_grains(const Stage& stage, const LaguerreSites<dim>& sites, double film, int cells) {
   const auto phases = phases_of(stage);
   const auto matrix = phases.index_of(name_of_matrix_phase);
   const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
-  const GrainLocator<2> locator(Tessellation<2>(grains.sites), grains.film);
-  const Discretisation<2> points(Grid<2>{{cells, cells}, stage.side / cells});
+  const GrainLocator<dim> locator(Tessellation<dim>(sites), film);
+  const auto grid = grid_of<dim>(stage.side, cells);
+  const Discretisation<dim> points(grid);
   PointLabels labels = {.phases = std::vector<PhaseIndex>(points.points(), matrix),
                         .particles = std::vector<std::int32_t>(points.points(), no_particle)};
-  points.grid().for_each_cell([&](const Index<2>& cell) {
-    for (int point = 0; point < Discretisation<2>::points_per_cell; ++point) {
+  grid.for_each_cell([&](const Index<dim>& cell) {
+    for (int point = 0; point < Discretisation<dim>::points_per_cell; ++point) {
       const auto place = locator.at(points.position(cell, point));
       if (!place.is_in_grain()) continue;
-      const auto index = points.grid().point_index(cell, point);
+      const auto index = grid.point_index(cell, point);
       labels.phases[index] = filler;
       labels.particles[index] = static_cast<std::int32_t>(place.site);
     }
   });
   return labels;
+}
+
+PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int cells) {
+  if (grains.sites_in_space) return labels_of_grains(stage, *grains.sites_in_space, grains.film, cells);
+  return labels_of_grains(stage, grains.sites, grains.film, cells);
 }
 
 }  // namespace
@@ -116,8 +132,10 @@ PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, 
     return labels;
   }
   if (packed.shaped) {
-    labels.particles = particles_of_points(*packed.shaped, cells);
-  } else if (stage.image() == nullptr) {
+    labels.particles = particles_near_points<2, ParticleLocator>(*packed.shaped, cells);
+  } else if (packed.ellipsoids) {
+    labels.particles = particles_near_points<3, EllipsoidLocator>(*packed.ellipsoids, cells);
+  } else if (!stage.has_image()) {
     labels.particles = particles_of_points(stage, packed.microstructure, cells, labels.phases);
   }
   return labels;

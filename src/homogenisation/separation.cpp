@@ -24,10 +24,17 @@ const Stage* filled_matrix_of(const Study& study, const Stage& stage) {
   return below;
 }
 
-/// The diameters of the particles of a stage; those of the cells around listed sites are those of discs of their areas.
+/// The diameters of the particles of a stage; those of the cells around listed sites are those of discs of their areas,
+/// or of balls of their volumes.
 std::optional<DiameterRange> particle_sizes(const Stage& stage) {
   const auto* grains = stage.grains();
   if (grains == nullptr || grains->is_random()) return diameters_of(stage);
+  if (stage.dimensions == 3) {
+    const auto volumes = cell_volumes(Tessellation<3>({stage.side, grains->walls, grains->sites_in_space}));
+    const auto [smallest, largest] = std::ranges::minmax(volumes);
+    const auto diameter = [](double volume) { return std::cbrt(6.0 * volume / std::numbers::pi); };
+    return DiameterRange{diameter(smallest), diameter(largest)};
+  }
   const auto areas = cell_volumes(Tessellation<2>({stage.side, grains->walls, grains->sites}));
   const auto [smallest, largest] = std::ranges::minmax(areas);
   const auto diameter = [](double area) { return 2.0 * std::sqrt(area / std::numbers::pi); };

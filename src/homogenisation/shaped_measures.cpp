@@ -7,8 +7,9 @@ namespace breccia {
 namespace {
 
 /// The particles of one filler alone.
-ParticleBox particles_of(const ParticleBox& box, std::size_t filler) {
-  ParticleBox own = {box.side, box.walls};
+template <class Box>
+Box particles_of(const Box& box, std::size_t filler) {
+  Box own = {box.side, box.walls};
   for (std::size_t particle = 0; particle < box.particles.size(); ++particle) {
     if (box.filler_of(particle) != filler) continue;
     own.particles.push_back(box.particles[particle]);
@@ -17,23 +18,29 @@ ParticleBox particles_of(const ParticleBox& box, std::size_t filler) {
   return own;
 }
 
-FillerStatistics statistics_of(const ParticleBox& own) {
+double size_of_shape(const Particle& particle) {
+  return equivalent_diameter(particle.shape);
+}
+double size_of_shape(const Ellipsoid& particle) {
+  return equivalent_diameter(particle);
+}
+
+template <class Box>
+FillerStatistics statistics_of(const Box& own) {
   FillerStatistics statistics;
   statistics.particles = own.particles.size();
   statistics.fraction = volume_fraction(own);
   statistics.coating_fraction = coating_fraction(own);
   for (const auto& particle : own.particles) {
-    const double diameter = equivalent_diameter(particle.shape);
+    const double diameter = size_of_shape(particle);
     statistics.smallest_diameter = std::min(statistics.smallest_diameter.value_or(diameter), diameter);
     statistics.largest_diameter = std::max(statistics.largest_diameter.value_or(diameter), diameter);
   }
   return statistics;
 }
 
-}  // namespace
-
-void measure_shaped(const Stage& stage, StageMicrostructure& result) {
-  const auto& box = *result.shaped;
+template <class Box>
+void measure_box(const Stage& stage, const Box& box, StageMicrostructure& result) {
   result.fraction = volume_fraction(box);
   result.interface_per_area = specific_surface(box);
   result.gap = smallest_gap(box);
@@ -43,6 +50,16 @@ void measure_shaped(const Stage& stage, StageMicrostructure& result) {
     const auto deviation = result.fillers[number].size_deviation;
     result.fillers[number] = statistics_of(particles_of(box, number));
     result.fillers[number].size_deviation = deviation;
+  }
+}
+
+}  // namespace
+
+void measure_shaped(const Stage& stage, StageMicrostructure& result) {
+  if (result.ellipsoids) {
+    measure_box(stage, *result.ellipsoids, result);
+  } else {
+    measure_box(stage, result.shaped.value(), result);
   }
 }
 

@@ -4,8 +4,8 @@
 
 namespace breccia {
 
-/// Measures the fractions, the outlines and the gaps of the particles of other shapes than discs. What is known of the
-/// size deviations of their fillers stays.
+/// Measures the fractions, the outlines and the gaps of the particles of other shapes than discs or spheres. What is
+/// known of the size deviations of their fillers stays.
 void measure_shaped(const Stage& stage, StageMicrostructure& result);
 
 }  // namespace breccia

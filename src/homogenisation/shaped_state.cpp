@@ -1,5 +1,7 @@
 #include "shaped_state.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +11,7 @@ namespace breccia {
 namespace {
 
 constexpr const char* name_of_corner_counts = "/particle_corners";  // 0 for an ellipse
+constexpr const char* name_of_ellipsoids = "/ellipsoids";           // their numbers one after the other
 constexpr const char* refusal = "a checkpoint of a packing: expected ellipses and polygons in a box";
 
 /// Two numbers each of the shapes: the axes of an ellipse, or the corners of a polygon.
@@ -81,6 +84,45 @@ std::vector<Particle> read_particles(const StateReader& state) {
     }
   }
   return particles;
+}
+
+namespace {
+
+constexpr std::size_t numbers_of_an_ellipsoid = 15;
+
+/// Centre, axes and directions of the axes.
+std::array<Vector<3>*, 5> vectors_of(Ellipsoid& ellipsoid) {
+  auto& [centre, axes, directions] = ellipsoid;
+  return {&centre, &axes, &directions[0], &directions[1], &directions[2]};
+}
+
+}  // namespace
+
+void save_ellipsoids(StateWriter& state, const std::vector<Ellipsoid>& ellipsoids) {
+  std::vector<double> numbers;
+  for (auto ellipsoid : ellipsoids) {
+    for (const auto* vector : vectors_of(ellipsoid)) numbers.insert(numbers.end(), vector->begin(), vector->end());
+  }
+  state.write(name_of_ellipsoids, numbers);
+}
+
+bool has_ellipsoids(const StateReader& state) {
+  return state.has(name_of_ellipsoids);
+}
+
+std::vector<Ellipsoid> read_ellipsoids(const StateReader& state) {
+  const auto numbers = state.numbers(name_of_ellipsoids);
+  const bool are_finite = std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); });
+  if (numbers.size() % numbers_of_an_ellipsoid != 0 || !are_finite) throw FileError(refusal);
+  std::vector<Ellipsoid> ellipsoids(numbers.size() / numbers_of_an_ellipsoid);
+  auto next = numbers.begin();
+  for (auto& ellipsoid : ellipsoids) {
+    for (auto* vector : vectors_of(ellipsoid)) {
+      for (double& number : *vector) number = *next++;
+    }
+    if (!std::ranges::all_of(ellipsoid.axes, is_length)) throw FileError(refusal);
+  }
+  return ellipsoids;
 }
 
 }  // namespace breccia

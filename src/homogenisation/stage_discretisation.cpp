@@ -1,24 +1,21 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
-#include <memory>
 #include <span>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/grain_cells.hpp"
 #include "breccia/discretisation/image_cells.hpp"
 #include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
-#include "breccia/microstructure/grain_locator.hpp"
-#include "breccia/microstructure/particle_locator.hpp"
+
+#include "stage_labelling.hpp"
 
 namespace breccia {
 
@@ -35,27 +32,11 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix) {
   return phases_of(stage).materials(by_phase);
 }
 
-namespace {
-
-/// The phases of each filler of a stage.
-std::vector<ParticlePhases> phases_of_fillers(const Stage& stage, const Phases& phases) {
-  std::vector<ParticlePhases> of_fillers;
-  for (const auto& filler : stage.fillers) {
-    auto& of_filler = of_fillers.emplace_back(ParticlePhases{phases.index_of(phase_of(stage, filler.material))});
-    if (!filler.coating) continue;
-    of_filler.coating = phases.index_of(phase_of(stage, filler.coating->material));
-    of_filler.coating_thickness = filler.coating->thickness;
-  }
-  return of_fillers;
-}
-
-}  // namespace
-
 template <int dim>
 Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells,
                                Mixing mixing) {
   const auto phases = phases_of(stage);
-  const auto of_fillers = phases_of_fillers(stage, phases);
+  const auto of_fillers = phases_of_fillers(stage);
   std::vector<ParticlePhases> of_particles;
   for (std::size_t particle = 0; particle < microstructure.particles.size(); ++particle) {
     const auto filler = microstructure.filler_of(particle);
@@ -76,57 +57,50 @@ template Discretisation<3> discretise(const Stage&, const Microstructure<3>&, in
 
 namespace {
 
-/// Places in the grains of a tessellation have the phase of the filler, those in its films that of the matrix.
-Labelling<2> labelling_of(const StageGrains& grains, PhaseIndex matrix, PhaseIndex filler) {
-  const auto locator = std::make_shared<const GrainLocator<2>>(Tessellation<2>(grains.sites), grains.film);
-  return [locator, matrix, filler](const Vector<2>& position) -> PhaseAt {
-    const auto place = locator->at(position);
-    return {place.is_in_grain() ? filler : matrix, std::abs(place.depth)};
-  };
+template <int dim>
+Grid<dim> grid_of_stage(const Stage& stage, int cells) {
+  Grid<dim> grid = {.cells = {}, .cell_side = stage.side / cells};
+  grid.cells.fill(cells);
+  return grid;
 }
 
-/// Places in particles have the phases of their fillers, those in their coatings that of the coating.
-Labelling<2> labelling_of(const ParticleBox& box, PhaseIndex matrix, std::vector<ParticlePhases> of_fillers) {
-  const auto locator = std::make_shared<const ParticleLocator>(box);
-  return [locator, matrix, of_fillers = std::move(of_fillers)](const Vector<2>& position) -> PhaseAt {
-    const auto [particle, distance] = locator->at(position);
-    if (!particle) return {matrix, distance};
-    const auto& [phase, coating, thickness] = of_fillers.at(locator->box().filler_of(*particle));
-    if (distance <= 0.0) return {phase, -distance};
-    if (distance <= thickness) return {coating, std::min(distance, thickness - distance)};
-    return {matrix, distance - thickness};
-  };
+template <int dim>
+Discretisation<dim> discretise_image(const Stage& stage, const LabelImage<dim>& image, int cells, Mixing mixing) {
+  const auto grid = grid_of_stage<dim>(stage, cells);
+  const auto of_labels = phases_of_labels(stage);
+  return mixing == Mixing::points ? discretise<dim>(grid, image, of_labels)
+                                  : discretise_mixed<dim>(grid, image, of_labels, phases_of(stage).size());
 }
 
-Labelling<2> labelling_of(const Stage& stage, const StageMicrostructure& packed, const Phases& phases) {
-  const auto matrix = phases.index_of(name_of_matrix_phase);
-  if (packed.shaped) return labelling_of(*packed.shaped, matrix, phases_of_fillers(stage, phases));
-  return labelling_of(*packed.grains, matrix, phases.index_of(phase_of(stage, stage.fillers.front().material)));
+template <int dim>
+Discretisation<dim> discretise_labelling(const Stage& stage, const Labelling<dim>& labelling, int cells,
+                                         Mixing mixing) {
+  const auto grid = grid_of_stage<dim>(stage, cells);
+  return mixing == Mixing::points ? discretise<dim>(grid, labelling)
+                                  : discretise_mixed(grid, labelling, phases_of(stage).size());
 }
 
-}  // namespace
-
-namespace {
-
-Discretisation<2> discretise_image(const Stage& stage, const LabelImage<2>& image, int cells, Mixing mixing) {
+/// Mixed cells of grains in three dimensions, which are exact: the parts of a cell would have to be many.
+Discretisation<3> discretise_exactly(const Stage& stage, const StageGrains& grains, int cells) {
   const auto phases = phases_of(stage);
-  std::vector<PhaseIndex> of_labels = {phases.index_of(name_of_matrix_phase)};
-  for (const auto& filler : stage.fillers) of_labels.push_back(phases.index_of(phase_of(stage, filler.material)));
-  const Grid<2> grid = {{cells, cells}, stage.side / cells};
-  return mixing == Mixing::points ? discretise(grid, image, of_labels)
-                                  : discretise_mixed(grid, image, of_labels, phases.size());
+  return discretise_mixed(Tessellation<3>(*grains.sites_in_space), grains.film, cells,
+                          phases.index_of(name_of_matrix_phase),
+                          phases.index_of(phase_of(stage, stage.fillers.front().material)), phases.size());
 }
 
 }  // namespace
 
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing) {
-  if (packed.spheres) return discretise(stage, *packed.spheres, cells, mixing);
   if (const auto* image = stage.image()) return discretise_image(stage, *image, cells, mixing);
+  if (const auto* stack = stage.stack()) return discretise_image(stage, *stack, cells, mixing);
+  if (packed.spheres) return discretise(stage, *packed.spheres, cells, mixing);
+  if (stage.dimensions == 3) {
+    const bool is_exact = packed.grains && mixing == Mixing::series;
+    if (is_exact) return discretise_exactly(stage, *packed.grains, cells);
+    return discretise_labelling<3>(stage, labelling_in_space(stage, packed), cells, mixing);
+  }
   if (!packed.grains && !packed.shaped) return discretise(stage, packed.microstructure, cells, mixing);
-  const auto phases = phases_of(stage);
-  const auto labelling = labelling_of(stage, packed, phases);
-  const Grid<2> grid = {{cells, cells}, stage.side / cells};
-  return mixing == Mixing::points ? discretise<2>(grid, labelling) : discretise_mixed(grid, labelling, phases.size());
+  return discretise_labelling<2>(stage, labelling_in_plane(stage, packed), cells, mixing);
 }
 
 std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases) {

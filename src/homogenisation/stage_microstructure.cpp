@@ -10,22 +10,18 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_microstructure_state.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/microstructure/cubic_array.hpp"
-#include "breccia/microstructure/draw_diameters.hpp"
 #include "breccia/microstructure/particle_validity.hpp"
-#include "breccia/microstructure/random_sites.hpp"
 #include "breccia/microstructure/regular_array.hpp"
 #include "breccia/microstructure/statistics.hpp"
-#include "breccia/microstructure/tessellation.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_shapes.hpp"
-#include "breccia/study/filler_sizes.hpp"
 
 #include "drawn_particles.hpp"
 #include "microstructure_measures.hpp"
 #include "named_errors.hpp"
+#include "packed_grains.hpp"
 #include "packing_advice.hpp"
 #include "packing_state.hpp"
 #include "sequential_packing.hpp"
@@ -66,7 +62,8 @@ class StagePacking {
   }
 
   /// Runs a packing that is not saved on its way.
-  void run(RandomSequentialRun& packing) {
+  template <class Request>
+  void run(SequentialRun<Request>& packing) {
     while (!packing.is_done()) {
       packing.advance();
       if (follow_) follow_(packing.progress());
@@ -150,53 +147,42 @@ Microstructure<2> keep_shapes(ParticleBox box, StageMicrostructure& result) {
   return none;
 }
 
-Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
-                                    StageMicrostructure& result) {
-  auto drawn = draw_particles(stage);
-  for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
-  const auto request = sequential_request(stage, method, drawn);
-  const auto pack = [&] {
-    RandomSequentialRun run(request);
+/// Ellipsoids; those that are all balls are spheres again.
+void keep_ellipsoids(EllipsoidBox box, StageMicrostructure& result) {
+  result.spheres = as_balls(box);
+  if (!result.spheres) result.ellipsoids = std::move(box);
+}
+
+/// Places particles by a request, and returns their poses.
+template <class Request>
+std::vector<typename Request::Pose> poses_of(const Stage& stage, const Request& request, StagePacking& packing,
+                                             StageMicrostructure& result) {
+  try {
+    SequentialRun<Request> run(request);
     packing.run(run);
     result.events = run.progress().events;
-    return packed_box(stage, request, run.poses(), std::move(drawn.fillers));
-  };
-  try {
-    return keep_shapes(pack(), result);
+    return run.poses();
   } catch (const PackingError& error) {
     throw NumericalError(message_on(stage, request, error));
   }
 }
 
-/// The sites of the grains: listed, or at random for the sizes of the filler.
-LaguerreSites<2> sites_of(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  if (!method.is_random()) return {stage.side, method.walls, method.sites, method.wall_film, method.film_shares};
-  const auto& filler = stage.fillers.front();
-  RandomTessellationRequest request = {.side = stage.side, .walls = method.walls, .diameters = {}, .seed = method.seed};
-  if (const auto distribution = distribution_of(filler)) {
-    // The cells, grains with half of the films around them, have these sizes.
-    constexpr double whole_box = 1.0 - 1e-12;
-    request.diameters = draw_diameters<2>(*distribution, whole_box, stage.side);
-    result.fillers.push_back({.size_deviation = largest_deviation<2>(*distribution, request.diameters)});
-  } else {
-    request.diameters = std::get<ListedSizes>(filler.sizes.value()).diameters;
-  }
-  auto sites = random_sites<2>(request);
-  sites.wall_film = method.wall_film;
-  return sites;
+Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
+                                    StageMicrostructure& result) {
+  auto drawn = draw_particles(stage);
+  for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
+  const auto request = sequential_request(stage, method, drawn);
+  const auto poses = poses_of(stage, request, packing, result);
+  return keep_shapes(packed_box(stage, request, poses, std::move(drawn.fillers)), result);
 }
 
-StageGrains make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  auto sites = sites_of(stage, method, result);
-  const Tessellation<2> tessellation(sites);
-  const double film = method.film ? *method.film : film_thickness(tessellation, stage.fillers.front().fraction.value());
-  if (!(grain_fraction(tessellation, film) > 0.0)) {
-    throw InputError(
-        fmt::format("packing.film: films of {} leave nothing of any grain; with films of {} the grains fill "
-                    "half of the box",
-                    readable(film, Dimension::length), readable(film_thickness(tessellation, 0.5), Dimension::length)));
-  }
-  return {std::move(sites), film};
+void pack_ellipsoids(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
+                     StageMicrostructure& result) {
+  auto drawn = draw_particles(stage);
+  for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
+  const auto request = ellipsoid_request(stage, method, drawn);
+  const auto poses = poses_of(stage, request, packing, result);
+  keep_ellipsoids(packed_ellipsoids(stage, request, poses, std::move(drawn.fillers)), result);
 }
 
 Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
@@ -232,20 +218,36 @@ Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, Sta
       stage.packing);
 }
 
-Microstructure<3> place_spheres(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
-  if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
-  if (const auto* method = std::get_if<LubachevskyStillingerPacking>(&stage.packing)) {
-    return pack_at_random<3>(stage, *method, packing, result);
+void place_listed(const Stage& stage, const ExplicitPacking& listed, StageMicrostructure& result) {
+  if (!listed.ellipsoids.empty()) {
+    auto box = ellipsoid_box(stage, listed);
+    require_valid(box);
+    keep_ellipsoids(std::move(box), result);
+    return;
   }
-  if (const auto* cubic = std::get_if<LatticePacking>(&stage.packing)) {
-    const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
-    return cubic_array(cubic->lattice, stage.side, cubic->repeats, size.diameter);
+  result.spheres = {stage.side, listed.walls, listed.spheres, listed.fillers};
+  require_valid(with_coatings(stage, *result.spheres));
+}
+
+void place_in_space(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+  if (stage.fillers.empty()) {
+    result.spheres = Microstructure<3>{stage.side, Walls::hard, {}};
+    return;
   }
-  const auto* listed = stage.listed();
-  if (listed == nullptr) throw InputError("three dimensions: expected spheres");
-  Microstructure<3> spheres = {stage.side, listed->walls, listed->spheres, listed->fillers};
-  require_valid(with_coatings(stage, spheres));
-  return spheres;
+  std::visit(
+      Overloaded{[&](const LubachevskyStillingerPacking& method) {
+                   result.spheres = pack_at_random<3>(stage, method, packing, result);
+                 },
+                 [&](const LatticePacking& cubic) {
+                   const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
+                   result.spheres = cubic_array(cubic.lattice, stage.side, cubic.repeats, size.diameter);
+                 },
+                 [&](const ExplicitPacking& listed) { place_listed(stage, listed, result); },
+                 [&](const RandomSequentialPacking& method) { pack_ellipsoids(stage, method, packing, result); },
+                 [&](const LaguerrePacking& method) { result.grains = make_grains(stage, method, result); },
+                 [](const ImagePacking&) {},
+                 [](const RegularPacking&) { throw InputError("columns and rows of discs are for two dimensions"); }},
+      stage.packing);
 }
 
 void place(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
@@ -253,8 +255,8 @@ void place(const Stage& stage, StagePacking& packing, StageMicrostructure& resul
     result.microstructure = place_particles(stage, packing, result);
     return;
   }
-  result.spheres = place_spheres(stage, packing, result);
-  result.microstructure = {stage.side, result.spheres->walls, {}};
+  place_in_space(stage, packing, result);
+  result.microstructure = {stage.side, stage.is_periodic() ? Walls::periodic : Walls::hard, {}};
 }
 
 }  // namespace
@@ -262,6 +264,7 @@ void place(const Stage& stage, StagePacking& packing, StageMicrostructure& resul
 std::size_t StageMicrostructure::particles() const {
   if (grains) return grains->count;
   if (spheres) return spheres->particles.size();
+  if (ellipsoids) return ellipsoids->particles.size();
   return shaped ? shaped->particles.size() : microstructure.particles.size();
 }
 

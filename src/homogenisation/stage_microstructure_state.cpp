@@ -38,35 +38,61 @@ std::vector<std::size_t> filler_numbers(const std::vector<double>& numbers, std:
   return read;
 }
 
-void save_grains(StateWriter& state, const StageGrains& grains) {
-  std::vector<double> x, y, weights;
-  for (const auto& [position, weight] : grains.sites.sites) {
-    x.push_back(position[0]);
-    y.push_back(position[1]);
-    weights.push_back(weight);
+constexpr const char* refusal_of_grains = "a checkpoint of a packing: expected grains and films in a box";
+constexpr const char* name_of_weights = "/site_weight_m2";
+constexpr std::array names_of_site_axes = {"/site_x_m", "/site_y_m", "/site_z_m"};
+
+template <int dim>
+void save_sites(StateWriter& state, const LaguerreSites<dim>& grains) {
+  const auto& sites = grains.sites;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    std::vector<double> along;
+    for (const auto& site : sites) along.push_back(site.position[axis]);
+    state.write(names_of_site_axes[axis], along);
   }
-  state.write("/site_x_m", x);
-  state.write("/site_y_m", y);
-  state.write("/site_weight_m2", weights);
-  state.write(name_of_film, grains.film);
-  if (!grains.sites.film_shares.empty()) state.write(name_of_film_shares, grains.sites.film_shares);
+  std::vector<double> weights;
+  for (const auto& site : sites) weights.push_back(site.weight);
+  state.write(name_of_weights, weights);
+  if (!grains.film_shares.empty()) state.write(name_of_film_shares, grains.film_shares);
 }
 
-StageGrains read_grains(const StateReader& state, double side, Walls walls, WallFilm wall_film) {
+template <int dim>
+LaguerreSites<dim> read_sites(const StateReader& state, double side, Walls walls, WallFilm wall_film) {
+  LaguerreSites<dim> read = {side, walls, {}, wall_film};
+  for (const double weight : state.numbers(name_of_weights)) read.sites.push_back({{}, weight});
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    const auto along = state.numbers(names_of_site_axes[axis], read.sites.size());
+    for (std::size_t site = 0; site < along.size(); ++site) read.sites[site].position[axis] = along[site];
+  }
+  if (state.has(name_of_film_shares)) read.film_shares = state.numbers(name_of_film_shares, read.sites.size());
+  if (!mistakes(read).empty()) throw FileError(refusal_of_grains);
+  return read;
+}
+
+void save_grains(StateWriter& state, const StageGrains& grains) {
+  if (grains.sites_in_space) {
+    save_sites(state, *grains.sites_in_space);
+  } else {
+    save_sites(state, grains.sites);
+  }
+  state.write(name_of_film, grains.film);
+}
+
+StageGrains read_grains(const StateReader& state, const Stage& stage, double side, Walls walls) {
+  const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
   StageGrains grains = {.sites = {side, walls, {}, wall_film}, .film = state.number(name_of_film)};
-  const auto x = state.numbers("/site_x_m");
-  const auto y = state.numbers("/site_y_m", x.size()), weights = state.numbers("/site_weight_m2", x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) grains.sites.sites.push_back({{x[i], y[i]}, weights[i]});
-  if (state.has(name_of_film_shares)) grains.sites.film_shares = state.numbers(name_of_film_shares, x.size());
-  if (!(grains.film >= 0.0 && std::isfinite(grains.film)) || !mistakes(grains.sites).empty()) {
-    throw FileError("a checkpoint of a packing: expected grains and films in a box");
+  if (!(grains.film >= 0.0 && std::isfinite(grains.film))) throw FileError(refusal_of_grains);
+  if (stage.dimensions == 3) {
+    grains.sites_in_space = read_sites<3>(state, side, walls, wall_film);
+  } else {
+    grains.sites = read_sites<2>(state, side, walls, wall_film);
   }
   return grains;
 }
 
-/// Particles of other shapes than discs.
-ParticleBox read_box(const StateReader& state, const Stage& stage, double side, Walls walls) {
-  ParticleBox box = {side, walls, read_particles(state), {}, {}};
+/// Particles of other shapes than discs or spheres.
+template <class Box>
+Box read_box(const StateReader& state, const Stage& stage, Box box) {
   if (state.has("/filler")) {
     box.fillers = filler_numbers(state.numbers("/filler", box.particles.size()), stage.fillers.size());
   }
@@ -75,6 +101,10 @@ ParticleBox read_box(const StateReader& state, const Stage& stage, double side, 
 }
 
 constexpr std::array names_of_axes = {"/x_m", "/y_m", "/z_m"};
+
+void save_fillers(StateWriter& state, const std::vector<std::size_t>& fillers) {
+  if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
+}
 
 template <int dim>
 void save_balls(StateWriter& state, const Microstructure<dim>& microstructure) {
@@ -89,7 +119,7 @@ void save_balls(StateWriter& state, const Microstructure<dim>& microstructure) {
   std::vector<double> diameters;
   for (const auto& ball : balls) diameters.push_back(ball.diameter);
   state.write("/diameter_m", diameters);
-  if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
+  save_fillers(state, fillers);
 }
 
 template <int dim>
@@ -112,7 +142,7 @@ Microstructure<dim> read_balls(const StateReader& state, const Stage& stage) {
   if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(balls, is_in_box)) {
     throw FileError(fmt::format("a checkpoint of a packing: expected {} in a box", dim == 2 ? "discs" : "spheres"));
   }
-  if (state.has("/filler") && !has_particles(state)) {
+  if (state.has("/filler") && !has_particles(state) && !has_ellipsoids(state)) {
     fillers = filler_numbers(state.numbers("/filler", balls.size()), stage.fillers.size());
   }
   return microstructure;
@@ -129,8 +159,11 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
   if (microstructure.grains) save_grains(state, *microstructure.grains);
   if (microstructure.shaped) {
     save_particles(state, microstructure.shaped->particles);
-    const auto& of_shaped = microstructure.shaped->fillers;
-    if (!of_shaped.empty()) state.write("/filler", std::vector<double>(of_shaped.begin(), of_shaped.end()));
+    save_fillers(state, microstructure.shaped->fillers);
+  }
+  if (microstructure.ellipsoids) {
+    save_ellipsoids(state, microstructure.ellipsoids->particles);
+    save_fillers(state, microstructure.ellipsoids->fillers);
   }
   for (std::size_t number = 0; number < microstructure.fillers.size(); ++number) {
     const auto deviation = microstructure.fillers[number].size_deviation;
@@ -142,7 +175,8 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
 
 StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage) {
   StageMicrostructure result;
-  if (stage.dimensions == 3) {
+  const bool has_grains = state.has(name_of_film), are_ellipsoids = has_ellipsoids(state);
+  if (stage.dimensions == 3 && !has_grains && !are_ellipsoids && !stage.has_image()) {
     result.spheres = read_balls<3>(state, stage);
     result.microstructure = {result.spheres->side, result.spheres->walls, {}};
   } else {
@@ -150,11 +184,11 @@ StageMicrostructure read_stage_microstructure(const StateReader& state, const St
   }
   const auto side = result.microstructure.side;
   const auto walls = result.microstructure.walls;
-  if (has_particles(state)) result.shaped = read_box(state, stage, side, walls);
-  if (state.has(name_of_film)) {
-    const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
-    result.grains = read_grains(state, side, walls, wall_film);
+  if (has_particles(state)) result.shaped = read_box<ParticleBox>(state, stage, {side, walls, read_particles(state)});
+  if (are_ellipsoids) {
+    result.ellipsoids = read_box<EllipsoidBox>(state, stage, {side, walls, read_ellipsoids(state)});
   }
+  if (has_grains) result.grains = read_grains(state, stage, side, walls);
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto name = name_of_size_deviation(number);

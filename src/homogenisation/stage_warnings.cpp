@@ -106,9 +106,10 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
 /// Grains that are far from the sizes asked for, which are those of the cells: the films take most of the small ones.
 std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
   if (!packed.grains) return std::nullopt;
-  const auto& [sites, film, count, cells, grains, short_films] = *packed.grains;
+  const auto count = packed.grains->count, all = packed.grains->cell_count();
+  const auto& cells = packed.grains->cells;
+  const auto& grains = packed.grains->sizes;
   constexpr double few_per_cent = 0.05;
-  const auto all = sites.sites.size();
   const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
   const bool has_sizes = stage.fillers.front().sizes.has_value();
   const bool are_off =
@@ -118,15 +119,15 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
   if (count < all) losses.push_back(fmt::format("nothing of {} of {} grains", all - count, all));
   if (are_off) {
     losses.push_back(fmt::format(
-        "little of small ones: a tenth of the area of the grains is below {} where {} was asked for, half of it below "
+        "little of small ones: a tenth of the {} of the grains is below {} where {} was asked for, half of it below "
         "{} where {} was",
-        display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"), display(grains.of_half, "m"),
-        display(cells.of_half, "m")));
+        stage.dimensions == 3 ? "volume" : "area", display(grains.of_a_tenth, "m"), display(cells.of_a_tenth, "m"),
+        display(grains.of_half, "m"), display(cells.of_half, "m")));
   }
   return fmt::format(
       "films of {} leave {}; thinner films leave more, and the smallest grains may be in the matrix, as the particles "
       "of an earlier stage",
-      display(film, "m"), fmt::join(losses, ", and "));
+      display(packed.grains->film, "m"), fmt::join(losses, ", and "));
 }
 
 /// Films that are not long against their thickness, as the model of films takes them to be.
@@ -149,6 +150,11 @@ bool has_particles_across_sides(const Microstructure<dim>& microstructure) {
   });
 }
 
+template <class Box>
+bool has_shapes_across_sides(const std::optional<Box>& box) {
+  return box && box->walls == Walls::periodic && smallest_side_distance(*box) < 0.0;
+}
+
 std::optional<std::string> warning_of_cut_particles(const Stage& stage, const std::vector<Boundary>& boundaries,
                                                     const StageMicrostructure& packed) {
   const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
@@ -159,12 +165,11 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
            "the "
            "boundary \"periodic\" cuts none";
   }
-  if (cuts && stage.image() != nullptr && stage.image()->walls == Walls::periodic) {
+  if (cuts && stage.has_image() && stage.is_periodic()) {
     return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
            "tests.boundaries it is tested under the periodic boundary alone";
   }
-  const bool has_shapes_across =
-      packed.shaped && packed.shaped->walls == Walls::periodic && smallest_side_distance(*packed.shaped) < 0.0;
+  const bool has_shapes_across = has_shapes_across_sides(packed.shaped) || has_shapes_across_sides(packed.ellipsoids);
   const bool has_balls_across =
       packed.spheres ? has_particles_across_sides(*packed.spheres) : has_particles_across_sides(packed.microstructure);
   if (!cuts || !(has_shapes_across || has_balls_across)) return std::nullopt;

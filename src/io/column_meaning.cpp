@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 26> stems{{
+constexpr std::array<Stem, 30> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -50,6 +50,10 @@ constexpr std::array<Stem, 26> stems{{
     {"filler", filler},
     {"axis 1", axis_1},
     {"axis 2", axis_2},
+    {"axis 3", axis_3},
+    {"azimuth", azimuth},
+    {"elevation", elevation},
+    {"roll", roll},
     {"angle", angle},
     {"particle", particle},
     {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},

@@ -108,8 +108,12 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
       return "um";
     case Quantity::axis_1:
     case Quantity::axis_2:
+    case Quantity::axis_3:
       return "um";
     case Quantity::angle:
+    case Quantity::azimuth:
+    case Quantity::elevation:
+    case Quantity::roll:
       return "deg";
     case Quantity::weight:
       return "m2";
@@ -149,8 +153,12 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::z:
     case Quantity::axis_1:
     case Quantity::axis_2:
+    case Quantity::axis_3:
       return by_unit(unit, Dimension::length);
     case Quantity::angle:
+    case Quantity::azimuth:
+    case Quantity::elevation:
+    case Quantity::roll:
       return by_unit(unit, Dimension::angle);
     case Quantity::weight:
       return by_unit(unit, Dimension::area);

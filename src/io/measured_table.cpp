@@ -51,6 +51,14 @@ std::string_view example_of(Quantity quantity) {
       return "called axis_1, such as axis_1_um";
     case Quantity::axis_2:
       return "called axis_2, such as axis_2_um";
+    case Quantity::axis_3:
+      return "called axis_3, such as axis_3_um";
+    case Quantity::azimuth:
+      return "called azimuth, such as azimuth_deg";
+    case Quantity::elevation:
+      return "called elevation, such as elevation_deg";
+    case Quantity::roll:
+      return "called roll, such as roll_deg";
     case Quantity::angle:
       return "called angle, such as angle_deg";
     case Quantity::particle:

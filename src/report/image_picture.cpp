@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -53,9 +54,8 @@ std::vector<std::uint8_t> drawn_labels(const LabelImage<2>& image, std::size_t s
   return drawn;
 }
 
-}  // namespace
-
-std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours) {
+std::string coloured_picture(const LabelImage<2>& image, std::span<const std::size_t> colours,
+                             std::string_view content) {
   require_valid(image);
   if (!has_equal_sides(image)) throw InputError("picture of an image: expected a square image");
   if (std::ranges::max(image.labels) >= colours.size()) {
@@ -75,7 +75,20 @@ std::string image_picture(const LabelImage<2>& image, std::span<const std::size_
   const auto shapes = fmt::format(
       "<image y=\"{0:.6g}\" width=\"{1:.6g}\" height=\"{1:.6g}\" style=\"image-rendering: pixelated\" href=\"{2}\"/>\n",
       drawn_side - width, width, embedded_png(drawn_columns, drawn, palette));
-  return framed_picture(box_of(image)[0], fmt::format("an image of {0} x {0} pixels", columns), "", shapes);
+  return framed_picture(box_of(image)[0], content, "", shapes);
+}
+
+}  // namespace
+
+std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours) {
+  return coloured_picture(image, colours, fmt::format("an image of {0} x {0} pixels", image.pixels[0]));
+}
+
+std::string plane_picture(const LabelImage<2>& plane, std::string_view content) {
+  require_valid(plane);
+  std::vector<std::size_t> colours(std::size_t{std::ranges::max(plane.labels)} + 1);
+  std::iota(colours.begin(), colours.end(), std::size_t{0});
+  return coloured_picture(plane, colours, content);
 }
 
 }  // namespace breccia

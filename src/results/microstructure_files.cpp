@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "breccia/homogenisation/middle_plane.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
@@ -34,33 +37,69 @@ std::vector<DrawnFiller> drawn_fillers(const Stage& stage) {
   return drawn;
 }
 
-void write_grains(const std::filesystem::path& directory, const Stage& stage, const StageGrains& grains) {
-  const Tessellation<2> tessellation(grains.sites);
-  std::vector<double> x, y, weights, cells, areas, diameters, aspect_ratios, neighbours;
-  for (const auto& [position, weight] : grains.sites.sites) {
-    x.push_back(position[0]);
-    y.push_back(position[1]);
+/// The middle planes of a box of three dimensions; the one seen along z stands for the microstructure.
+template <class Draw>
+void write_cuts(const std::filesystem::path& directory, const Draw& draw) {
+  write_text(directory / "microstructure.svg", draw(Axis::z));
+  write_text(directory / "cut-x.svg", draw(Axis::x));
+  write_text(directory / "cut-y.svg", draw(Axis::y));
+}
+
+/// The same of what is at the places of the planes, in the colours of the phases. `content` is what they cut through.
+void write_planes(const std::filesystem::path& directory, const Stage& stage, const StageMicrostructure& packed,
+                  std::string_view content) {
+  write_cuts(directory, [&](Axis normal) {
+    constexpr std::array names = {"x", "y", "z"};
+    const auto axis = static_cast<std::size_t>(normal);
+    return plane_picture(middle_plane(stage, packed, axis),
+                         fmt::format("cut through the middle of {}, seen along {}", content, names[axis]));
+  });
+}
+
+constexpr std::array coordinate_names = {"x_m", "y_m", "z_m"};
+
+template <int dim>
+void write_grain_table(const std::filesystem::path& directory, const Stage& stage,
+                       const Tessellation<dim>& tessellation, double film) {
+  std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
+  std::vector<double> weights, cells, sizes, diameters, aspect_ratios, neighbours;
+  for (const auto& [position, weight] : tessellation.sites().sites) {
+    for (std::size_t axis = 0; axis < position.size(); ++axis) coordinates[axis].push_back(position[axis]);
     weights.push_back(weight);
   }
-  for (const auto& grain : grain_geometries(tessellation, grains.film)) {
+  for (const auto& grain : grain_geometries(tessellation, film)) {
     cells.push_back(grain.cell_volume);
-    areas.push_back(grain.grain_volume);
+    sizes.push_back(grain.grain_volume);
     diameters.push_back(grain.diameter);
     aspect_ratios.push_back(grain.aspect_ratio);
     neighbours.push_back(static_cast<double>(grain.neighbours));
   }
-  std::vector<CsvColumn> columns = {{"x_m", x},
-                                    {"y_m", y},
-                                    {"weight_m2", weights},
-                                    {"cell_area_m2", cells},
-                                    {"grain_area_m2", areas},
-                                    {"equivalent_diameter_m", diameters},
-                                    {"aspect_ratio", aspect_ratios},
-                                    {"neighbours", neighbours}};
-  if (!grains.sites.film_shares.empty()) columns.push_back({"film_share", grains.sites.film_shares});
+  std::vector<CsvColumn> columns;
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+    columns.push_back({coordinate_names[axis], coordinates[axis]});
+  }
+  columns.push_back({"weight_m2", weights});
+  columns.push_back({dim == 3 ? "cell_volume_m3" : "cell_area_m2", cells});
+  columns.push_back({dim == 3 ? "grain_volume_m3" : "grain_area_m2", sizes});
+  columns.push_back({"equivalent_diameter_m", diameters});
+  columns.push_back({"aspect_ratio", aspect_ratios});
+  columns.push_back({"neighbours", neighbours});
+  const auto& film_shares = tessellation.sites().film_shares;
+  if (!film_shares.empty()) columns.push_back({"film_share", film_shares});
   write_csv(directory / "grains.csv", columns,
             fmt::format("Grains of stage {} in a box of {} m, with films of {} m between them", stage.name, stage.side,
-                        grains.film));
+                        film));
+}
+
+void write_grains(const std::filesystem::path& directory, const Stage& stage, const StageMicrostructure& packed) {
+  const auto& grains = *packed.grains;
+  if (grains.sites_in_space) {
+    write_grain_table(directory, stage, Tessellation<3>(*grains.sites_in_space), grains.film);
+    write_planes(directory, stage, packed, fmt::format("{} grains", grains.cell_count()));
+    return;
+  }
+  const Tessellation<2> tessellation(grains.sites);
+  write_grain_table(directory, stage, tessellation, grains.film);
   write_text(directory / "microstructure.svg", grain_picture(tessellation, grains.film));
 }
 
@@ -73,7 +112,6 @@ void write_image(const std::filesystem::path& directory, const Stage& stage, con
 
 template <int dim>
 void write_balls(const std::filesystem::path& directory, const Stage& stage, const Microstructure<dim>& box) {
-  constexpr std::array names = {"x_m", "y_m", "z_m"};
   std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
   std::vector<double> diameters;
   for (const auto& [centre, diameter] : box.particles) {
@@ -81,20 +119,14 @@ void write_balls(const std::filesystem::path& directory, const Stage& stage, con
     diameters.push_back(diameter);
   }
   std::vector<CsvColumn> columns;
-  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) columns.push_back({names[axis], coordinates[axis]});
+  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
+    columns.push_back({coordinate_names[axis], coordinates[axis]});
+  }
   columns.push_back({"diameter_m", diameters});
   const std::vector<double> fillers(box.fillers.begin(), box.fillers.end());
   if (!fillers.empty()) columns.push_back({"filler", fillers});
   write_csv(directory / "microstructure.csv", columns,
             fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
-}
-
-/// The middle planes of a box of three dimensions; the one seen along z stands for the microstructure.
-void write_cuts(const std::filesystem::path& directory, const Stage& stage, const Microstructure<3>& box) {
-  const auto fillers = drawn_fillers(stage);
-  write_text(directory / "microstructure.svg", cut_picture(box, Axis::z, fillers));
-  write_text(directory / "cut-x.svg", cut_picture(box, Axis::x, fillers));
-  write_text(directory / "cut-y.svg", cut_picture(box, Axis::y, fillers));
 }
 
 }  // namespace
@@ -106,8 +138,12 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
     write_image(directory, stage, *image);
     return;
   }
+  if (const auto* stack = stage.stack()) {
+    write_planes(directory, stage, microstructure, fmt::format("{} voxels", fmt::join(stack->pixels, " x ")));
+    return;
+  }
   if (microstructure.grains) {
-    write_grains(directory, stage, *microstructure.grains);
+    write_grains(directory, stage, microstructure);
     return;
   }
   if (microstructure.shaped) {
@@ -115,9 +151,16 @@ void write_microstructure(const std::filesystem::path& directory, const Stage& s
     write_text(directory / "microstructure.svg", particle_picture(*microstructure.shaped, drawn_fillers(stage)));
     return;
   }
+  if (microstructure.ellipsoids) {
+    write_ellipsoids(directory, stage, *microstructure.ellipsoids);
+    write_planes(directory, stage, microstructure,
+                 fmt::format("{} particles", microstructure.ellipsoids->particles.size()));
+    return;
+  }
   if (microstructure.spheres) {
     write_balls(directory, stage, *microstructure.spheres);
-    write_cuts(directory, stage, *microstructure.spheres);
+    const auto fillers = drawn_fillers(stage);
+    write_cuts(directory, [&](Axis normal) { return cut_picture(*microstructure.spheres, normal, fillers); });
     return;
   }
   write_balls(directory, stage, microstructure.microstructure);

@@ -1,6 +1,7 @@
 #include "particle_files.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numbers>
 #include <variant>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/csv.hpp"
+#include "breccia/microstructure/ellipsoid.hpp"
 
 namespace breccia {
 namespace {
@@ -60,6 +62,25 @@ void write_particles(const std::filesystem::path& directory, const Stage& stage,
   write_polygons(directory, stage, box);
   const auto is_ellipse = [](const Particle& particle) { return std::holds_alternative<Ellipse>(particle.shape); };
   if (std::ranges::any_of(box.particles, is_ellipse)) write_ellipses(directory, stage, box);
+}
+
+void write_ellipsoids(const std::filesystem::path& directory, const Stage& stage, const EllipsoidBox& box) {
+  constexpr double degree = std::numbers::pi / 180.0;
+  constexpr std::array names = {"x_m",      "y_m",         "z_m",           "axis_1_m", "axis_2_m",
+                                "axis_3_m", "azimuth_deg", "elevation_deg", "roll_deg"};
+  std::array<std::vector<double>, names.size()> numbers;
+  for (const auto& [centre, axes, directions] : box.particles) {
+    const auto [azimuth, elevation, roll] = turn_of(directions);
+    const std::array row = {centre[0], centre[1],        centre[2],          axes[0],      axes[1],
+                            axes[2],   azimuth / degree, elevation / degree, roll / degree};
+    for (std::size_t column = 0; column < row.size(); ++column) numbers[column].push_back(row[column]);
+  }
+  std::vector<CsvColumn> columns;
+  for (std::size_t column = 0; column < names.size(); ++column) columns.push_back({names[column], numbers[column]});
+  const std::vector<double> fillers(box.fillers.begin(), box.fillers.end());
+  if (!fillers.empty()) columns.push_back({"filler", fillers});
+  write_csv(directory / "microstructure.csv", columns,
+            fmt::format("Ellipsoids of stage {} in a box of {} m", stage.name, stage.side));
 }
 
 }  // namespace breccia

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "breccia/microstructure/ellipsoid_box.hpp"
 #include "breccia/microstructure/particle_box.hpp"
 #include "breccia/study/stage.hpp"
 
@@ -10,5 +11,8 @@ namespace breccia {
 /// Writes particles in the form that an explicit packing reads: ellipses to `microstructure.csv`, polygons, if there
 /// are any, to `polygons.csv`. Throws FileError.
 void write_particles(const std::filesystem::path& directory, const Stage& stage, const ParticleBox& box);
+
+/// The same for ellipsoids, to `microstructure.csv`.
+void write_ellipsoids(const std::filesystem::path& directory, const Stage& stage, const EllipsoidBox& box);
 
 }  // namespace breccia

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -234,7 +235,7 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
     const auto& [material, fraction, smallest, largest, sizes, gap, gap_source, coating, shape] = stage.fillers[number];
     const auto& statistics = packed[number];
     Json filler = {{"material", material.name},
-                   {"particles", stage.image() == nullptr ? Json(statistics.particles) : Json()},
+                   {"particles", stage.has_image() ? Json() : Json(statistics.particles)},
                    {"fraction", statistics.fraction},
                    {"fraction_asked", json_of(fraction)},
                    {"smallest_diameter_m", json_of(statistics.smallest_diameter)},
@@ -248,18 +249,18 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
                            {"thickness_cells", coating->thickness / stage.cell_size()},
                            {"fraction", statistics.coating_fraction}};
     }
-    if (shape) filler["shape"] = in_words(*shape);
+    if (shape) filler["shape"] = in_words(*shape, stage.dimensions);
     fillers.push_back(std::move(filler));
   }
   return fillers;
 }
 
-template <int dim>
-void add_diameters(const std::vector<Ball<dim>>& balls, Json& microstructure) {
-  if (balls.empty()) return;
-  const auto [smallest, largest] = std::ranges::minmax(balls, {}, &Ball<dim>::diameter);
-  microstructure["smallest_diameter_m"] = smallest.diameter;
-  microstructure["largest_diameter_m"] = largest.diameter;
+template <class Particle, class Diameter>
+void add_diameters(const std::vector<Particle>& particles, const Diameter& diameter, Json& microstructure) {
+  if (particles.empty()) return;
+  const auto [smallest, largest] = std::ranges::minmax(particles, {}, diameter);
+  microstructure["smallest_diameter_m"] = std::invoke(diameter, smallest);
+  microstructure["largest_diameter_m"] = std::invoke(diameter, largest);
 }
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
@@ -272,17 +273,12 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
-  if (packing.spheres) {
-    add_diameters(packing.spheres->particles, microstructure);
-  } else {
-    add_diameters(packing.microstructure.particles, microstructure);
-  }
-  if (packing.shaped) {
-    const auto [smallest, largest] = std::ranges::minmax(
-        packing.shaped->particles, {}, [](const Particle& particle) { return equivalent_diameter(particle.shape); });
-    microstructure["smallest_diameter_m"] = equivalent_diameter(smallest.shape);
-    microstructure["largest_diameter_m"] = equivalent_diameter(largest.shape);
-  }
+  add_diameters(packing.microstructure.particles, &Ball<2>::diameter, microstructure);
+  if (packing.spheres) add_diameters(packing.spheres->particles, &Ball<3>::diameter, microstructure);
+  const auto size = [](const Particle& particle) { return equivalent_diameter(particle.shape); };
+  if (packing.shaped) add_diameters(packing.shaped->particles, size, microstructure);
+  const auto size_in_space = [](const Ellipsoid& particle) { return equivalent_diameter(particle); };
+  if (packing.ellipsoids) add_diameters(packing.ellipsoids->particles, size_in_space, microstructure);
   if (packing.grains) {
     const auto& grains = packing.fillers.front();
     microstructure["film_m"] = packing.grains->film;
@@ -295,6 +291,11 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
     microstructure["particles"] = Json();  // which pixels do not tell
     microstructure["pixels"] = image->pixels;
     microstructure["pixel_m"] = image->pixel_side;
+  }
+  if (const auto* stack = stage.stack()) {
+    microstructure["particles"] = Json();
+    microstructure["pixels"] = stack->pixels;
+    microstructure["pixel_m"] = stack->pixel_side;
   }
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {

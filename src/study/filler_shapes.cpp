@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/study/limits.hpp"
 
@@ -55,8 +56,10 @@ struct MistakesOf {
 };
 
 struct InWords {
+  int dimensions;
+
   std::string operator()(const EllipticOutline& outline) const {
-    return fmt::format("ellipses of aspect {:g}", outline.aspect);
+    return fmt::format("{} of aspect {:g}", dimensions == 3 ? "ellipsoids of revolution" : "ellipses", outline.aspect);
   }
   std::string operator()(const PolygonalOutline& outline) const {
     return fmt::format("polygons of {} corners", outline.corners.size());
@@ -69,15 +72,23 @@ Shape shape_of(const Filler& filler, double diameter) {
   return filler.shape ? std::visit(ShapeOf{diameter}, filler.shape->outline) : Ellipse{{diameter, diameter}};
 }
 
+Vector<3> axes_of(const Filler& filler, double diameter) {
+  if (!filler.shape) return {diameter, diameter, diameter};
+  const auto* outline = std::get_if<EllipticOutline>(&filler.shape->outline);
+  if (outline == nullptr) throw InputError("three dimensions: expected ellipsoids");
+  const double ratio = std::cbrt(outline->aspect);
+  return {diameter * ratio * ratio, diameter / ratio, diameter / ratio};
+}
+
 std::vector<std::string> mistakes_of_shape(const FillerShape& shape) {
   auto mistakes = std::visit(MistakesOf(), shape.outline);
   if (!std::isfinite(shape.angle.value_or(0.0))) mistakes.emplace_back("expected a finite angle");
   return mistakes;
 }
 
-std::string in_words(const FillerShape& shape) {
+std::string in_words(const FillerShape& shape, int dimensions) {
   const auto angle = shape.angle ? fmt::format(", all at {}", readable(*shape.angle, Dimension::angle)) : "";
-  return std::visit(InWords(), shape.outline) + angle;
+  return std::visit(InWords{dimensions}, shape.outline) + angle;
 }
 
 std::vector<double> coatings_of(const Stage& stage, const std::vector<std::size_t>& fillers, std::size_t particles) {
@@ -95,6 +106,11 @@ std::vector<double> coatings_of(const Stage& stage, const std::vector<std::size_
 ParticleBox particle_box(const Stage& stage, const ExplicitPacking& listed) {
   return {stage.side, listed.walls, listed.particles, listed.fillers,
           coatings_of(stage, listed.fillers, listed.particles.size())};
+}
+
+EllipsoidBox ellipsoid_box(const Stage& stage, const ExplicitPacking& listed) {
+  return {stage.side, listed.walls, listed.ellipsoids, listed.fillers,
+          coatings_of(stage, listed.fillers, listed.ellipsoids.size())};
 }
 
 }  // namespace breccia

@@ -56,6 +56,7 @@ std::optional<DiameterRange> diameters_of(const Stage& stage) {
     std::vector<double> diameters;
     for (const auto& disc : listed->discs) diameters.push_back(disc.diameter);
     for (const auto& sphere : listed->spheres) diameters.push_back(sphere.diameter);
+    for (const auto& ellipsoid : listed->ellipsoids) diameters.push_back(equivalent_diameter(ellipsoid));
     for (const auto& particle : listed->particles) diameters.push_back(equivalent_diameter(particle.shape));
     if (diameters.empty()) return std::nullopt;
     const auto [smallest, largest] = std::ranges::minmax(diameters);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
 #include "breccia/microstructure/draw_diameters.hpp"
@@ -104,6 +105,10 @@ void check_shape(const Filler& filler, const Stage& stage, const std::string& pa
     mistakes.add(part, "expected no shape: only a random sequential packing places other shapes than discs");
   }
   mistakes.add_all(part, mistakes_of_shape(*filler.shape));
+  const bool is_of_space = std::holds_alternative<EllipticOutline>(filler.shape->outline) && !filler.shape->angle;
+  if (stage.dimensions == 3 && !is_of_space) {
+    mistakes.add(part, "expected ellipsoids without an angle in a box of three dimensions");
+  }
 }
 
 /// The sizes and the fraction of grains that fill the box.
@@ -131,20 +136,34 @@ void check_grains(const Filler& filler, const LaguerrePacking& grains, const std
   }
 }
 
-void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+template <int dim>
+void check_sites_in(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
   const auto& grains = *stage.grains();
-  if (stage.fillers.size() > 1) {
-    mistakes.add(part, fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
+  const auto& sites = grains.sites_in<dim>();
+  if (sites.size() != grains.site_count()) {
+    mistakes.add(part, fmt::format("expected sites of {} coordinates in a box of {} dimensions", dim, dim));
+    return;
   }
-  if (grains.is_random() || !accepts(allowed::side, stage.side)) return;
-  const LaguerreSites<2> listed = {stage.side, grains.walls, grains.sites, grains.wall_film, grains.film_shares};
-  if (!listed.film_shares.empty() && listed.film_shares.size() != listed.sites.size()) {
-    mistakes.add(part, fmt::format("expected a share of the films for each of {} sites, or none, got {}",
-                                   listed.sites.size(), listed.film_shares.size()));
+  const LaguerreSites<dim> listed = {stage.side, grains.walls, sites, grains.wall_film, grains.film_shares};
+  if (!listed.film_shares.empty() && listed.film_shares.size() != sites.size()) {
+    mistakes.add(part, fmt::format("expected a share of the films for each of {} sites, or none, got {}", sites.size(),
+                                   listed.film_shares.size()));
     return;
   }
   for (const auto& [site, text] : breccia::mistakes(listed)) {
     mistakes.add(part, fmt::format("site {}: {}", site + 1, text));
+  }
+}
+
+void check_sites(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  if (stage.fillers.size() > 1) {
+    mistakes.add(part, fmt::format("expected one filler for a tessellation, got {}", stage.fillers.size()));
+  }
+  if (stage.grains()->is_random() || !accepts(allowed::side, stage.side)) return;
+  if (stage.dimensions == 3) {
+    check_sites_in<3>(stage, part, mistakes);
+  } else {
+    check_sites_in<2>(stage, part, mistakes);
   }
 }
 
@@ -156,17 +175,19 @@ void check_labelled(const Filler& filler, const std::string& part, StudyMistakes
   if (filler.coating) mistakes.add(part, "expected no coating: in an image it is a filler with a label of its own");
 }
 
-void check_image(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto* image = stage.image();
+template <int dim>
+void check_image_in(const Stage& stage, const LabelImage<dim>* image, const std::string& part,
+                    StudyMistakes& mistakes) {
   if (image == nullptr) {
-    mistakes.add(part, "expected an image");
+    mistakes.add(part, dim == 3 ? "expected a stack of images" : "expected an image");
     return;
   }
   mistakes.add_error_of(part, [&] {
     require_valid(*image);
     static_cast<void>(label_fractions(*image, stage.fillers.size() + 1));
     if (!has_equal_sides(*image)) {
-      throw InputError(fmt::format("expected a square image, got {} x {} pixels", image->pixels[0], image->pixels[1]));
+      throw InputError(fmt::format("expected a {} image, got {} pixels", dim == 3 ? "cubic" : "square",
+                                   fmt::join(image->pixels, " x ")));
     }
     constexpr double rounding = 1e-9;
     if (!(std::abs(box_of(*image)[0] / stage.side - 1.0) <= rounding)) {
@@ -174,6 +195,14 @@ void check_image(const Stage& stage, const std::string& part, StudyMistakes& mis
                                    stage.side, box_of(*image)[0]));
     }
   });
+}
+
+void check_image(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
+  if (stage.dimensions == 3) {
+    check_image_in(stage, stage.stack(), part, mistakes);
+  } else {
+    check_image_in(stage, stage.image(), part, mistakes);
+  }
 }
 
 void check_filler(const Filler& filler, const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
@@ -204,15 +233,15 @@ void check_filler(const Filler& filler, const Stage& stage, const std::string& p
 }
 
 void check_listed_particles(const Stage& stage, const std::string& part, StudyMistakes& mistakes) {
-  const auto& [file, discs, walls, fillers, particles, spheres] = *stage.listed();
-  const auto count = discs.size() + particles.size() + spheres.size();
+  const auto& [file, discs, walls, fillers, particles, spheres, ellipsoids] = *stage.listed();
+  const auto count = discs.size() + particles.size() + spheres.size() + ellipsoids.size();
   if (count == 0) mistakes.add(part, "expected at least one particle");
-  if (std::max({discs.size(), particles.size(), spheres.size()}) < count) {
+  if (std::max({discs.size(), particles.size(), spheres.size(), ellipsoids.size()}) < count) {
     mistakes.add(part, "expected discs, or particles of other shapes, or spheres, and nothing beside them");
     return;
   }
-  if (!spheres.empty() != (stage.dimensions == 3) && count > 0) {
-    mistakes.add(part, "expected spheres in a box of three dimensions, and none in one of two");
+  if (spheres.size() + ellipsoids.size() != (stage.dimensions == 3 ? count : 0)) {
+    mistakes.add(part, "expected spheres or ellipsoids in a box of three dimensions, and none in one of two");
     return;
   }
   if (!fillers.empty() && fillers.size() != count) {
@@ -229,16 +258,18 @@ void check_listed_particles(const Stage& stage, const std::string& part, StudyMi
     return;
   }
   if (!accepts(allowed::side, stage.side)) return;  // a mistake of the stage
-  mistakes.add_error_of(
-      part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles, &spheres = spheres] {
-        if (!spheres.empty()) {
-          require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
-        } else if (!particles.empty()) {
-          require_valid(particle_box(stage, *stage.listed()));
-        } else {
-          require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
-        }
-      });
+  mistakes.add_error_of(part, [&, &walls = walls, &discs = discs, &fillers = fillers, &particles = particles,
+                               &spheres = spheres, &ellipsoids = ellipsoids] {
+    if (!ellipsoids.empty()) {
+      require_valid(ellipsoid_box(stage, *stage.listed()));
+    } else if (!spheres.empty()) {
+      require_valid(with_coatings<3>(stage, {stage.side, walls, spheres, fillers}));
+    } else if (!particles.empty()) {
+      require_valid(particle_box(stage, *stage.listed()));
+    } else {
+      require_valid<2>(with_coatings<2>(stage, {stage.side, walls, discs, fillers}));
+    }
+  });
 }
 
 }  // namespace

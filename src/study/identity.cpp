@@ -155,26 +155,30 @@ class Content {
     add_all(lattice, repeats);
   }
   void add(const ExplicitPacking& packing) {
-    const auto& [file, discs, walls, fillers, particles, spheres] = packing;
+    const auto& [file, discs, walls, fillers, particles, spheres, ellipsoids] = packing;
     add_all(discs, walls, fillers);
     if (!particles.empty()) add(particles);
     if (!spheres.empty()) add(spheres);
+    if (!ellipsoids.empty()) add(ellipsoids);
     static_cast<void>(file);
   }
   void add(const LaguerrePacking& packing) {
-    const auto& [walls, wall_film, seed, film, file, sites, film_shares] = packing;
+    const auto& [walls, wall_film, seed, film, file, sites, sites_in_space, film_shares] = packing;
     add_all(walls, seed, film, sites);
+    if (!sites_in_space.empty()) add(sites_in_space);
     if (!film_shares.empty()) add_all(std::string("shares of the films"), film_shares);
     if (wall_film == WallFilm::none) add(std::string("no film along the walls"));
     static_cast<void>(file);
   }
   void add(const ImagePacking& packing) {
-    const auto& [file, array, image] = packing;
+    const auto& [file, array, image, stack] = packing;
     if (image) add(*image);
+    if (stack) add(*stack);
     static_cast<void>(file);
     static_cast<void>(array);
   }
-  void add(const LabelImage<2>& image) {
+  template <int dim>
+  void add(const LabelImage<dim>& image) {
     const auto& [pixels, pixel_side, walls, labels] = image;
     for (const int count : pixels) add(count);
     add_all(pixel_side, walls);
@@ -212,7 +216,14 @@ class Content {
     const auto& [shape, pose] = particle;
     add_all(shape, pose.centre(), pose.angle());
   }
-  void add(const Site<2>& site) {
+  void add(const Ellipsoid& ellipsoid) {
+    const auto& [centre, axes, directions] = ellipsoid;
+    for (const auto& vector : {centre, axes, directions[0], directions[1], directions[2]}) {
+      for (const double coordinate : vector) add(coordinate);
+    }
+  }
+  template <int dim>
+  void add(const Site<dim>& site) {
     const auto& [position, weight] = site;
     for (const double coordinate : position) add(coordinate);
     add(weight);

@@ -29,7 +29,10 @@ struct SeedOf {
 struct WallsOf {
   Walls operator()(const RegularPacking&) const { return Walls::hard; }
   Walls operator()(const LatticePacking&) const { return Walls::periodic; }
-  Walls operator()(const ImagePacking& packing) const { return packing.image ? packing.image->walls : Walls::hard; }
+  Walls operator()(const ImagePacking& packing) const {
+    if (packing.stack) return packing.stack->walls;
+    return packing.image ? packing.image->walls : Walls::hard;
+  }
   template <class Packing>
   Walls operator()(const Packing& packing) const {
     return packing.walls;

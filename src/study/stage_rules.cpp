@@ -113,16 +113,14 @@ std::vector<std::string> mistakes_of_phases(const Stage& stage) {
 }
 
 std::vector<std::string> mistakes_of_packing(const Stage& stage) {
-  if (stage.fillers.empty() && stage.image() == nullptr) return {};
+  if (stage.fillers.empty() && !stage.has_image()) return {};
   const bool is_cubic = std::holds_alternative<LatticePacking>(stage.packing);
   if (stage.dimensions == 2) {
     if (!is_cubic) return {};
     return {"a cubic lattice is for three dimensions"};
   }
-  const bool has_spheres =
-      is_cubic || std::holds_alternative<LubachevskyStillingerPacking>(stage.packing) || stage.listed() != nullptr;
-  if (has_spheres) return {};
-  return {"three dimensions: expected spheres packed at random, on a cubic lattice or from a list"};
+  if (!std::holds_alternative<RegularPacking>(stage.packing)) return {};
+  return {"three dimensions: expected a cubic lattice in place of columns and rows"};
 }
 
 bool can_be_extrapolated(const std::vector<int>& grids) {

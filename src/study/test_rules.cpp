@@ -93,6 +93,7 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   std::vector<std::string> mistakes;
   const auto& tests = study.tests;
   if (tests.lists_field_times) mistakes.emplace_back("three dimensions: expected no times of fields");
+  if (tests.model == Model::films) mistakes.emplace_back(R"(three dimensions: expected model "cells")");
   return mistakes;
 }
 

@@ -89,7 +89,7 @@ TEST(Space, ALatticeOfSpheresLeavesItsFiles) {
   const auto check = study.breccia("check");
   ASSERT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_THAT(check.output, AllOf(HasSubstr("8 x 8 x 8 cells"), HasSubstr("4096 material points"),
-                                  HasSubstr("cubic lattice \"sc\", 1 repeats, periodic")));
+                                  HasSubstr("cubic lattice \"sc\", 1 repeat, periodic")));
   const auto run = study.breccia("run");
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("26.81 % of the box"));

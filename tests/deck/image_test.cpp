@@ -118,8 +118,8 @@ TEST_F(DeckImage, OnePageOfAStackMayBeTaken) {
   const auto stage = study(keys("stack.npy", "pixel = \"1 um\", page = 2"), "cells = 2").stages.at(0);
   EXPECT_THAT(stage.image()->labels, ElementsAre(0, 0, 0, 1));
   EXPECT_THAT(mistakes(keys("stack.npy"), "cells = 2"),
-              HasSubstr("stages.a.packing.file: a stack of 2 images: three dimensions are not available yet; "
-                        "packing.page = 1 takes the first one"));
+              HasSubstr("stages.a.packing.file: a stack of 2 images: expected one image in a box of two dimensions; "
+                        "packing.page = 1 takes the first one, dimensions = 3 the whole stack"));
   EXPECT_THAT(mistakes(keys("stack.npy", "pixel = \"1 um\", page = 3"), "cells = 2"),
               HasSubstr("packing.page: expected a page from 1 to 2, got 3"));
   EXPECT_THAT(mistakes(keys("stack.npy", "pixel = \"1 um\", page = 0"), "cells = 2"), HasSubstr("packing.page: "));

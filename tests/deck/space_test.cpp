@@ -1,5 +1,7 @@
 // Boxes of three dimensions in the deck.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/io/npy.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "decks.hpp"
@@ -16,6 +19,7 @@ namespace breccia {
 namespace {
 
 using testing::AllOf;
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// A deck with one stage of a cube of 1 mm.
@@ -84,8 +88,129 @@ TEST_F(DeckInSpace, HasSpheresOfAList) {
               AllOf(HasSubstr("packing.discs"), HasSubstr("two dimensions")));
 }
 
+TEST_F(DeckInSpace, HasGrains) {
+  directory.write("sites.csv", "x_mm,y_mm,z_mm,weight_mm2\n0.25,0.25,0.25,0\n0.75,0.7,0.6,0.01\n");
+  const auto read = stage(", fraction = 0.9", R"(method = "laguerre", sites = "sites.csv")");
+  ASSERT_NE(read.grains(), nullptr);
+  EXPECT_TRUE(read.is_periodic());
+  EXPECT_FALSE(read.has_seed());
+  EXPECT_TRUE(read.grains()->sites.empty());
+  ASSERT_EQ(read.grains()->sites_in_space.size(), 2U);
+  EXPECT_NEAR(read.grains()->sites_in_space[1].position[2], 0.6e-3, 1e-18);
+  EXPECT_NEAR(read.grains()->sites_in_space[1].weight, 1e-8, 1e-20);
+  EXPECT_EQ(stage(one_size, R"(method = "laguerre", film = "5 um", seed = 3)").seed(), 3U);
+
+  directory.write("flat.csv", "x_mm,y_mm,weight_mm2\n0.25,0.25,0\n");
+  EXPECT_THAT(mistakes(", fraction = 0.9", R"(method = "laguerre", sites = "flat.csv")"),
+              HasSubstr("called z, such as z_um"));
+  directory.write("outside.csv", "x_mm,y_mm,z_mm\n0.25,0.25,1.5\n");
+  EXPECT_THAT(mistakes(", fraction = 0.9", R"(method = "laguerre", sites = "outside.csv")"),
+              HasSubstr("outside.csv:2"));
+}
+
+class DeckStack : public DeckInSpace {
+ protected:
+  void write(const std::string& name, const std::vector<std::size_t>& extents,
+             const std::vector<std::uint16_t>& values) {
+    write_npy(directory.path() / name, extents, values);
+  }
+  [[nodiscard]] static std::string deck_of(std::string_view packing, std::string_view cells = "cells = 2") {
+    return test::join(
+        "dimensions = 3\n", test::materials,
+        fmt::format("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\n{}\npacking = {{ method = \"image\", {}, labels = "
+                    "[{{ value = 0, material = \"binder\" }}, {{ value = 7, material = \"hmx\" }}] }}\n",
+                    cells, packing),
+        test::tests);
+  }
+};
+
+TEST_F(DeckStack, OfImagesFillsACube) {
+  write("stack.npy", {2, 2, 2}, {7, 0, 0, 0, 0, 0, 0, 7});
+  const auto stage = directory.study(deck_of(R"(file = "stack.npy", pixel = "2 um", periodic = true)")).stages.at(0);
+  ASSERT_NE(stage.stack(), nullptr);
+  EXPECT_EQ(stage.image(), nullptr);
+  EXPECT_TRUE(stage.is_periodic());
+  EXPECT_DOUBLE_EQ(stage.side, 4e-6);
+  EXPECT_THAT(stage.stack()->labels, ElementsAre(1, 0, 0, 0, 0, 0, 0, 1));
+  write("larger.npy", {4, 4, 4}, [] {
+    std::vector<std::uint16_t> values(64, 0);
+    values.back() = 7;
+    return values;
+  }());
+  EXPECT_EQ(directory.study(deck_of(R"(file = "larger.npy", pixel = "2 um")", "")).stages.at(0).cells, 2);
+}
+
+TEST_F(DeckStack, RefusesWhatIsNoCube) {
+  write("flat.npy", {2, 2}, {7, 0, 0, 0});
+  EXPECT_THAT(directory.mistakes(deck_of(R"(file = "flat.npy", pixel = "2 um")")),
+              HasSubstr("packing.file: expected a stack of images in a box of three dimensions, got one of 2 x 2"));
+  write("long.npy", {2, 4, 2}, {7, 0, 0, 0, 0, 0, 0, 7, 7, 0, 0, 0, 0, 0, 0, 7});
+  EXPECT_THAT(
+      directory.mistakes(deck_of(R"(file = "long.npy", pixel = "2 um")")),
+      HasSubstr("expected a cube of voxels, since boxes are cubic, got 2 x 4 x 2 voxels; crop it to 2 x 2 x 2"));
+  write("stack.npy", {2, 2, 2}, {7, 0, 0, 0, 0, 0, 0, 7});
+  EXPECT_THAT(directory.mistakes(deck_of(R"(file = "stack.npy", pixel = "2 um", page = 1)")),
+              HasSubstr("packing.page: a box of three dimensions takes the whole stack"));
+  write("odd.npy", {3, 3, 3}, [] {
+    std::vector<std::uint16_t> values(27, 0);
+    values.back() = 7;
+    return values;
+  }());
+  EXPECT_THAT(
+      directory.mistakes(deck_of(R"(file = "odd.npy", pixel = "2 um")", "")),
+      HasSubstr("cells of 2 x 2 x 2 points cannot give each of 3 x 3 x 3 voxels one point; cells = 3 gives each "
+                "eight points"));
+  EXPECT_THAT(directory.mistakes(deck_of(R"(file = "missing.npy", pixel = "2 um")")), HasSubstr("missing.npy"));
+}
+
+constexpr auto spheroid = "x_mm,y_mm,z_mm,axis_1_mm,axis_2_mm,axis_3_mm,azimuth_deg,elevation_deg,roll_deg\n";
+
+TEST_F(DeckInSpace, HasEllipsoidsOfAList) {
+  directory.write("ellipsoids.csv", fmt::format("{}0.5,0.4,0.3,0.4,0.3,0.2,90,0,0\n", spheroid));
+  const auto read = stage("", R"(method = "explicit", particles = "ellipsoids.csv")");
+  ASSERT_EQ(read.listed()->ellipsoids.size(), 1U);
+  EXPECT_TRUE(read.listed()->spheres.empty());
+  const auto& [centre, axes, directions] = read.listed()->ellipsoids[0];
+  EXPECT_NEAR(centre[2], 0.3e-3, 1e-18);
+  EXPECT_NEAR(axes[2], 0.2e-3, 1e-18);
+  EXPECT_NEAR(directions[0][1], 1.0, 1e-15) << "the first axis along y";
+  EXPECT_NEAR(directions[2][2], 1.0, 1e-15);
+
+  const auto refusal = [&](const std::string& rows) {
+    directory.write("bad.csv", rows);
+    return mistakes("", R"(method = "explicit", particles = "bad.csv")");
+  };
+  EXPECT_THAT(refusal("x_mm,y_mm,z_mm,axis_1_mm,axis_2_mm\n0.5,0.4,0.3,0.4,0.3\n"), HasSubstr("called axis_3"));
+  EXPECT_THAT(refusal(fmt::format("{}0.5,0.4,0.3,0.4,0,0.2,90,0,0\n0.5,0.4,1.3,0.4,0.3,0.2,90,0,0\n", spheroid)),
+              AllOf(HasSubstr("bad.csv:2: expected positive axes, got 0.4, 0 and 0.2"),
+                    HasSubstr("bad.csv:3: expected a centre in the box, 0 to 1 mm, got (500 um, 400 um, 1.3 mm)")));
+  EXPECT_THAT(refusal(fmt::format("{}0.1,0.4,0.3,0.4,0.3,0.2,0,0,0\n", spheroid)), HasSubstr("crosses a wall by"));
+  EXPECT_THAT(refusal("x_mm,y_mm,z_mm,diameter_mm,axis_1_mm\n0.5,0.4,0.3,0.4,0.3\n"),
+              HasSubstr("expected either diameters, or axis_1"));
+}
+
+TEST_F(DeckInSpace, HasEllipsoidsAtRandom) {
+  constexpr auto method = R"(method = "random-sequential", walls = false, seed = 5)";
+  const auto read = stage(R"(, fraction = 0.2, sizes = { diameter = "0.2 mm" }, shape = { aspect = 2 })", method);
+  ASSERT_TRUE(read.fillers[0].shape.has_value());
+  EXPECT_EQ(std::get<EllipticOutline>(read.fillers[0].shape->outline).aspect, 2.0);
+  EXPECT_EQ(read.seed(), 5U);
+  const auto refusal = [&](std::string_view shape, std::string_view packing) {
+    return mistakes(fmt::format(R"(, fraction = 0.2, sizes = {{ diameter = "0.2 mm" }}, shape = {})", shape), packing);
+  };
+  EXPECT_THAT(refusal(R"({ aspect = 2, angle = "3 deg" })", method), HasSubstr("ellipsoids are turned at random"));
+  EXPECT_THAT(refusal(R"({ polygon = "p.csv" })", method), HasSubstr("particles of three dimensions are ellipsoids"));
+  EXPECT_THAT(refusal("{ aspect = 0 }", method), HasSubstr("shape.aspect"));
+  EXPECT_THAT(refusal("\"long\"", method), HasSubstr("expected { aspect = 1.5 } for ellipsoids of revolution"));
+  EXPECT_THAT(refusal("{ aspect = 2 }", R"(method = "lubachevsky-stillinger")"),
+              HasSubstr("\"lubachevsky-stillinger\" packs spheres alone"));
+}
+
 TEST_F(DeckInSpace, RefusesWhatIsFlat) {
-  EXPECT_THAT(mistakes(one_size, R"(method = "laguerre")"), HasSubstr("\"lubachevsky-stillinger\""));
+  EXPECT_THAT(mistakes(one_size, R"(method = "hexagons")"),
+              AllOf(HasSubstr("\"lubachevsky-stillinger\""), HasSubstr("\"random-sequential\"")));
+  EXPECT_THAT(mistakes(one_size, R"(method = "laguerre", film = "10 um")", "model = \"films\"\n"),
+              HasSubstr("three dimensions: expected model \"cells\""));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "fields = [\"1 ms\"]\n"),
               HasSubstr("three dimensions: expected no times of fields"));
 }

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/microstructure/index.hpp"
+
 #include "microstructure/vector_algebra.hpp"
 #include "random_ellipsoids.hpp"
 
@@ -140,6 +142,51 @@ TEST(Ellipsoid, GapsAlongACommonNormalAreExact) {
     other.centre = displaced(other.centre, 1.0, difference(wanted, support(other, back)));
     EXPECT_NEAR(gap(one, other), width, 1e-12);
   }
+}
+
+TEST(Ellipsoid, AnglesTurnItAsTheyShould) {
+  constexpr double right = 0.5 * std::numbers::pi;
+  const auto up = turned(Turn{0.3, right, 0.0});
+  EXPECT_NEAR(up[0][2], 1.0, 1e-15);
+  const auto along_y = turned(Turn{right, 0.0, right});
+  EXPECT_NEAR(along_y[0][1], 1.0, 1e-15);
+  EXPECT_NEAR(along_y[1][2], 1.0, 1e-15) << "the second axis was along -x before the roll";
+  EXPECT_NEAR(along_y[2][0], 1.0, 1e-15);
+}
+
+TEST(Ellipsoid, AnglesAreFoundAgain) {
+  std::mt19937_64 engine(23);
+  for (int count = 0; count < 100; ++count) {
+    auto one = random_ellipsoid(engine).directions;
+    if (count == 0) one = turned(Turn{0.0, 0.5 * std::numbers::pi, 0.4});
+    const auto again = turned(turn_of(one));
+    for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(norm(difference(again[axis], one[axis])), 0.0, 1e-14);
+  }
+}
+
+TEST(Ellipsoid, MeanWidthsAreThoseOfTheirHalfWidths) {
+  EXPECT_NEAR(mean_width({{}, {2.0, 2.0, 2.0}}), 2.0, 1e-14);
+  // A disc without thickness: the mean of |sin| over all directions is pi / 4.
+  EXPECT_NEAR(mean_width({{}, {2.0, 2.0, 1e-9}}), 0.5 * std::numbers::pi, 1e-8);
+  // A needle: the mean of |cos| is 1/2.
+  EXPECT_NEAR(mean_width({{}, {2.0, 1e-6, 1e-6}}), 1.0, 1e-5);
+}
+
+TEST(Ellipsoid, CoatingsHaveTheVolumeOfTheirPlaces) {
+  const double thickness = 0.3;
+  EXPECT_NEAR(coating_volume({{}, {2.0, 2.0, 2.0}}, thickness), std::numbers::pi / 6.0 * (2.6 * 2.6 * 2.6 - 8.0),
+              1e-13);
+  // Counted on a lattice of places in the eighth of positive coordinates.
+  const Ellipsoid ellipsoid = {{}, {2.0, 1.2, 0.8}};
+  constexpr int along = 60;
+  constexpr double step = 1.4 / along;
+  int inside = 0;
+  for_each_index(Index<3>{}, Index<3>{along, along, along}, [&](const Index<3>& place) {
+    const double distance =
+        signed_distance(ellipsoid, {(place[0] + 0.5) * step, (place[1] + 0.5) * step, (place[2] + 0.5) * step});
+    if (distance > 0.0 && distance <= thickness) ++inside;
+  });
+  EXPECT_NEAR(8.0 * inside * step * step * step / coating_volume(ellipsoid, thickness), 1.0, 2e-3);
 }
 
 }  // namespace

@@ -28,7 +28,16 @@ TEST(ImageStatistics, HaveTheLengthOfTheInterface) {
   EXPECT_DOUBLE_EQ(specific_interface(square(Walls::hard)), 2.0 / 4.0) << "two sides of 1 m, on 4 m^2";
   EXPECT_DOUBLE_EQ(specific_interface(square(Walls::periodic)), 4.0 / 4.0) << "all sides";
   // A layer has its two sides, and a box of one column no neighbours but itself.
-  EXPECT_DOUBLE_EQ(specific_interface({{1, 4}, 1.0, Walls::periodic, {0, 1, 1, 0}}), 2.0 / 4.0);
+  EXPECT_DOUBLE_EQ(specific_interface<2>({{1, 4}, 1.0, Walls::periodic, {0, 1, 1, 0}}), 2.0 / 4.0);
+}
+
+TEST(ImageStatistics, OfVoxelsHaveTheAreaOfTheInterface) {
+  // One of 2 x 2 x 2 voxels of 0.5 m.
+  LabelImage<3> corner = {{2, 2, 2}, 0.5, Walls::hard, {1, 0, 0, 0, 0, 0, 0, 0}};
+  EXPECT_THAT(label_fractions(corner, 2), ElementsAre(0.875, 0.125));
+  EXPECT_DOUBLE_EQ(specific_interface(corner), 3.0 * 0.25) << "three faces of 0.25 m^2, on 1 m^3";
+  corner.walls = Walls::periodic;
+  EXPECT_DOUBLE_EQ(specific_interface(corner), 6.0 * 0.25) << "all faces";
 }
 
 }  // namespace

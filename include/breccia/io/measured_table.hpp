@@ -32,6 +32,10 @@ enum class Quantity {
   axis_2,                      ///< whole second axis of an ellipse [m]
   angle,                       ///< from the x axis to the first axis of an ellipse [rad]
   particle,                    ///< number of the particle that a corner belongs to
+  axis_3,                      ///< whole third axis of an ellipsoid [m]
+  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, seen along z [rad]
+  elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
+  roll,                        ///< of an ellipsoid about its first axis [rad]
 };
 
 /// A column of a file.

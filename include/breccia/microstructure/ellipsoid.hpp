@@ -16,6 +16,18 @@ inline constexpr AxisDirections unturned = {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {
 /// first; four numbers from a normal distribution make all rotations equally likely.
 [[nodiscard]] AxisDirections turned(const std::array<double, 4>& quaternion);
 
+/// Angles that turn a body [rad]: its first axis points to `azimuth` from x in the xy plane, `elevation` above that
+/// plane, and the body is turned by `roll` about it. Without a roll the second axis is in the xy plane.
+struct Turn {
+  double azimuth = 0.0;
+  double elevation = 0.0;
+  double roll = 0.0;
+};
+
+[[nodiscard]] AxisDirections turned(const Turn& turn);
+/// The angles of axes that form a right-handed system.
+[[nodiscard]] Turn turn_of(const AxisDirections& directions);
+
 /// An ellipsoid in a box. With two equal axes it is one of revolution.
 struct Ellipsoid {
   Vector<3> centre;                      ///< [m]
@@ -28,9 +40,16 @@ struct Ellipsoid {
   friend bool operator==(const Ellipsoid&, const Ellipsoid&) = default;
 };
 
-[[nodiscard]] double volume(const Ellipsoid& ellipsoid) noexcept;        ///< [m^3]
-[[nodiscard]] double surface(const Ellipsoid& ellipsoid);                ///< to 1e-12 of its value [m^2]
+[[nodiscard]] double volume(const Ellipsoid& ellipsoid) noexcept;  ///< [m^3]
+[[nodiscard]] double surface(const Ellipsoid& ellipsoid);          ///< to 1e-12 of its value [m^2]
+/// Mean over all directions of the distance of the two planes across it that touch it [m].
+[[nodiscard]] double mean_width(const Ellipsoid& ellipsoid);
+/// Diameter of the ball of the same volume [m].
+[[nodiscard]] double equivalent_diameter(const Ellipsoid& ellipsoid) noexcept;
 [[nodiscard]] double circumradius(const Ellipsoid& ellipsoid) noexcept;  ///< largest distance from the centre [m]
+
+/// Volume of the places outside that are no farther from it than `thickness` [m^3] (theory, Eq. 52a).
+[[nodiscard]] double coating_volume(const Ellipsoid& ellipsoid, double thickness);
 
 /// How far it reaches from its centre along x, y and z, either way [m].
 [[nodiscard]] Vector<3> extent(const Ellipsoid& ellipsoid) noexcept;

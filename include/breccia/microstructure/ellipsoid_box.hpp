@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "breccia/microstructure/ellipsoid.hpp"
@@ -22,8 +23,13 @@ struct EllipsoidBox {
   [[nodiscard]] double coating_of(std::size_t particle) const { return coatings.empty() ? 0.0 : coatings.at(particle); }
 };
 
+/// The particles as balls, if each of them is one.
+[[nodiscard]] std::optional<Microstructure<3>> as_balls(const EllipsoidBox& box);
+
 /// Volume of the particles per volume of the box, without coatings.
 [[nodiscard]] double volume_fraction(const EllipsoidBox& box);
+/// Volume of the coatings per volume of the box.
+[[nodiscard]] double coating_fraction(const EllipsoidBox& box);
 /// Surface of the particles per volume of the box [1/m].
 [[nodiscard]] double specific_surface(const EllipsoidBox& box);
 /// Smallest distance between two particles with their coatings [m], across the sides too if the box is periodic (where
@@ -32,6 +38,8 @@ struct EllipsoidBox {
 /// Smallest distance between a particle with its coating and a hard wall [m]. Negative if one crosses a wall, infinite
 /// if there are no particles or no walls.
 [[nodiscard]] double smallest_wall_gap(const EllipsoidBox& box);
+/// Smallest distance between a particle without its coating and a side of the box [m]; negative where one crosses it.
+[[nodiscard]] double smallest_side_distance(const EllipsoidBox& box);
 
 /// Throws InputError if the particles cannot be where they are: an axis that is not positive, directions of axes that
 /// are not perpendicular and of length 1, a centre outside the box, a particle or its coating across a hard wall, two

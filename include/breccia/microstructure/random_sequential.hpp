@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/microstructure/particle.hpp"
 
@@ -22,9 +24,36 @@ struct ParticleToPlace {
 
 /// Convex particles of any shape to place at random, and the box.
 struct RandomSequentialRequest {
+  static constexpr int dim = 2;
+  using Pose = breccia::Pose;
+
   double side = 0.0;  ///< of the box [0, side]^2 [m]
   Walls walls = Walls::hard;
   std::vector<ParticleToPlace> particles = {};
+  std::uint64_t seed = 1;  ///< the same seed gives the same packing
+};
+
+/// An ellipsoid to place, each orientation as likely as any other.
+struct EllipsoidToPlace {
+  Vector<3> axes{};    ///< whole lengths [m]
+  double shell = 0.0;  ///< as that of ParticleToPlace [m]
+  double wall_distance = 0.0;
+};
+
+/// Centre and orientation of an ellipsoid.
+struct EllipsoidPose {
+  Vector<3> centre{};                                       ///< [m]
+  std::array<double, 4> quaternion = {1.0, 0.0, 0.0, 0.0};  ///< of the rotation of its axes from x, y and z (turned())
+};
+
+/// Ellipsoids to place at random, and the box.
+struct EllipsoidSequentialRequest {
+  static constexpr int dim = 3;
+  using Pose = EllipsoidPose;
+
+  double side = 0.0;  ///< of the box [0, side]^3 [m]
+  Walls walls = Walls::hard;
+  std::vector<EllipsoidToPlace> particles = {};
   std::uint64_t seed = 1;  ///< the same seed gives the same packing
 };
 
@@ -32,16 +61,19 @@ struct RandomSequentialRequest {
 /// Theoretical Biology 87, 237, 1980), and grows them by a Monte Carlo compression where they shall be denser than that
 /// can make them: they are placed at a smaller scale, and then grow in steps, between which each moves and turns at
 /// random, but never into another one (theory, Eq. 53). It runs step by step, so that it can be followed and
-/// interrupted.
-class RandomSequentialRun {
+/// interrupted. Instantiated for the particles of a plane and for ellipsoids.
+template <class Request>
+class SequentialRun {
  public:
+  using Pose = typename Request::Pose;
+
   /// Throws InputError on arguments without meaning, PackingError where a particle does not fit into the box.
-  explicit RandomSequentialRun(RandomSequentialRequest request);
-  RandomSequentialRun(RandomSequentialRun&&) noexcept;
-  RandomSequentialRun& operator=(RandomSequentialRun&&) noexcept;
-  RandomSequentialRun(const RandomSequentialRun&) = delete;
-  RandomSequentialRun& operator=(const RandomSequentialRun&) = delete;
-  ~RandomSequentialRun();
+  explicit SequentialRun(Request request);
+  SequentialRun(SequentialRun&&) noexcept;
+  SequentialRun& operator=(SequentialRun&&) noexcept;
+  SequentialRun(const SequentialRun&) = delete;
+  SequentialRun& operator=(const SequentialRun&) = delete;
+  ~SequentialRun();
 
   [[nodiscard]] bool is_done() const noexcept;
   /// Places all particles, or lets them grow by a step. Throws PackingError when they jam before they have their size:
@@ -58,5 +90,11 @@ class RandomSequentialRun {
 
   std::unique_ptr<Growth> growth_;
 };
+
+extern template class SequentialRun<RandomSequentialRequest>;
+extern template class SequentialRun<EllipsoidSequentialRequest>;
+
+using RandomSequentialRun = SequentialRun<RandomSequentialRequest>;
+using EllipsoidSequentialRun = SequentialRun<EllipsoidSequentialRequest>;
 
 }  // namespace breccia

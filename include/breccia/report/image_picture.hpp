@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "breccia/microstructure/label_image.hpp"
 
@@ -12,5 +13,9 @@ namespace breccia {
 /// pixels; of more it shows equal squares in the colour of most of their pixels. Throws InputError when the image is
 /// not valid or not square, or a label has no colour.
 std::string image_picture(const LabelImage<2>& image, std::span<const std::size_t> colours);
+
+/// The same for a plane through a microstructure of three dimensions, whose labels are the numbers of their colours;
+/// `content` is what the title of the picture names.
+std::string plane_picture(const LabelImage<2>& plane, std::string_view content);
 
 }  // namespace breccia

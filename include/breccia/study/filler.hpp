@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "breccia/microstructure/cubic_array.hpp"
+#include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
 #include "breccia/microstructure/microstructure.hpp"
 #include "breccia/microstructure/particle.hpp"
@@ -45,9 +46,9 @@ struct TabulatedSizes {
 
 using Sizes = std::variant<SingleSize, ListedSizes, LognormalSizes, TabulatedSizes>;
 
-/// Ellipses.
+/// Ellipses; in three dimensions ellipsoids of revolution.
 struct EllipticOutline {
-  double aspect = 1.0;  ///< first axis over the second one [-]
+  double aspect = 1.0;  ///< first axis over the second one, or the axis of revolution over the others [-]
 };
 
 /// Convex polygons, all similar to one.
@@ -56,10 +57,10 @@ struct PolygonalOutline {
   std::vector<Vector<2>> corners;  ///< in any unit: the size follows from the diameter of equal area
 };
 
-/// Shape of the particles of a filler, whose sizes are diameters of discs of equal area.
+/// Shape of the particles of a filler, whose sizes are diameters of discs of equal area, or of balls of equal volume.
 struct FillerShape {
   std::variant<EllipticOutline, PolygonalOutline> outline;
-  std::optional<double> angle = {};  ///< of all particles [rad]; without it each has one at random
+  std::optional<double> angle = {};  ///< of all particles [rad]; without it, and in space, each is turned at random
 };
 
 /// Event-driven growth of moving particles (Lubachevsky and Stillinger, J. Stat. Phys. 60, 561, 1990).
@@ -87,8 +88,9 @@ struct ExplicitPacking {
   Walls walls = Walls::hard;
   /// The number of the filler of each disc, sphere or other particle; empty where all are of the first.
   std::vector<std::size_t> fillers = {};
-  std::vector<Particle> particles = {};  ///< of other shapes, in place of discs
-  std::vector<Ball<3>> spheres = {};     ///< of a box of three dimensions, in place of discs
+  std::vector<Particle> particles = {};    ///< of other shapes, in place of discs
+  std::vector<Ball<3>> spheres = {};       ///< of a box of three dimensions, in place of discs
+  std::vector<Ellipsoid> ellipsoids = {};  ///< of a box of three dimensions, in place of spheres
 };
 
 /// Particles of any shape placed at random one after the other, the largest first, and grown by a Monte Carlo
@@ -101,14 +103,25 @@ struct RandomSequentialPacking {
 /// Grains of a Laguerre tessellation, which fill the box but for films of the matrix of one thickness between them.
 struct LaguerrePacking {
   Walls walls = Walls::periodic;
-  WallFilm wall_film = WallFilm::half;   ///< along hard walls
-  std::uint64_t seed = 1;                ///< of a random tessellation
-  std::optional<double> film = {};       ///< thickness [m]; without it that of the fraction of the filler
-  std::filesystem::path file = {};       ///< of the sites; empty for a random tessellation
-  std::vector<Site<2>> sites = {};       ///< of the grains; none for a random tessellation
-  std::vector<double> film_shares = {};  ///< of listed sites [-] (LaguerreSites); none for films of one thickness
+  WallFilm wall_film = WallFilm::half;       ///< along hard walls
+  std::uint64_t seed = 1;                    ///< of a random tessellation
+  std::optional<double> film = {};           ///< thickness [m]; without it that of the fraction of the filler
+  std::filesystem::path file = {};           ///< of the sites; empty for a random tessellation
+  std::vector<Site<2>> sites = {};           ///< of the grains; none for a random tessellation
+  std::vector<Site<3>> sites_in_space = {};  ///< the same in a box of three dimensions
+  std::vector<double> film_shares = {};      ///< of listed sites [-] (LaguerreSites); none for films of one thickness
 
-  [[nodiscard]] bool is_random() const { return sites.empty(); }
+  [[nodiscard]] bool is_random() const { return site_count() == 0; }
+  [[nodiscard]] std::size_t site_count() const { return sites.size() + sites_in_space.size(); }
+  /// The sites in a box of so many dimensions.
+  template <int dim>
+  [[nodiscard]] const std::vector<Site<dim>>& sites_in() const {
+    if constexpr (dim == 3) {
+      return sites_in_space;
+    } else {
+      return sites;
+    }
+  }
 };
 
 using PackingMethod = std::variant<LubachevskyStillingerPacking, RegularPacking, ExplicitPacking, LaguerrePacking,
@@ -140,7 +153,7 @@ struct Filler {
   double gap = 0.0;  ///< smallest distance between coated particles of this filler [m]
   GapSource gap_source = GapSource::length;
   std::optional<Coating> coating = {};
-  std::optional<FillerShape> shape = {};  ///< of its particles; discs without one
+  std::optional<FillerShape> shape = {};  ///< of its particles; discs or spheres without one
 
   /// Thickness of the coating [m]; 0 where there is none.
   [[nodiscard]] double coating_thickness() const { return coating ? coating->thickness : 0.0; }

@@ -40,11 +40,18 @@ struct Stage {
   [[nodiscard]] const ExplicitPacking* listed() const { return std::get_if<ExplicitPacking>(&packing); }
   /// The grains that fill the box; nullptr for particles.
   [[nodiscard]] const LaguerrePacking* grains() const { return std::get_if<LaguerrePacking>(&packing); }
-  /// The image that fills the box; nullptr for particles and grains.
+  /// The image that fills a box of two dimensions; nullptr for particles and grains.
   [[nodiscard]] const LabelImage<2>* image() const {
     const auto* packing_of_pixels = std::get_if<ImagePacking>(&packing);
     return packing_of_pixels == nullptr ? nullptr : packing_of_pixels->image.get();
   }
+  /// The image that fills a box of three dimensions; nullptr for particles and grains.
+  [[nodiscard]] const LabelImage<3>* stack() const {
+    const auto* packing_of_voxels = std::get_if<ImagePacking>(&packing);
+    return packing_of_voxels == nullptr ? nullptr : packing_of_voxels->stack.get();
+  }
+  /// Whether the box is filled by an image of either kind.
+  [[nodiscard]] bool has_image() const { return image() != nullptr || stack() != nullptr; }
   /// Whether the particles are packed at random.
   [[nodiscard]] bool is_random() const {
     return std::holds_alternative<LubachevskyStillingerPacking>(packing) ||

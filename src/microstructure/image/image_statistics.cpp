@@ -6,7 +6,8 @@
 
 namespace breccia {
 
-std::vector<double> label_fractions(const LabelImage<2>& image, std::size_t count) {
+template <int dim>
+std::vector<double> label_fractions(const LabelImage<dim>& image, std::size_t count) {
   std::vector<std::size_t> pixels(count);
   for (const auto label : image.labels) {
     if (label >= count) {
@@ -22,20 +23,37 @@ std::vector<double> label_fractions(const LabelImage<2>& image, std::size_t coun
   return fractions;
 }
 
-double specific_interface(const LabelImage<2>& image) {
-  const auto columns = static_cast<std::size_t>(image.pixels[0]), rows = static_cast<std::size_t>(image.pixels[1]);
+namespace {
+
+/// Sides between pixels of different labels along one axis.
+template <int dim>
+std::size_t sides_along(const LabelImage<dim>& image, std::size_t axis) {
+  std::size_t stride = 1;
+  for (std::size_t lower = 0; lower < axis; ++lower) stride *= static_cast<std::size_t>(image.pixels[lower]);
+  const auto along = static_cast<std::size_t>(image.pixels[axis]);
   const bool is_periodic = image.walls == Walls::periodic;
-  const auto differ = [&](std::size_t column, std::size_t row, std::size_t other_column, std::size_t other_row) {
-    return image.labels[row * columns + column] != image.labels[other_row * columns + other_column];
-  };
   std::size_t sides = 0;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t column = 0; column < columns; ++column) {
-      if (column + 1 < columns || is_periodic) sides += differ(column, row, (column + 1) % columns, row) ? 1U : 0U;
-      if (row + 1 < rows || is_periodic) sides += differ(column, row, column, (row + 1) % rows) ? 1U : 0U;
-    }
+  for (std::size_t pixel = 0; pixel < image.labels.size(); ++pixel) {
+    const bool is_last = pixel / stride % along + 1 == along;
+    if (is_last && !is_periodic) continue;
+    const auto next = is_last ? pixel - (along - 1) * stride : pixel + stride;
+    if (image.labels[pixel] != image.labels[next]) ++sides;
   }
-  return static_cast<double>(sides) / (static_cast<double>(columns * rows) * image.pixel_side);
+  return sides;
 }
+
+}  // namespace
+
+template <int dim>
+double specific_interface(const LabelImage<dim>& image) {
+  std::size_t sides = 0;
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) sides += sides_along(image, axis);
+  return static_cast<double>(sides) / (static_cast<double>(image.labels.size()) * image.pixel_side);
+}
+
+template std::vector<double> label_fractions(const LabelImage<2>&, std::size_t);
+template std::vector<double> label_fractions(const LabelImage<3>&, std::size_t);
+template double specific_interface(const LabelImage<2>&);
+template double specific_interface(const LabelImage<3>&);
 
 }  // namespace breccia

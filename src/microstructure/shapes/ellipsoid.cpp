@@ -145,6 +145,27 @@ AxisDirections turned(const std::array<double, 4>& quaternion) {
   return directions;
 }
 
+AxisDirections turned(const Turn& turn) {
+  const double ca = std::cos(turn.azimuth), sa = std::sin(turn.azimuth);
+  const double ce = std::cos(turn.elevation), se = std::sin(turn.elevation);
+  const double cr = std::cos(turn.roll), sr = std::sin(turn.roll);
+  const Vector<3> first = {ce * ca, ce * sa, se}, level = {-sa, ca, 0.0}, upright = {-se * ca, -se * sa, ce};
+  AxisDirections directions = {first, {}, {}};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    directions[1][axis] = cr * level[axis] + sr * upright[axis];
+    directions[2][axis] = cr * upright[axis] - sr * level[axis];
+  }
+  return directions;
+}
+
+Turn turn_of(const AxisDirections& directions) {
+  const auto& [first, second, third] = directions;
+  const double level = std::hypot(first[0], first[1]);
+  // Of a first axis along z any azimuth may be taken.
+  if (level == 0.0) return {0.0, std::atan2(first[2], 0.0), std::atan2(-third[1], second[1])};
+  return {std::atan2(first[1], first[0]), std::atan2(first[2], level), std::atan2(second[2], third[2])};
+}
+
 bool Ellipsoid::contains(const Vector<3>& place) const noexcept {
   const auto y = seen_along_axes(*this, place);
   double square = 0.0;
@@ -170,6 +191,27 @@ double surface(const Ellipsoid& ellipsoid) {
          (c * c +
           a * b / sine *
               (std::ellint_2(modulus, angle) * sine_square + std::ellint_1(modulus, angle) * (c / a) * (c / a)));
+}
+
+// The support function of an ellipsoid, integrated over all directions, is the surface of the one with reciprocal half
+// axes times the product of its own.
+double mean_width(const Ellipsoid& ellipsoid) {
+  constexpr double square_of_two = 4.0;
+  const auto& [a, b, c] = ellipsoid.axes;
+  const double size = std::cbrt(a * b * c);
+  Ellipsoid reciprocal = ellipsoid;
+  for (double& axis : reciprocal.axes) axis = square_of_two * size / axis;
+  return size / (16.0 * std::numbers::pi) * surface(reciprocal);
+}
+
+double equivalent_diameter(const Ellipsoid& ellipsoid) noexcept {
+  return std::cbrt(ellipsoid.axes[0] * ellipsoid.axes[1] * ellipsoid.axes[2]);
+}
+
+double coating_volume(const Ellipsoid& ellipsoid, double thickness) {
+  if (thickness == 0.0) return 0.0;
+  return thickness * (surface(ellipsoid) + thickness * (2.0 * std::numbers::pi * mean_width(ellipsoid) +
+                                                        4.0 / 3.0 * std::numbers::pi * thickness));
 }
 
 double circumradius(const Ellipsoid& ellipsoid) noexcept {

@@ -132,6 +132,23 @@ double volume_fraction(const EllipsoidBox& box) {
   return sum / times_power<3>(1.0, box.side);
 }
 
+double coating_fraction(const EllipsoidBox& box) {
+  double sum = 0.0;
+  for (std::size_t number = 0; number < box.particles.size(); ++number) {
+    sum += coating_volume(box.particles[number], box.coating_of(number));
+  }
+  return sum / times_power<3>(1.0, box.side);
+}
+
+std::optional<Microstructure<3>> as_balls(const EllipsoidBox& box) {
+  Microstructure<3> balls = {box.side, box.walls, {}, box.fillers};
+  for (const auto& [centre, axes, directions] : box.particles) {
+    if (axes[0] != axes[1] || axes[0] != axes[2]) return std::nullopt;
+    balls.particles.push_back({centre, axes[0]});
+  }
+  return balls;
+}
+
 double specific_surface(const EllipsoidBox& box) {
   double sum = 0.0;
   for (const auto& particle : box.particles) sum += surface(particle);
@@ -163,6 +180,14 @@ double smallest_wall_gap(const EllipsoidBox& box) {
   if (box.walls == Walls::periodic) return smallest;
   for (std::size_t number = 0; number < box.particles.size(); ++number) {
     smallest = std::min(smallest, room(box, number));
+  }
+  return smallest;
+}
+
+double smallest_side_distance(const EllipsoidBox& box) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t number = 0; number < box.particles.size(); ++number) {
+    smallest = std::min(smallest, room(box, number) + box.coating_of(number));
   }
   return smallest;
 }

@@ -1,6 +1,8 @@
 #include "breccia/microstructure/ellipsoid_locator.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -19,6 +21,18 @@ std::vector<double> coated_radii(const EllipsoidBox& box) {
     radii.push_back(circumradius(box.particles[particle]) + box.coating_of(particle));
   }
   return radii;
+}
+
+/// A place is on the surface of the ellipsoid made larger by a factor q, whose planes of support are (q - 1) h(n)
+/// farther out than those of the ellipsoid itself: a lower bound of the distance that takes no search [m].
+double lower_bound_of_distance(const Ellipsoid& ellipsoid, const Vector<3>& place) {
+  const auto apart = difference(place, ellipsoid.centre);
+  double square = 0.0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double length = 2.0 * dot(ellipsoid.directions[axis], apart) / ellipsoid.axes[axis];
+    square += length * length;
+  }
+  return 0.5 * (std::sqrt(square) - 1.0) * std::ranges::min(ellipsoid.axes);
 }
 
 }  // namespace
@@ -56,12 +70,16 @@ ParticlePlace EllipsoidLocator::at(const Vector<3>& position) const {
   ParticlePlace nearest = {{}, search.reach};
   double coated = search.reach;  // distance from the coating of the nearest
   search.grid.visit_near(position, search.reach, [&](std::uint32_t number, std::uint32_t image) {
+    if (nearest.distance < 0.0) return;  // no other one is there
     auto particle = search.box.particles[number];
     particle.centre = displaced(particle.centre, 1.0, search.images.shift(image));
     if (norm(difference(position, particle.centre)) - search.radii[number] >= coated) return;
+    const double coating = search.box.coating_of(number);
+    constexpr double rounding = 1e-12;
+    if (lower_bound_of_distance(particle, position) - coating >= coated * (1.0 + rounding)) return;
     const double distance = signed_distance(particle, position);
-    if (distance - search.box.coating_of(number) >= coated) return;
-    coated = distance - search.box.coating_of(number);
+    if (distance - coating >= coated) return;
+    coated = distance - coating;
     nearest = {number, distance};
   });
   return nearest;

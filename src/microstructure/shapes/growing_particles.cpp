@@ -1,12 +1,13 @@
 #include "growing_particles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "particles_to_place.hpp"
 #include "uniform.hpp"
 #include "vector_algebra.hpp"
 
@@ -16,27 +17,32 @@ namespace {
 // Particles keep apart by so much of the side of the box more than they must, so that roundoff takes nothing from it.
 constexpr double margin = 1e-12;
 
-std::vector<double> radii_of(const std::vector<ParticleToPlace>& particles) {
+template <class Particle>
+std::vector<double> radii_of(const std::vector<Particle>& particles) {
   std::vector<double> radii;
-  for (const auto& particle : particles) radii.push_back(circumradius(particle.shape) + particle.shell);
+  for (const auto& particle : particles) radii.push_back(reach_of(particle) + particle.shell);
   return radii;
 }
 
-std::vector<std::uint32_t> largest_first(const std::vector<ParticleToPlace>& particles) {
+template <class Particle>
+std::vector<std::uint32_t> largest_first(const std::vector<Particle>& particles) {
   std::vector<std::uint32_t> order(particles.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, std::ranges::greater(),
-                           [&](std::uint32_t one) { return area(particles[one].shape); });
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::uint32_t one) { return size_of(particles[one]); });
   return order;
 }
 
-Vector<2> scaled(const Vector<2>& vector, double factor) {
-  return {factor * vector[0], factor * vector[1]};
+template <std::size_t dim>
+std::array<double, dim> scaled(const std::array<double, dim>& vector, double factor) {
+  auto product = vector;
+  for (double& coordinate : product) coordinate *= factor;
+  return product;
 }
 
 }  // namespace
 
-GrowingParticles::GrowingParticles(RandomSequentialRequest request)
+template <class Request>
+GrowingParticles<Request>::GrowingParticles(Request request)
     : request_(std::move(request)),
       radii_(radii_of(request_.particles)),
       order_(largest_first(request_.particles)),
@@ -44,72 +50,79 @@ GrowingParticles::GrowingParticles(RandomSequentialRequest request)
       images_(request_.side),
       grid_(request_.side, request_.walls, radii_) {}
 
-double GrowingParticles::random() noexcept {
+template <class Request>
+double GrowingParticles<Request>::random() noexcept {
   return uniform(engine_);
 }
 
-Pose GrowingParticles::random_pose(std::uint32_t particle) {
-  const Vector<2> centre = {request_.side * random(), request_.side * random()};
-  const double angle = 2.0 * std::numbers::pi * random();
-  return {centre, request_.particles[particle].angle.value_or(angle)};
+template <class Request>
+typename Request::Pose GrowingParticles<Request>::random_pose(std::uint32_t particle) {
+  Vector<dim> centre{};
+  for (double& x : centre) x = request_.side * random();
+  return posed_at_random(request_.particles[particle], centre, [this] { return random(); });
 }
 
-Pose GrowingParticles::random_move(std::uint32_t particle) {
+template <class Request>
+typename Request::Pose GrowingParticles<Request>::random_move(std::uint32_t particle) {
   // Some moves are small: those that part particles which are wedged in.
   const double share = random();
   const double step = step_ * share * share * share, length = step * scale_ * radii_[particle];
-  auto centre = poses_[particle].centre();
+  auto centre = centre_of(poses_[particle]);
   for (double& x : centre) {
     x += length * (2.0 * random() - 1.0);
     if (request_.walls == Walls::periodic) x = wrapped(x, request_.side);
   }
-  const double turn = step * (2.0 * random() - 1.0);
-  return {centre, request_.particles[particle].angle.value_or(poses_[particle].angle() + turn)};
+  return turned_a_little(request_.particles[particle], poses_[particle], centre, step, [this] { return random(); });
 }
 
-double GrowingParticles::overlap_with_walls(std::uint32_t particle, const Pose& pose) const {
+template <class Request>
+double GrowingParticles<Request>::overlap_with_walls(std::uint32_t particle, const Pose& pose) const {
   if (request_.walls == Walls::periodic) return 0.0;
-  const auto& [shape, angle, shell, wall_distance] = request_.particles[particle];
+  const double wall_distance = request_.particles[particle].wall_distance;
   const double side = request_.side / scale_;
-  const auto reach = extent(shape, pose);
+  const auto reach = reach_along_axes(request_.particles[particle], pose);
   double most = 0.0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double x = pose.centre()[axis] / scale_;
+  for (std::size_t axis = 0; axis < reach.size(); ++axis) {
+    const double x = centre_of(pose)[axis] / scale_;
     const double room = std::min(x - reach[axis][0], side - x - reach[axis][1]);
     most = std::max(most, wall_distance + margin * request_.side - room);
   }
   return most;
 }
 
-double GrowingParticles::overlap(std::uint32_t particle, const Pose& pose, double most) const {
+template <class Request>
+double GrowingParticles<Request>::overlap(std::uint32_t particle, const Pose& pose, double most) const {
   double largest = overlap_with_walls(particle, pose);
   if (largest > most) return largest;
-  const auto& shape = request_.particles[particle].shape;
-  const auto here = pose.at(scaled(pose.centre(), 1.0 / scale_));
-  grid_.visit_near(pose.centre(), scale_ * radii_[particle], [&](std::uint32_t other, std::uint32_t image) {
-    if (largest > most || (other == particle && image == PeriodicImages<2>::in_place)) return;
+  const auto& own = request_.particles[particle];
+  const auto here = moved_to(pose, scaled(centre_of(pose), 1.0 / scale_));
+  grid_.visit_near(centre_of(pose), scale_ * radii_[particle], [&](std::uint32_t other, std::uint32_t image) {
+    if (largest > most || (other == particle && image == PeriodicImages<dim>::in_place)) return;
     const auto& neighbour = other == particle ? pose : poses_[other];
-    const auto centre = scaled(displaced(neighbour.centre(), 1.0, images_.shift(image)), 1.0 / scale_);
-    const double apart = norm(difference(centre, here.centre()));
+    const auto centre = scaled(displaced(centre_of(neighbour), 1.0, images_.shift(image)), 1.0 / scale_);
+    const double apart = norm(difference(centre, centre_of(here)));
     if (apart >= radii_[particle] + radii_[other] + margin * request_.side) return;
-    const double wanted = request_.particles[particle].shell + request_.particles[other].shell + margin * request_.side;
-    const double width = gap(shape, here, request_.particles[other].shape, neighbour.at(centre), wanted).width;
+    const auto& behind = request_.particles[other];
+    const double wanted = own.shell + behind.shell + margin * request_.side;
+    const double width = gap_between(own, here, behind, moved_to(neighbour, centre), wanted);
     largest = std::max(largest, wanted - width);
   });
   return largest;
 }
 
-void GrowingParticles::move_to(std::uint32_t particle, const Pose& pose) {
+template <class Request>
+void GrowingParticles<Request>::move_to(std::uint32_t particle, const Pose& pose) {
   grid_.remove(particle);
   poses_[particle] = pose;
-  grid_.insert(particle, pose.centre());
+  grid_.insert(particle, centre_of(pose));
 }
 
-bool GrowingParticles::place(double scale) {
+template <class Request>
+bool GrowingParticles<Request>::place(double scale) {
   constexpr int most_tries = 20000;
   scale_ = scale;
-  grid_ = LevelGrid<2>(request_.side, request_.walls, radii_);
-  poses_.assign(request_.particles.size(), Pose({0.0, 0.0}, 0.0));
+  grid_ = LevelGrid<dim>(request_.side, request_.walls, radii_);
+  poses_.assign(request_.particles.size(), Pose{{}, {}});
   for (const auto particle : order_) {
     bool has_room = false;
     for (int trial = 0; trial < most_tries && !has_room; ++trial, ++moves_) {
@@ -117,7 +130,7 @@ bool GrowingParticles::place(double scale) {
       has_room = overlap(particle, pose, 0.0) == 0.0;
       if (!has_room) continue;
       poses_[particle] = pose;
-      grid_.insert(particle, pose.centre());
+      grid_.insert(particle, centre_of(pose));
     }
     if (has_room) continue;
     poses_.clear();
@@ -126,7 +139,8 @@ bool GrowingParticles::place(double scale) {
   return true;
 }
 
-std::size_t GrowingParticles::sweep() {
+template <class Request>
+std::size_t GrowingParticles<Request>::sweep() {
   std::size_t overlapping = 0, accepted = 0;
   for (const auto particle : order_) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -146,17 +160,20 @@ std::size_t GrowingParticles::sweep() {
 }
 
 /// About two of five moves shall be possible.
-void GrowingParticles::adapt_step(std::size_t accepted) {
+template <class Request>
+void GrowingParticles<Request>::adapt_step(std::size_t accepted) {
   constexpr double wanted = 0.4, factor = 1.1, smallest = 1e-6, largest = 1.0;
   const bool are_many = static_cast<double>(accepted) > wanted * static_cast<double>(order_.size());
   step_ = std::clamp(are_many ? step_ * factor : step_ / factor, smallest, largest);
 }
 
-void GrowingParticles::restore(const std::vector<Pose>& poses) {
+template <class Request>
+void GrowingParticles<Request>::restore(const std::vector<Pose>& poses) {
   for (std::uint32_t particle = 0; particle < poses.size(); ++particle) move_to(particle, poses[particle]);
 }
 
-bool GrowingParticles::grow_to(double scale, int most_sweeps) {
+template <class Request>
+bool GrowingParticles<Request>::grow_to(double scale, int most_sweeps) {
   const auto poses = poses_;
   const double before = std::exchange(scale_, scale);
   for (int count = 0; count < most_sweeps; ++count) {
@@ -167,5 +184,8 @@ bool GrowingParticles::grow_to(double scale, int most_sweeps) {
   scale_ = before;
   return false;
 }
+
+template class GrowingParticles<RandomSequentialRequest>;
+template class GrowingParticles<EllipsoidSequentialRequest>;
 
 }  // namespace breccia

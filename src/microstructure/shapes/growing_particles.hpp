@@ -12,13 +12,17 @@
 
 namespace breccia {
 
-/// The particles of a RandomSequentialRequest on their way to their final size. At a scale of s all lengths of the
-/// particles and their shells are s times the final ones; so they are as in a box that is 1/s times as large.
+/// The particles of a request for a sequential packing on their way to their final size. At a scale of s all lengths of
+/// the particles and their shells are s times the final ones; so they are as in a box that is 1/s times as large.
+template <class Request>
 class GrowingParticles {
  public:
-  explicit GrowingParticles(RandomSequentialRequest request);
+  static constexpr int dim = Request::dim;
+  using Pose = typename Request::Pose;
 
-  [[nodiscard]] const RandomSequentialRequest& request() const noexcept { return request_; }
+  explicit GrowingParticles(Request request);
+
+  [[nodiscard]] const Request& request() const noexcept { return request_; }
   [[nodiscard]] double scale() const noexcept { return scale_; }
   [[nodiscard]] std::uint64_t moves() const noexcept { return moves_; }
   [[nodiscard]] bool are_placed() const noexcept { return !poses_.empty(); }
@@ -45,16 +49,19 @@ class GrowingParticles {
   void adapt_step(std::size_t accepted);
   void restore(const std::vector<Pose>& poses);
 
-  RandomSequentialRequest request_;
-  std::vector<double> radii_;         // of discs around the particles [m]
+  Request request_;
+  std::vector<double> radii_;         // of balls around the particles [m]
   std::vector<std::uint32_t> order_;  // the largest first
   std::mt19937_64 engine_;
-  PeriodicImages<2> images_;
-  LevelGrid<2> grid_;
+  PeriodicImages<dim> images_;
+  LevelGrid<dim> grid_;
   std::vector<Pose> poses_;
   double scale_ = 0.0;
   double step_ = 0.3;  // of a move, in radii
   std::uint64_t moves_ = 0;
 };
+
+extern template class GrowingParticles<RandomSequentialRequest>;
+extern template class GrowingParticles<EllipsoidSequentialRequest>;
 
 }  // namespace breccia
