@@ -124,8 +124,16 @@ Eigen::VectorXd filling_volumes(const LaguerreSites<dim>& sites, std::span<const
   return asked / asked.sum() * times_power<dim>(1.0, sites.side);
 }
 
-double largest_error(const Eigen::VectorXd& volumes, const Eigen::VectorXd& asked) {
-  return (volumes.array() / asked.array() - 1.0).abs().maxCoeff();
+/// What the cells lack of the volumes asked for. Both fill the box but for rounding, which grows with the number of
+/// cells and would else be missing from the first one, whose weight is held.
+Eigen::VectorXd missing_volumes(const Eigen::VectorXd& volumes, const Eigen::VectorXd& asked) {
+  Eigen::VectorXd missing = asked - volumes;
+  missing[0] -= missing.sum();
+  return missing;
+}
+
+double largest_share(const Eigen::VectorXd& missing, const Eigen::VectorXd& asked) {
+  return (missing.array() / asked.array()).abs().maxCoeff();
 }
 
 /// The Newton step; the weight of the first site stays. In 3D a complete factor takes a hundred times as long.
@@ -152,14 +160,15 @@ SiteWeights weights_for_volumes(const LaguerreSites<dim>& sites, std::span<const
   cells.require_volumes();
   const double smallest = 0.5 * std::min(asked.minCoeff(), cells.volumes().minCoeff());
   int steps = 0;
-  for (; largest_error(cells.volumes(), asked) > tolerance && steps < most_steps; ++steps) {
+  const auto largest_error = [&] { return largest_share(missing_volumes(cells.volumes(), asked), asked); };
+  for (; largest_error() > tolerance && steps < most_steps; ++steps) {
     const Eigen::VectorXd before = cells.weights();
-    const Eigen::VectorXd missing = asked - cells.volumes();
+    const Eigen::VectorXd missing = missing_volumes(cells.volumes(), asked);
     const Eigen::VectorXd step = newton_step(cells.derivatives(), missing);
     double length = 1.0;
     const auto is_nearer = [&] {
       return cells.volumes().minCoeff() >= smallest &&
-             (asked - cells.volumes()).norm() <= (1.0 - 0.5 * length) * missing.norm();
+             missing_volumes(cells.volumes(), asked).norm() <= (1.0 - 0.5 * length) * missing.norm();
     };
     for (cells.set_weights(before + step); !is_nearer() && length > shortest_step;) {
       length *= 0.5;
@@ -167,7 +176,7 @@ SiteWeights weights_for_volumes(const LaguerreSites<dim>& sites, std::span<const
     }
     if (length <= shortest_step) break;
   }
-  SiteWeights result{{}, largest_error(cells.volumes(), asked), steps};
+  SiteWeights result{{}, largest_error(), steps};
   if (!(result.largest_error <= tolerance)) {
     throw NumericalError(
         fmt::format("tessellation: after {} steps the volume of a cell is still off by a share of {:.3g}; {:.3g} was "
