@@ -62,7 +62,7 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.options.density_factors = {20.0, 200.0};
   const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
-    EXPECT_NEAR(modulus / series.at(time), 1.0, 3e-3) << "at " << time;
+    EXPECT_NEAR(modulus / series.at(time), 1.0, 5e-3) << "at " << time;
   }
 }
 
