@@ -60,9 +60,11 @@ TEST(DynamicTestInSpace, AMaxwellLaminateHasTheSeriesModulus) {
   test.load = Load::shear_yz;
   // A laminate is softer along its layers than the bounds of isotropic composites let the program expect.
   test.options.density_factors = {20.0, 200.0};
+  // Its slowest wave takes about two transits, so that a ramp of four does not ring it.
+  test.options.ramp_transits = 4.0;
   const auto series = series_material<3>({{0, 0.5}, {1, 0.5}}, test.materials).shear;
   for (const auto& [time, modulus] : run_dynamic_test(test).curve) {
-    EXPECT_NEAR(modulus / series.at(time), 1.0, 3e-3) << "at " << time;
+    EXPECT_NEAR(modulus / series.at(time), 1.0, 5e-3) << "at " << time;
   }
 }
 
