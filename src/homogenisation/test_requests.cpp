@@ -17,7 +17,7 @@ namespace {
 
 /// Times [s] at which a test of a stage saves fields: only under the first load and on the finest grid.
 std::vector<double> field_times_of(const Study& study, const Stage& stage, int cells, Load load) {
-  const bool has_fields = load == study.tests.loads.front() && cells == stage.cells && stage.dimensions == 2;
+  const bool has_fields = load == study.tests.loads.front() && cells == stage.cells;
   return has_fields ? study.tests.field_times : std::vector<double>();
 }
 

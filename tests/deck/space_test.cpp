@@ -88,8 +88,9 @@ TEST_F(DeckInSpace, RefusesWhatIsFlat) {
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre")"), HasSubstr("\"lubachevsky-stillinger\""));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "method = \"dynamic\"\n"),
               HasSubstr("three dimensions: expected method \"quasistatic\""));
-  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "fields = [\"1 ms\"]\n"),
-              HasSubstr("three dimensions: expected no times of fields"));
+  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")",
+                       "method = [\"quasistatic\", \"dynamic\"]\nfields = [\"1 ms\"]\n"),
+              HasSubstr("three dimensions: expected times of fields with method \"quasistatic\" alone"));
 }
 
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
