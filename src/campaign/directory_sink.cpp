@@ -14,6 +14,7 @@
 #include "breccia/results/response_file.hpp"
 #include "breccia/results/stage_plot.hpp"
 #include "breccia/results/study_report.hpp"
+#include "breccia/results/volume_field_files.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "first_process.hpp"
@@ -91,6 +92,15 @@ bool DirectorySink::take_fields(const Stage& stage, const TestId& test, const Di
                                 const std::vector<TimedFields<2>>& fields) {
   write_once([&] {
     auto files = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
+    records_[stage.name].fields.push_back({test, std::move(files)});
+  });
+  return true;
+}
+
+bool DirectorySink::take_volume_fields(const Stage& stage, const TestId& test, const Discretisation<3>& discretisation,
+                                       const std::vector<TimedFields<3>>& fields) {
+  write_once([&] {
+    auto files = write_volume_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
     records_[stage.name].fields.push_back({test, std::move(files)});
   });
   return true;

@@ -119,9 +119,14 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
     // Sparse Cholesky factors of a square grid, ordered by nested dissection.
     return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + further);
   }
-  // Fields of the iteration, a dozen nodal vectors, and the fractions and labels of the cells.
-  if (stage.dimensions == 3) return unknowns * (60.0 + dozen * vectors + further);
-  // Substructures and a dozen nodal vectors; fields take as much again.
+  // Fields of the iteration, a dozen nodal vectors, and the fractions and labels of the cells. Fields in space take the
+  // moduli of each phase applied to the displacement, twice, and 15 values a cell.
+  if (stage.dimensions == 3) {
+    constexpr double of_fields = 10.0 * sizeof(double), values_in_cell = 15.0 * sizeof(double) / 3.0;
+    const double in_space = study.tests.field_times.empty() ? 0.0 : of_fields * vectors + values_in_cell;
+    return unknowns * (60.0 + dozen * vectors + in_space + further);
+  }
+  // Substructures and a dozen nodal vectors; fields of a square take as much again.
   constexpr double substructures = 340.0 - dozen;
   const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;
   return unknowns * (fields * (substructures + dozen * vectors) + further);

@@ -45,18 +45,26 @@ void hand_over(const Stage& stage, Found& found, Fields& fields, const Take& tak
   });
 }
 
-/// The same for the fields of points.
+/// The same for the fields of the points of a square.
 template <class Found>
-void hand_over_fields(const StageGrid& grid, Found& found, Checkpoint* checkpoint, StudySink& sink,
-                      TestResult& result) {
+void hand_over_fields(const StageGrid& grid, const Discretisation<2>& square, Found& found, Checkpoint* checkpoint,
+                      StudySink& sink, TestResult& result) {
   result.fields = std::exchange(found.fields, {});
   hand_over(
       *grid.stage, found, result.fields,
-      [&](const auto& fields) {
-        const auto* flat = std::get_if<Discretisation<2>>(&grid.discretisation);
-        return flat != nullptr && sink.take_fields(*grid.stage, result.id, *flat, fields);
-      },
-      checkpoint, sink, result.id);
+      [&](const auto& fields) { return sink.take_fields(*grid.stage, result.id, square, fields); }, checkpoint, sink,
+      result.id);
+}
+
+/// The same for the fields of the cells of a cube.
+template <class Found>
+void hand_over_fields(const StageGrid& grid, const Discretisation<3>& cube, Found& found, Checkpoint* checkpoint,
+                      StudySink& sink, TestResult& result) {
+  result.volume_fields = std::exchange(found.volume_fields, {});
+  hand_over(
+      *grid.stage, found, result.volume_fields,
+      [&](const auto& fields) { return sink.take_volume_fields(*grid.stage, result.id, cube, fields); }, checkpoint,
+      sink, result.id);
 }
 
 /// Runs a quasi-static test of all loads, with its checkpoint, and makes results of it.
@@ -120,7 +128,11 @@ std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& m
   auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.discretisation, boundary, grid.threads);
   test.relaxation = std::move(relaxation);
   QuasistaticRun run(*grid.stage, test, grid_of(grid), observer, sink);
-  hand_over_fields(grid, run.found(), run.checkpoint(), sink, run.first_result());
+  std::visit(
+      [&](const auto& composite) {
+        hand_over_fields(grid, composite, run.found(), run.checkpoint(), sink, run.first_result());
+      },
+      grid.discretisation);
   return run.take_results();
 }
 
@@ -158,11 +170,12 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
   const auto checkpoint = sink.test_checkpoint(stage, result.id);
   const auto run = [&](const auto& discretisation) {
     const auto test = make_dynamic_test(*grid.study, stage, matrix, discretisation, boundary, load, grid.threads);
-    return name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
-                       [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+    auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
+                             [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+    hand_over_fields(grid, discretisation, found, checkpoint.get(), sink, result);
+    return found;
   };
   auto found = std::visit(run, grid.discretisation);
-  hand_over_fields(grid, found, checkpoint.get(), sink, result);
   result.modulus = std::exchange(found.curve, {});
   result.compliance = std::exchange(found.compliance, {});
   result.series = fitted(result.modulus);

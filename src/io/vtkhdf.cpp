@@ -67,25 +67,71 @@ std::uint8_t vtk_type(std::int64_t corners) {
   return corners == 4 ? quadrilateral : polygon;
 }
 
-void write_mesh(Hdf5Writer& file, const PolygonMesh& mesh) {
-  std::vector<double> points;
-  for (const auto& [x, y] : mesh.points) points.insert(points.end(), {x, y, 0.0});
-  Integers offsets = {0};
-  std::vector<std::uint8_t> types;
-  for (const auto corners : mesh.corner_counts) {
-    offsets.push_back(offsets.back() + corners);
-    types.push_back(vtk_type(corners));
+/// Cells of any kind in space, as VTK lists them.
+struct CellMesh {
+  std::vector<double> points;       ///< three coordinates each [m]
+  Integers corners;                 ///< of the cells, one cell after the other
+  Integers offsets = {0};           ///< of the corners of each cell, and the number of all
+  std::vector<std::uint8_t> types;  ///< of the cells
+};
+
+CellMesh cells_of(const PolygonMesh& polygons) {
+  CellMesh mesh;
+  for (const auto& [x, y] : polygons.points) mesh.points.insert(mesh.points.end(), {x, y, 0.0});
+  mesh.corners = polygons.corners;
+  for (const auto corners : polygons.corner_counts) {
+    mesh.offsets.push_back(mesh.offsets.back() + corners);
+    mesh.types.push_back(vtk_type(corners));
   }
+  return mesh;
+}
+
+/// Calls action(x, y, z) for all places in a lattice, x fastest.
+template <class Action>
+void for_each_place(const std::array<std::size_t, 3>& along, const Action& action) {
+  for (std::size_t z = 0; z < along[2]; ++z) {
+    for (std::size_t y = 0; y < along[1]; ++y) {
+      for (std::size_t x = 0; x < along[0]; ++x) action(x, y, z);
+    }
+  }
+}
+
+CellMesh cells_of(const CubeLattice& lattice) {
+  CellMesh mesh;
+  const auto& [nx, ny, nz] = lattice.cubes;
+  for_each_place({nx + 1, ny + 1, nz + 1}, [&](std::size_t x, std::size_t y, std::size_t z) {
+    const std::array place = {x, y, z};
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+      mesh.points.push_back(lattice.origin[axis] + static_cast<double>(place[axis]) * lattice.spacing);
+    }
+  });
+  const auto row = static_cast<std::int64_t>(nx) + 1, layer = row * (static_cast<std::int64_t>(ny) + 1);
+  constexpr std::int64_t corners_of_cube = 8;
+  constexpr std::uint8_t hexahedron = 12;
+  for_each_place(lattice.cubes, [&](std::size_t x, std::size_t y, std::size_t z) {
+    const auto first =
+        static_cast<std::int64_t>(x) + row * static_cast<std::int64_t>(y) + layer * static_cast<std::int64_t>(z);
+    for (const auto corner : {first, first + layer}) {
+      mesh.corners.insert(mesh.corners.end(), {corner, corner + 1, corner + row + 1, corner + row});
+    }
+    mesh.offsets.push_back(mesh.offsets.back() + corners_of_cube);
+    mesh.types.push_back(hexahedron);
+  });
+  return mesh;
+}
+
+void write_mesh(Hdf5Writer& file, const CellMesh& mesh) {
+  const auto points = mesh.points.size() / 3;
   const auto write_count = [&](const std::string& name, std::size_t count) {
     file.write("/VTKHDF/" + name, std::array{static_cast<std::int64_t>(count)});
   };
-  write_count("NumberOfPoints", mesh.points.size());
-  write_count("NumberOfCells", types.size());
+  write_count("NumberOfPoints", points);
+  write_count("NumberOfCells", mesh.types.size());
   write_count("NumberOfConnectivityIds", mesh.corners.size());
-  file.write_compressed("/VTKHDF/Points", std::span<const double>(points), {mesh.points.size(), 3});
+  file.write_compressed("/VTKHDF/Points", std::span<const double>(mesh.points), {points, 3});
   file.write_compressed("/VTKHDF/Connectivity", std::span<const std::int64_t>(mesh.corners), {mesh.corners.size()});
-  file.write_compressed("/VTKHDF/Offsets", std::span<const std::int64_t>(offsets), {offsets.size()});
-  file.write_compressed("/VTKHDF/Types", std::span<const std::uint8_t>(types), {types.size()});
+  file.write_compressed("/VTKHDF/Offsets", std::span<const std::int64_t>(mesh.offsets), {mesh.offsets.size()});
+  file.write_compressed("/VTKHDF/Types", std::span<const std::uint8_t>(mesh.types), {mesh.types.size()});
 }
 
 void write_fields(Hdf5Writer& file, const std::string& group, std::size_t count, const std::vector<MeshField>& fields) {
@@ -101,6 +147,22 @@ void write_fields(Hdf5Writer& file, const std::string& group, std::size_t count,
   }
 }
 
+void write_file(const std::filesystem::path& path, const CellMesh& mesh, const std::vector<MeshField>& cell_fields,
+                const std::vector<MeshField>& point_fields, const std::vector<FieldNumber>& numbers) {
+  const auto points = mesh.points.size() / 3;
+  for (const auto& field : cell_fields) check(path, mesh.types.size(), field);
+  for (const auto& field : point_fields) check(path, points, field);
+  Hdf5Writer file(path);
+  file.create_group("/VTKHDF");
+  file.write_attribute("/VTKHDF", "Version", Integers{1, 0});
+  file.write_attribute("/VTKHDF", "Type", "UnstructuredGrid");
+  for (const auto& [name, value] : numbers) file.write_attribute("/VTKHDF", name, value);
+  write_mesh(file, mesh);
+  write_fields(file, "/VTKHDF/CellData/", mesh.types.size(), cell_fields);
+  write_fields(file, "/VTKHDF/PointData/", points, point_fields);
+  file.commit();
+}
+
 }  // namespace
 
 void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<MeshField>& fields,
@@ -108,21 +170,16 @@ void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice
   write_vtkhdf(path, squares_of(lattice), fields, {}, numbers);
 }
 
+void write_vtkhdf(const std::filesystem::path& path, const CubeLattice& lattice, const std::vector<MeshField>& fields,
+                  const std::vector<FieldNumber>& numbers) {
+  write_file(path, cells_of(lattice), fields, {}, numbers);
+}
+
 void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
                   const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
                   const std::vector<FieldNumber>& numbers) {
   check(path, mesh);
-  for (const auto& field : polygon_fields) check(path, mesh.corner_counts.size(), field);
-  for (const auto& field : point_fields) check(path, mesh.points.size(), field);
-  Hdf5Writer file(path);
-  file.create_group("/VTKHDF");
-  file.write_attribute("/VTKHDF", "Version", Integers{1, 0});
-  file.write_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  for (const auto& [name, value] : numbers) file.write_attribute("/VTKHDF", name, value);
-  write_mesh(file, mesh);
-  write_fields(file, "/VTKHDF/CellData/", mesh.corner_counts.size(), polygon_fields);
-  write_fields(file, "/VTKHDF/PointData/", mesh.points.size(), point_fields);
-  file.commit();
+  write_file(path, cells_of(mesh), polygon_fields, point_fields, numbers);
 }
 
 }  // namespace breccia

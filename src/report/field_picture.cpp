@@ -1,6 +1,7 @@
 #include "breccia/report/field_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -23,8 +24,7 @@ struct Raster {
 };
 
 /// Means over equal squares, the smallest for which at most `most` columns remain; the last squares may be smaller.
-Raster reduced(const FieldPicture& picture, std::size_t most) {
-  const auto columns = picture.columns;
+Raster reduced(const std::vector<double>& values, std::size_t columns, std::size_t most) {
   const auto side = (columns + most - 1) / most;
   Raster raster = {(columns + side - 1) / side, {}};
   for (std::size_t row = 0; row < columns; row += side) {
@@ -32,7 +32,7 @@ Raster reduced(const FieldPicture& picture, std::size_t most) {
       const auto last_row = std::min(row + side, columns), last_column = std::min(column + side, columns);
       double sum = 0.0;
       for (auto y = row; y < last_row; ++y) {
-        for (auto x = column; x < last_column; ++x) sum += picture.values[y * columns + x];
+        for (auto x = column; x < last_column; ++x) sum += values[y * columns + x];
       }
       raster.values.push_back(sum / static_cast<double>((last_row - row) * (last_column - column)));
     }
@@ -52,12 +52,12 @@ std::string encoded_map(const Raster& raster, const ColourRange& colours) {
   return embedded_png(raster.columns, pixels, perceptual_colours());
 }
 
-void require_square(const FieldPicture& picture) {
-  if (picture.columns == 0 || picture.values.size() != picture.columns * picture.columns) {
-    throw InputError(fmt::format("picture of a field: {} values do not fill a square of {} columns",
-                                 picture.values.size(), picture.columns));
+void require_square(const std::vector<double>& values, std::size_t columns) {
+  if (columns == 0 || values.size() != columns * columns) {
+    throw InputError(
+        fmt::format("picture of a field: {} values do not fill a square of {} columns", values.size(), columns));
   }
-  if (!std::ranges::all_of(picture.values, [](double value) { return std::isfinite(value); })) {
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
     throw InputError("picture of a field: a value is not finite");
   }
 }
@@ -65,12 +65,34 @@ void require_square(const FieldPicture& picture) {
 }  // namespace
 
 std::string field_picture(const FieldPicture& picture) {
-  require_square(picture);
+  require_square(picture.values, picture.columns);
   constexpr std::size_t most_columns = 600;
-  const auto raster = reduced(picture, most_columns);
+  const auto raster = reduced(picture.values, picture.columns, most_columns);
   const ColourRange colours(picture.scale, raster.values);
-  return framed_map({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
-                    encoded_map(raster, colours), raster.values, colours);
+  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
+                     {{.image = encoded_map(raster, colours)}}, raster.values, colours);
+}
+
+std::string field_cuts_picture(const FieldCutsPicture& picture) {
+  constexpr std::size_t most_columns = 300;
+  std::array<Raster, 3> rasters;
+  std::vector<double> values;
+  for (std::size_t normal = 0; normal < rasters.size(); ++normal) {
+    require_square(picture.cuts[normal], picture.columns);
+    rasters[normal] = reduced(picture.cuts[normal], picture.columns, most_columns);
+    values.insert(values.end(), rasters[normal].values.begin(), rasters[normal].values.end());
+  }
+  const ColourRange colours(picture.scale, values);
+  // Two above, and one below on the left.
+  constexpr double side = 460.0, first = 30.0, second = 530.0;
+  const auto place = [&](std::size_t normal, double x, double y, const char* caption) {
+    return PlacedMap{encoded_map(rasters[normal], colours), x, y, side, caption};
+  };
+  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
+                     {place(2, 0.0, first, "seen along z: x to the right, y up"),
+                      place(0, second, first, "seen along x: y to the right, z up"),
+                      place(1, 0.0, second, "seen along y: z to the right, x up")},
+                     values, colours);
 }
 
 }  // namespace breccia

@@ -14,9 +14,16 @@ struct MapWords {
   double unit_size = 1.0;  ///< unit of the labels in the unit of the values
 };
 
-/// SVG with a square map, a colour bar, and the smallest and largest of its values. `map` is the address of the image
-/// (embedded_png).
-std::string framed_map(const MapWords& words, const std::string& map, const std::vector<double>& values,
-                       const ColourRange& colours);
+/// A square map in a picture that is 1000 units wide.
+struct PlacedMap {
+  std::string image;  ///< its address (embedded_png)
+  double x = 0.0, y = 0.0;
+  double side = 1000.0;
+  std::string caption = {};  ///< above it; empty for none
+};
+
+/// SVG with square maps, a colour bar, and the smallest and largest of their values.
+std::string framed_maps(const MapWords& words, const std::vector<PlacedMap>& maps, const std::vector<double>& values,
+                        const ColourRange& colours);
 
 }  // namespace breccia

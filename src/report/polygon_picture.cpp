@@ -132,8 +132,8 @@ std::string polygon_picture(const PolygonPicture& picture) {
     const auto value = value_at(number);
     pixels.push_back(value ? std::max<std::uint8_t>(grey + 1, colours.index_of(*value)) : grey);
   }
-  return framed_map({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
-                    embedded_png(columns, pixels, palette), values, colours);
+  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
+                     {{.image = embedded_png(columns, pixels, palette)}}, values, colours);
 }
 
 }  // namespace breccia

@@ -13,11 +13,17 @@ struct FieldQuantity {
   double unit_size = 1.0;
 };
 
-/// The stress component of a load, relative to the applied strain or stress, whose mean over the box is given.
+/// In a square: the stress component of a load, relative to the applied strain or stress, whose mean over the box is
+/// given.
 FieldQuantity stress_quantity(Boundary boundary, Load load, double mean);
 
-/// The largest shear strain over the mean shear strain or dilatation of the load, which is given.
+/// In a square: the largest shear strain over the mean shear strain or dilatation of the load, which is given.
 FieldQuantity strain_quantity(Load load, double mean);
+
+/// The same in a cube.
+FieldQuantity stress_in_space(Boundary boundary, Load load, double mean);
+/// In a cube: the equivalent shear strain over the mean shear strain or dilatation of the load, which is given.
+FieldQuantity strain_in_space(Load load, double mean);
 
 /// The title of a map of a test at a time [s].
 std::string field_title(const Stage& stage, const TestId& test, double time);

@@ -92,7 +92,9 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
   std::vector<std::string> mistakes;
   const auto& tests = study.tests;
-  if (tests.lists_field_times) mistakes.emplace_back("three dimensions: expected no times of fields");
+  if (uses(tests, Method::dynamic) && tests.lists_field_times) {
+    mistakes.emplace_back(R"(three dimensions: expected times of fields with method "quasistatic" alone)");
+  }
   if (tests.model == Model::films) mistakes.emplace_back(R"(three dimensions: expected model "cells")");
   return mistakes;
 }
@@ -177,7 +179,8 @@ Model model_of(const Tests& tests, const Stage& stage) {
 
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
-  return model_of(tests, stage) == Model::films ? !tests.films.layers : stage.dimensions == 2;
+  if (model_of(tests, stage) == Model::films) return !tests.films.layers;
+  return stage.dimensions == 2 || uses(tests, Method::quasistatic);
 }
 
 bool has_standard_points(const Tests& tests) {

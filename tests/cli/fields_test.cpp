@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -120,6 +121,47 @@ TEST(Fields, OfBothMethodsAgree) {
       EXPECT_LT(std::sqrt(difference / size), 0.01) << name << number;
     }
   }
+}
+
+/// Two spheres in a rubber that relaxes.
+constexpr std::string_view cube_deck = R"(
+dimensions = 3
+[materials.rubber]
+density = "1.1 g/cm^3"
+bulk    = "2 GPa"
+shear   = { terms = [ { time = "1 ms", modulus = "90 MPa" } ], equilibrium = "10 MPa" }
+[materials.glass]
+density = "2.5 g/cm^3"
+bulk    = "40 GPa"
+shear   = "30 GPa"
+[[stages]]
+name    = "A"
+matrix  = "rubber"
+box     = "1 mm"
+cells   = 8
+filler  = { material = "glass", sizes = { list = ["0.45 mm", "0.5 mm"] }, gap = "50 um" }
+packing = { method = "lubachevsky-stillinger", seed = 1 }
+[tests]
+times      = ["0.1 ms", "10 ms"]
+boundaries = ["displacement", "traction", "periodic"]
+fields     = ["1 ms", "10 ms"]
+points_per_decade = 2
+)";
+
+TEST(Fields, OfACubeAverageToTheirCurves) {
+  const StudyDirectory study(std::string{cube_deck});
+  for (const auto* solver : {"reduced", "stepping"}) {
+    const auto run = study.breccia("run", {"--overwrite", "--set", std::string("tests.solver=") + solver});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_EQ(expect_averages(study), 6);
+    EXPECT_THAT(study.results(), ::testing::IsSupersetOf({"A/fields.vtkhdf", "A/fields-1.vtkhdf",
+                                                          "A/fields-traction-quasistatic-strain.svg"}));
+  }
+  EXPECT_THAT(read_text(study.result("A/fields-stress.svg")), HasSubstr("seen along y"));
+  EXPECT_THAT(read_text(study.result("report.html")), HasSubstr("fields-periodic-quasistatic-1-strain.svg"));
+  // With no fields asked for none are left.
+  ASSERT_EQ(study.breccia("run", {"--overwrite", "--set", "tests.fields=none"}).exit_code, 0);
+  for (const auto& name : study.results()) EXPECT_THAT(name, ::testing::Not(HasSubstr("fields")));
 }
 
 }  // namespace

@@ -211,8 +211,9 @@ TEST_F(DeckInSpace, RefusesWhatIsFlat) {
               AllOf(HasSubstr("\"lubachevsky-stillinger\""), HasSubstr("\"random-sequential\"")));
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre", film = "10 um")", "model = \"films\"\n"),
               HasSubstr("three dimensions: expected model \"cells\""));
-  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")", "fields = [\"1 ms\"]\n"),
-              HasSubstr("three dimensions: expected no times of fields"));
+  EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")",
+                       "method = [\"quasistatic\", \"dynamic\"]\nfields = [\"1 ms\"]\n"),
+              HasSubstr("three dimensions: expected times of fields with method \"quasistatic\" alone"));
 }
 
 TEST_F(DeckInSpace, HasBothMethods) {

@@ -97,6 +97,15 @@ TEST(MixedCells, ShowThePhaseWithTheLargestShareInFields) {
   Discretisation<2> box(Grid<2>{{2, 1}, 1.0});
   box.fill({1, 0}, box.add_mixture({{0, 0.25}, {1, 0.75}}, 2));
   EXPECT_THAT(zero_fields(box).phase, ElementsAre(0, 0, 1, 1, 0, 0, 1, 1));
+  EXPECT_THAT(zero_cell_fields(box).phase, ElementsAre(0, 1));
+}
+
+TEST(MixedCells, AreOfThePhaseOfMostPointsInFieldsOfCells) {
+  Discretisation<3> box(Grid<3>{{2, 1, 1}, 1.0});
+  box.paint([](const Vector<3>& place) { return place[0] > 1.0 && (place[1] > 0.5 || place[2] > 0.5); }, 1);
+  const auto fields = zero_cell_fields(box);
+  EXPECT_THAT(fields.phase, ElementsAre(0, 1));
+  EXPECT_EQ(fields.stress.size(), 2U);
 }
 
 TEST(MixedCells, OfDiscsThatOverlapStayFilled) {

@@ -89,5 +89,29 @@ TEST_F(VtkHdf, RefusesFieldsThatDoNotFit) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
+// Cubes are VTK's hexahedra: the corners of the lower side anticlockwise, then those above them.
+TEST_F(VtkHdf, WritesACubeForEachValue) {
+  const CubeLattice cubes{.cubes = {3, 2, 1}, .origin = {0.25, 0.75, 1.25}, .spacing = 0.5};
+  write_vtkhdf(path, cubes, {{"material", 1, Bytes{0, 1, 2, 3, 4, 5}}, {"stress", 6, Floats(36, 2.0F)}},
+               {{"time_s", 1e-3}});
+  const Hdf5Reader file(path);
+  EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_EQ(file.attribute<double>("/VTKHDF", "time_s"), 1e-3);
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfPoints"), ElementsAre(24));
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfCells"), ElementsAre(6));
+  EXPECT_THAT(file.read_integers("/VTKHDF/NumberOfConnectivityIds"), ElementsAre(48));
+  const auto points = file.read_numbers("/VTKHDF/Points");
+  EXPECT_THAT(std::vector(points.begin(), points.begin() + 6), ElementsAre(0.25, 0.75, 1.25, 0.75, 0.75, 1.25));
+  EXPECT_THAT(std::vector(points.end() - 3, points.end()), ElementsAre(1.75, 1.75, 1.75));
+  const auto corners = file.read_integers("/VTKHDF/Connectivity");
+  EXPECT_THAT(std::vector(corners.begin(), corners.begin() + 8), ElementsAre(0, 1, 5, 4, 12, 13, 17, 16));
+  EXPECT_THAT(std::vector(corners.end() - 8, corners.end()), ElementsAre(6, 7, 11, 10, 18, 19, 23, 22));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Offsets"), ElementsAre(0, 8, 16, 24, 32, 40, 48));
+  EXPECT_THAT(file.read_integers("/VTKHDF/Types"), ElementsAre(12, 12, 12, 12, 12, 12));
+  EXPECT_THAT(file.read_integers("/VTKHDF/CellData/material"), ElementsAre(0, 1, 2, 3, 4, 5));
+  EXPECT_THAT(file.shape("/VTKHDF/CellData/stress"), ElementsAre(6U, 6U));
+  EXPECT_THROW(write_vtkhdf(path, cubes, {{"material", 1, Floats(5)}}), InputError);
+}
+
 }  // namespace
 }  // namespace breccia

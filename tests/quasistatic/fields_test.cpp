@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/quasistatic/sampling.hpp"
@@ -126,6 +127,74 @@ TEST(Fields, OfAHomogeneousBoxAreUniform) {
       }
     }
   }
+}
+
+/// Two spheres in a cube, with mixed cells or with points, whose matrix relaxes in shear and in volume.
+QuasistaticProblem<3> relaxing_spheres(Mixing mixing, Boundary boundary) {
+  Microstructure<3> box = {1.0, Walls::hard, {{{0.31, 0.36, 0.42}, 0.5}, {{0.72, 0.66, 0.61}, 0.4}}};
+  constexpr std::array<PhaseIndex, 2> spheres = {1, 1};
+  constexpr int cells = 6;
+  QuasistaticProblem<3> problem = {
+      .discretisation =
+          mixing == Mixing::series ? discretise_mixed(box, cells, 0, spheres, 2) : discretise(box, cells, 0, 1),
+      .materials = {{"matrix", 1.0, PronySeries(1e8, {{3e-7, 2e9}}), PronySeries(1e6, {{1e-6, 80e6}, {1e-4, 4e6}})},
+                    {"sphere", 1.0, PronySeries(13.4e9), PronySeries(5.84e9)}},
+      .boundary = boundary};
+  problem.linear.method = LinearMethod::direct;
+  return problem;
+}
+
+/// Mean over the cells.
+template <class Tensor>
+Tensor mean_tensor(const std::vector<std::array<double, 6>>& tensors) {
+  Tensor mean;
+  for (const auto& tensor : tensors) {
+    for (int k = 0; k < 6; ++k) {
+      component(mean, k) += tensor[static_cast<std::size_t>(k)] / static_cast<double>(tensors.size());
+    }
+  }
+  return mean;
+}
+
+TEST(Fields, OfACubeAverageToTheCurve) {
+  for (const auto boundary : test::boundaries) {
+    for (const auto mixing : {Mixing::series, Mixing::points}) {
+      const auto problem = relaxing_spheres(mixing, boundary);
+      const auto& matrix = problem.materials.front();
+      for (const auto load : {Load::shear, Load::shear_zx, Load::diagonal_shear_yz, Load::bulk}) {
+        const auto found =
+            sample_responses(problem, std::array{load}, matrix_path(0, carson_path(matrix, test::relaxation_window)));
+        const auto compliance = creep_compliance(found.responses[0], matrix);
+        const auto series = relaxation_modulus(compliance);
+        for (const double time : field_times) {
+          SCOPED_TRACE(testing::Message() << name_of(boundary) << ", " << name_of(load) << ", " << time);
+          const auto fields = found.fields(0, std::array{matrix}, time);
+          ASSERT_EQ(fields.stress.size(), 216U) << "one value a cell";
+          const double stress = modulus_of<3>(load, mean_tensor<Stress<3>>(fields.stress)),
+                       strain = compliance_of<3>(load, mean_tensor<Strain<3>>(fields.strain));
+          const bool creeps = boundary == Boundary::traction;
+          EXPECT_NEAR(creeps ? stress : stress / series.at(time), 1.0, 1e-9);
+          EXPECT_NEAR(creeps ? strain / compliance.at(time) : strain, 1.0, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(Fields, OfACubeByTheReducedBasisAreThoseOfStepping) {
+  const auto problem = relaxing_spheres(Mixing::series, Boundary::periodic);
+  const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 30);
+  const std::vector kept = {times.back()};
+  const auto stepped = run_log_time_stepping(problem, std::array{Load::shear}, times, {}, kept);
+  ASSERT_EQ(stepped.fields.size(), 1U);
+  const auto found = sample_responses(problem, std::array{Load::shear},
+                                      matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)),
+                                      {.tolerance = 1e-9});
+  const auto fields = found.fields(0, std::span(problem.materials).first(1), times.back());
+  const auto& exact = stepped.fields.front().fields;
+  EXPECT_LT(difference(exact.displacement, fields.displacement), 5e-3);
+  EXPECT_LT(difference(exact.strain, fields.strain), 5e-3);
+  EXPECT_LT(difference(exact.stress, fields.stress), 5e-3);
 }
 
 }  // namespace

@@ -123,5 +123,43 @@ TEST(RecoverFields, OfAPeriodicBoxJoinItsSides) {
   EXPECT_DOUBLE_EQ(moved(1, 1, 0), 0.0);
 }
 
+// Hooke's law in space. The cells of the first layer are of one phase, half of the points of those of the second are of
+// another.
+TEST(RecoverFields, OfACubeAreMeansOverItsCells) {
+  const Grid<3> cube = {{2, 2, 2}, 0.5};
+  Discretisation<3> discretisation(cube);
+  discretisation.paint([](const Vector<3>& place) { return place[2] > 0.75; }, 1);
+  const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 3.0}, {.bulk = 20.0, .shear = 0.5}};
+  constexpr std::array loads = {Load::shear,          Load::shear_yz,          Load::shear_zx,
+                                Load::diagonal_shear, Load::diagonal_shear_yz, Load::bulk};
+  for (const auto load : loads) {
+    const ElasticOperator<3> elastic_operator(discretisation, Volumetric::averaged, Boundary::displacement);
+    const auto displacement = elastic_operator.uniform_strain(load);
+    const auto fields = recover_fields(elastic_operator, discretisation, Volumetric::averaged, load, displacement,
+                                       elastic(displacement, moduli));
+    ASSERT_EQ(fields.strain.size(), cube.cell_count());
+    const auto strain = unit_strain<3>(load);
+    const double trace = strain.xx + strain.yy + strain.zz;
+    cube.for_each_cell([&](const Index<3>& cell) {
+      const auto place = cube.cell_index(cell);
+      const bool is_mixed = cell[2] == 1;
+      const double bulk = is_mixed ? 12.5 : 5.0, shear = is_mixed ? 1.75 : 3.0;
+      Vector<3> centre{};
+      for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = 0.5 * (cell[axis] + 0.5);
+      const auto moved = product(strain, centre);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(fields.displacement[place].at(axis), moved[axis], 1e-14);
+      }
+      for (int k = 0; k < 6; ++k) {
+        const double pressure = k < 3 ? (bulk - 2.0 / 3.0 * shear) * trace : 0.0;
+        const auto i = static_cast<std::size_t>(k);
+        EXPECT_NEAR(fields.strain[place].at(i), component(strain, k), 1e-14) << name_of(load) << " " << k;
+        EXPECT_NEAR(fields.stress[place].at(i), pressure + 2.0 * shear * component(strain, k), 1e-13)
+            << name_of(load) << " " << k;
+      }
+    });
+  }
+}
+
 }  // namespace
 }  // namespace breccia::quasistatic

@@ -68,5 +68,33 @@ TEST(FieldPicture, RefusesInvalidFields) {
   EXPECT_THROW(static_cast<void>(field_picture(picture)), InputError);
 }
 
+/// Cuts of a cube of 100 x 100 values each, from 1 to 10 000, 10 001 to 20 000 and 20 001 to 30 000 kPa.
+FieldCutsPicture rising_cuts() {
+  FieldCutsPicture picture{.title = "A < B", .quantity = "Stress in kPa", .unit_size = 1e3, .columns = 100};
+  double value = 0.0;
+  for (auto& cut : picture.cuts) {
+    for (std::size_t i = 0; i < 10000; ++i) cut.push_back(1e3 * ++value);
+  }
+  return picture;
+}
+
+TEST(FieldPicture, OfACubeHasThreeCutsInOneRangeOfColours) {
+  const auto svg = field_cuts_picture(rising_cuts());
+  EXPECT_EQ(xml_mistake(svg), "");
+  for (const auto* words : {"seen along x", "seen along y", "seen along z", "A &lt; B",
+                            "Stress in kPa; it goes from 1 to 30000", ">300<", ">29700<"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
+}
+
+TEST(FieldPicture, RefusesInvalidCuts) {
+  auto picture = rising_cuts();
+  picture.cuts[1].pop_back();
+  EXPECT_THROW(static_cast<void>(field_cuts_picture(picture)), InputError);
+  picture = rising_cuts();
+  picture.cuts[2][5] = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(static_cast<void>(field_cuts_picture(picture)), InputError);
+}
+
 }  // namespace
 }  // namespace breccia

@@ -9,13 +9,12 @@
 
 namespace breccia {
 
-/// Fields at the material points, per unit of the load, in the order of their lattice (Grid::point_index): spacing h/2,
-/// from the corner with the lowest coordinates. The points of a cell lie in neighbouring rows of it.
+/// Fields on a lattice, per unit of the load.
 template <int dim>
-struct PointFields {
+struct LatticeFields {
   static constexpr std::size_t shears = dim * (dim - 1) / 2;
 
-  std::vector<PhaseIndex> phase;          ///< in a mixed cell the phase with the largest share
+  std::vector<PhaseIndex> phase;          ///< where several are mixed the one with the largest share
   std::vector<Vector<dim>> displacement;  ///< [m]
   /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
   std::vector<std::array<double, dim + shears>> strain;
@@ -23,15 +22,30 @@ struct PointFields {
   std::vector<std::array<double, 3 + shears>> stress;
 };
 
+/// Fields at the material points, in the order of their lattice (Grid::point_index): spacing h/2, from the corner with
+/// the lowest coordinates. The points of a cell lie in neighbouring rows of it.
+template <int dim>
+using PointFields = LatticeFields<dim>;
+
+/// Means of the fields over the cells, in the order of Grid::cell_index. The eight points of a cubic cell would take
+/// more memory than the solution.
+template <int dim>
+using CellFields = LatticeFields<dim>;
+
 /// Fields at a time after the load was applied.
 template <int dim>
 struct TimedFields {
   double time = 0.0;  ///< [s]
-  PointFields<dim> fields;
+  LatticeFields<dim> fields;
 };
 
 /// Fields of the points of a discretisation: their phases, and all else zero. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] PointFields<dim> zero_fields(const Discretisation<dim>& discretisation);
+
+/// Fields of the cells of a discretisation: their phases, and all else zero. Where the points of a cell differ its
+/// phase is that of most, the first of equals. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
 
 }  // namespace breccia

@@ -31,11 +31,12 @@ struct ExtrapolationRecord {
 /// The result of one virtual test of one stage under one load.
 struct TestResult {
   TestId id;
-  Curve modulus = {};                             ///< relaxation modulus; for a creep test by interconversion
-  Creep compliance = {};                          ///< creep compliance, for a creep test only
-  PronySeries series = {};                        ///< relaxation modulus
-  std::vector<TimedFields<2>> fields = {};        ///< of the material points; empty where a sink has taken them
-  std::vector<TimedFilmFields> film_fields = {};  ///< of grains and films; empty where a sink has taken them
+  Curve modulus = {};                              ///< relaxation modulus; for a creep test by interconversion
+  Creep compliance = {};                           ///< creep compliance, for a creep test only
+  PronySeries series = {};                         ///< relaxation modulus
+  std::vector<TimedFields<2>> fields = {};         ///< of the material points; empty where a sink has taken them
+  std::vector<TimedFields<3>> volume_fields = {};  ///< of the cells of a cube; empty where a sink has taken them
+  std::vector<TimedFilmFields> film_fields = {};   ///< of grains and films; empty where a sink has taken them
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 

@@ -47,6 +47,11 @@ class StudySink {
   virtual bool take_fields(const Stage&, const TestId&, const Discretisation<2>&, const std::vector<TimedFields<2>>&) {
     return false;
   }
+  /// The same for the fields of the cells of a cube.
+  virtual bool take_volume_fields(const Stage&, const TestId&, const Discretisation<3>&,
+                                  const std::vector<TimedFields<3>>&) {
+    return false;
+  }
   /// The same for a test of grains and films.
   virtual bool take_film_fields(const Stage&, const TestId&, const std::vector<TimedFilmFields>&) { return false; }
   /// Called if the saved state of a test shows that it was finished, and that a sink took its fields at these times

@@ -17,6 +17,13 @@ struct PlaneLattice {
   double spacing = 0.0;            ///< side of a square [m]
 };
 
+/// A regular lattice of equal cubes.
+struct CubeLattice {
+  std::array<std::size_t, 3> cubes{};  ///< along each axis
+  std::array<double, 3> origin{};      ///< the corner with the lowest coordinates [m]
+  double spacing = 0.0;                ///< side of a cube [m]
+};
+
 /// Polygons in the plane.
 struct PolygonMesh {
   std::vector<std::array<double, 2>> points;  ///< places [m]
@@ -24,13 +31,13 @@ struct PolygonMesh {
   std::vector<std::int64_t> corner_counts;    ///< of each polygon, at least three
 };
 
-/// A field on the squares of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or a
-/// symmetric tensor (6: xx, yy, zz, xy, yz, xz).
+/// A field on the squares or cubes of a lattice, or on the polygons or points of a mesh: a scalar (1), a vector (3) or
+/// a symmetric tensor (6: xx, yy, zz, xy, yz, xz).
 struct MeshField {
   std::string name;
   std::size_t components = 1;
-  /// Values in the order: components fastest, then those of the mesh, or the squares of a row from the left and the
-  /// rows from below.
+  /// Values in the order: components fastest, then those of the mesh, or the squares or cubes of a row along x, the
+  /// rows along y and the layers along z.
   std::variant<std::vector<float>, std::vector<std::uint8_t>> values;
 };
 
@@ -44,6 +51,10 @@ struct FieldNumber {
 /// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. Throws
 /// FileError, and InputError when a field does not fit the lattice.
 void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<MeshField>& fields,
+                  const std::vector<FieldNumber>& numbers = {});
+
+/// The same for cubes, with a hexahedron for each.
+void write_vtkhdf(const std::filesystem::path& path, const CubeLattice& lattice, const std::vector<MeshField>& fields,
                   const std::vector<FieldNumber>& numbers = {});
 
 /// The same for fields of the polygons of a mesh, and of its points. Throws FileError, and InputError when a field does

@@ -25,7 +25,8 @@ struct SteppedResponse {
 template <int dim>
 struct SteppingResult {
   std::vector<SteppedResponse> responses;  ///< by load
-  std::vector<TimedFields<dim>> fields;    ///< of the first load; on the first process, zero on the others
+  /// Of the points of a square, or of the cells of a cube; of the first load; on the first process, zero on the others.
+  std::vector<TimedFields<dim>> fields;
   LinearEffort effort;
 };
 

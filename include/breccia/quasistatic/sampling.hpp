@@ -27,10 +27,11 @@ struct SamplingProgress {
 
 template <int dim>
 struct SampledResponses {
-  /// Fields of the points per unit load at a time [s] after a load was applied to the composite whose varying phases
-  /// are of these materials, in their order (theory, Eqs. 34 and 35). `load` is the index in the list of loads. On the
-  /// first process; zero on the others.
-  using Recovery = std::function<PointFields<dim>(std::size_t load, std::span<const Material> of_phases, double time)>;
+  /// Fields of the points of a square, or of the cells of a cube, per unit load at a time [s] after a load was applied
+  /// to the composite whose varying phases are of these materials, in their order (theory, Eqs. 34 and 35). `load` is
+  /// the index in the list of loads. On the first process; zero on the others.
+  using Recovery =
+      std::function<LatticeFields<dim>(std::size_t load, std::span<const Material> of_phases, double time)>;
 
   std::vector<ReducedResponse> responses;  ///< by load
   LinearEffort effort;

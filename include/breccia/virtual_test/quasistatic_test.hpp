@@ -91,7 +91,7 @@ struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
   /// Fields of the points of cells in 2 dimensions, first load; on the first process, zero on the others.
   std::vector<TimedFields<2>> fields;
-  std::vector<TimedFields<3>> volume_fields;  ///< the same in 3 dimensions
+  std::vector<TimedFields<3>> volume_fields;  ///< the same of the cells in 3 dimensions (CellFields)
   std::vector<TimedFilmFields> film_fields;   ///< of grains and films, first load
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]

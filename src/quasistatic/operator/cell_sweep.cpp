@@ -1,8 +1,9 @@
 #include "operator/cell_sweep.hpp"
 
 #include <algorithm>
+#include <vector>
 
-#include "operator/cell_row.hpp"
+#include <omp.h>
 
 namespace breccia::quasistatic {
 namespace {
@@ -19,15 +20,19 @@ void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, 
   // taken first, then those between them, then the last one if it is a neighbour of the first.
   const bool wraps = nodes_.nodes[2] == cells_[2];
   const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
+  // Memory is taken here: where it is short among the threads, the program could not say so.
+  std::vector<CellRow> rows(static_cast<std::size_t>(threads), CellRow(cells_[0]));
   for (const int first : {0, 1}) {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int slab = first; slab < paired; slab += 2) add_slab(moduli, slab, displacement, forces);
+    for (int slab = first; slab < paired; slab += 2) {
+      add_slab(moduli, slab, displacement, forces, rows[static_cast<std::size_t>(omp_get_thread_num())]);
+    }
   }
-  if (paired < slabs) add_slab(moduli, paired, displacement, forces);
+  if (paired < slabs) add_slab(moduli, paired, displacement, forces, rows.front());
 }
 
-void CellSweep::add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces) const {
-  CellRow row(cells_[0]);
+void CellSweep::add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces,
+                         CellRow& row) const {
   const int first = slab * planes_of_slab, end = std::min(first + planes_of_slab, cells_[2]);
   for (int third = first; third < end; ++third) {
     for (int second = 0; second < cells_[1]; ++second) {

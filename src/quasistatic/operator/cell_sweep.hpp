@@ -8,6 +8,8 @@
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/microstructure/index.hpp"
 
+#include "operator/cell_row.hpp"
+
 namespace breccia::quasistatic {
 
 /// Where the nodes of a box are in arrays that hold one component of a nodal vector each. The first axis is contiguous.
@@ -51,7 +53,8 @@ class CellSweep {
   void add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces, int threads) const;
 
  private:
-  void add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces) const;
+  void add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces,
+                CellRow& row) const;
   void add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
                   const Output& forces) const;
   [[nodiscard]] std::size_t place_of(const Index<3>& cell, int node) const noexcept;

@@ -67,10 +67,10 @@ struct AppliedToNodes {
   NodalDisplacement<dim> bulk, shear;
 };
 
-/// Stress as in PointFields, from the pressure and the shear modulus applied to the strain.
+/// Stress as in LatticeFields, from the pressure and the shear modulus applied to the strain.
 template <int dim>
 auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressure) {
-  typename decltype(PointFields<dim>::stress)::value_type stress{};
+  typename decltype(LatticeFields<dim>::stress)::value_type stress{};
   std::array<double, 3> normal{};  // in plane strain the out-of-plane one is zero
   for (std::size_t axis = 0; axis < dim; ++axis) normal[axis] = shear[static_cast<Eigen::Index>(axis)];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -96,7 +96,7 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   const double dilatational = dilatational_modulus<dim>({.bulk = bulk, .shear = shear[Shape::modes - 1]});
   const Eigen::Matrix<double, Shape::points * Shape::deviators, 1> deviators =
       point_deviators * shear.template head<Shape::modes - 1>() / std::sqrt(Shape::point_volume);
-  using Stress = typename decltype(PointFields<dim>::stress)::value_type;
+  using Stress = typename decltype(LatticeFields<dim>::stress)::value_type;
   std::array<Stress, Shape::points> stresses{};
   for (int p = 0; p < Shape::points; ++p) {
     typename Shape::StrainVector components =
@@ -111,12 +111,38 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   return stresses;
 }
 
+/// The fields of a square are those of its points, the fields of a cube means over its cells.
+template <int dim>
+LatticeFields<dim> fields_to_recover(const Discretisation<dim>& discretisation) {
+  if constexpr (dim == 2) {
+    return zero_fields(discretisation);
+  } else {
+    return zero_cell_fields(discretisation);
+  }
+}
+
+/// Where the values of a point stand in these fields.
+template <int dim>
+std::size_t place_of_point(const Grid<dim>& grid, const Index<dim>& cell, int point) {
+  return dim == 2 ? grid.point_index(cell, point) : grid.cell_index(cell);
+}
+
+/// Puts the values of a point into their place, or adds its share to the mean of its cell.
+template <int dim, std::size_t components>
+void put(const std::array<double, components>& of_point, std::array<double, components>& values) {
+  if constexpr (dim == 2) {
+    values = of_point;
+  } else {
+    for (std::size_t i = 0; i < components; ++i) values[i] += of_point[i] / CellShape<dim>::points;
+  }
+}
+
 }  // namespace
 
 template <int dim>
-PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, const Discretisation<dim>& discretisation,
-                                Volumetric volumetric, Load load, const Displacement& displacement,
-                                const std::vector<AppliedModuli>& applied) {
+LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
+                                  const Discretisation<dim>& discretisation, Volumetric volumetric, Load load,
+                                  const Displacement& displacement, const std::vector<AppliedModuli>& applied) {
   using Shape = CellShape<dim>;
   const auto& grid = discretisation.grid();
   const NodalDisplacement<dim> moved(elastic_operator, load, displacement);
@@ -126,46 +152,51 @@ PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator, co
     by_material.push_back(
         {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
   }
-  auto fields = zero_fields(discretisation);
+  auto fields = fields_to_recover(discretisation);
   if (parallel::rank() != 0) return fields;
   for (int p = 0; p < Shape::points; ++p) {
     const auto weights = Shape::weights(p);
     const auto strain_matrix = Shape::strain_matrix(p, volumetric);
     const auto volume = Shape::volumetric_strain_matrix(p, volumetric);
     grid.for_each_cell([&](const Index<dim>& cell) {
-      const auto point = grid.point_index(cell, p);
+      const auto place = place_of_point(grid, cell, p);
       const auto u = moved.of_cell(cell);
+      Vector<dim> of_point{};
       for (std::size_t node = 0; node < weights.size(); ++node) {
         for (std::size_t i = 0; i < dim; ++i) {
-          fields.displacement[point][i] +=
-              grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
+          of_point[i] += grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
         }
       }
+      put<dim>(of_point, fields.displacement[place]);
       const typename Shape::StrainVector strain = strain_matrix * u;
-      for (std::size_t i = 0; i < fields.strain[point].size(); ++i) {
-        fields.strain[point][i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
+      typename decltype(LatticeFields<dim>::strain)::value_type tensor{};
+      for (std::size_t i = 0; i < tensor.size(); ++i) {
+        tensor[i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
       }
-      const auto& [bulk, shear] = by_material[fields.phase[point]];
-      fields.stress[point] = stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell)));
+      put<dim>(tensor, fields.strain[place]);
+      if (elastic_operator.mixed_cell(cell) != nullptr) return;
+      const auto& [bulk, shear] = by_material[discretisation.cell(cell)[static_cast<std::size_t>(p)]];
+      put<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
+               fields.stress[place]);
     });
   }
   const auto point_deviators = Shape::point_deviators();
-  std::size_t place = 0;
+  std::size_t first_strain = 0;
   grid.for_each_cell([&](const Index<dim>& cell) {
     const auto* mixed = elastic_operator.mixed_cell(cell);
     if (mixed == nullptr) return;
-    const auto stresses = mixed_stress<dim>(cell, *mixed, place, by_material, point_deviators);
+    const auto stresses = mixed_stress<dim>(cell, *mixed, first_strain, by_material, point_deviators);
     for (int p = 0; p < Shape::points; ++p) {
-      fields.stress[grid.point_index(cell, p)] = stresses[static_cast<std::size_t>(p)];
+      put<dim>(stresses[static_cast<std::size_t>(p)], fields.stress[place_of_point(grid, cell, p)]);
     }
-    place += static_cast<std::size_t>(mixed->unknowns());
+    first_strain += static_cast<std::size_t>(mixed->unknowns());
   });
   return fields;
 }
 
-template PointFields<2> recover_fields(const ElasticOperator<2>&, const Discretisation<2>&, Volumetric, Load,
-                                       const Displacement&, const std::vector<AppliedModuli>&);
-template PointFields<3> recover_fields(const ElasticOperator<3>&, const Discretisation<3>&, Volumetric, Load,
-                                       const Displacement&, const std::vector<AppliedModuli>&);
+template LatticeFields<2> recover_fields(const ElasticOperator<2>&, const Discretisation<2>&, Volumetric, Load,
+                                         const Displacement&, const std::vector<AppliedModuli>&);
+template LatticeFields<3> recover_fields(const ElasticOperator<3>&, const Discretisation<3>&, Volumetric, Load,
+                                         const Displacement&, const std::vector<AppliedModuli>&);
 
 }  // namespace breccia::quasistatic

@@ -15,13 +15,13 @@ struct AppliedModuli {
   Displacement bulk, shear;
 };
 
-/// Displacement, strain and stress at the material points, from the displacement of the nodes and from the moduli
-/// applied to its history, by material (theory, Eq. 35). On the first process; zero on the others. Instantiated for 2
-/// and 3 dimensions.
+/// Displacement, strain and stress at the material points of a square (PointFields), or their means over the cells of a
+/// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by material
+/// (theory, Eq. 35). On the first process; zero on the others. Instantiated for 2 and 3 dimensions.
 template <int dim>
-[[nodiscard]] PointFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
-                                              const Discretisation<dim>& discretisation, Volumetric volumetric,
-                                              Load load, const Displacement& displacement,
-                                              const std::vector<AppliedModuli>& applied);
+[[nodiscard]] LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
+                                                const Discretisation<dim>& discretisation, Volumetric volumetric,
+                                                Load load, const Displacement& displacement,
+                                                const std::vector<AppliedModuli>& applied);
 
 }  // namespace breccia::quasistatic

@@ -39,8 +39,8 @@ Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Lo
 }
 
 template <int dim>
-PointFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
-                           const CompositeState<Displacement>& state) {
+LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
+                             const CompositeState<Displacement>& state) {
   const auto& stiffness = composite.stiffness();
   std::vector<AppliedModuli> applied;
   for (const auto& [bulk, shear] : stiffness.constant) {
@@ -111,9 +111,9 @@ template class CellComposite<2>;
 template class CellComposite<3>;
 template class CellSolver<2>;
 template class CellSolver<3>;
-template PointFields<2> fields_of(const CellComposite<2>&, const QuasistaticProblem<2>&, Load,
-                                  const CompositeState<Displacement>&);
-template PointFields<3> fields_of(const CellComposite<3>&, const QuasistaticProblem<3>&, Load,
-                                  const CompositeState<Displacement>&);
+template LatticeFields<2> fields_of(const CellComposite<2>&, const QuasistaticProblem<2>&, Load,
+                                    const CompositeState<Displacement>&);
+template LatticeFields<3> fields_of(const CellComposite<3>&, const QuasistaticProblem<3>&, Load,
+                                    const CompositeState<Displacement>&);
 
 }  // namespace breccia::quasistatic

@@ -47,11 +47,11 @@ class CellComposite {
   ElasticOperator<dim> elastic_operator_;
 };
 
-/// Fields of the material points of a composite of cells in a state under a load (theory, Eq. 35). `problem` is the one
-/// that the composite was made of. On the first process; zero on the others.
+/// Fields of the material points of a square, or of the cells of a cube, in a state under a load (theory, Eq. 35).
+/// `problem` is the one that the composite was made of. On the first process; zero on the others.
 template <int dim>
-[[nodiscard]] PointFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem,
-                                         Load load, const CompositeState<Displacement>& state);
+[[nodiscard]] LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem,
+                                           Load load, const CompositeState<Displacement>& state);
 
 /// Solves for the displacements of a composite of cells, which must outlive it.
 template <int dim>

@@ -23,7 +23,7 @@ LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const L
 
 void LatticeSolver::update_stiffness(std::span<const Moduli> moduli) {
   // With the least moduli of all phases, no displacement of the composite has less energy than in the box of one
-  // material, which makes the estimate of the error a bound.
+  // material, which makes the estimate of the error a bound, but for a traction boundary (theory, section 18).
   constexpr double largest = std::numeric_limits<double>::infinity();
   reference_ = {.bulk = largest, .shear = largest};
   for (const auto& [bulk, shear] : moduli) {

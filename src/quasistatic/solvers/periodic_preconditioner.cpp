@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include <omp.h>
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -25,13 +27,13 @@ PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int t
   double* real = field.component(0);
   std::vector<Complex> depth(waves_ * static_cast<std::size_t>(nodes[2]));
   const int width = static_cast<int>(row), waves = static_cast<int>(waves_), apart = static_cast<int>(plane / 2);
-  along_first_.reset(fftw_plan_many_dft_r2c(1, &nodes[0], nodes[1], real, nullptr, 1, width, as_complex(real), nullptr,
-                                            1, waves, plan_flags));
-  back_along_first_.reset(fftw_plan_many_dft_c2r(1, &nodes[0], nodes[1], as_complex(real), nullptr, 1, waves, real,
-                                                 nullptr, 1, width, plan_flags));
+  along_first_ = made_plan(fftw_plan_many_dft_r2c(1, &nodes[0], nodes[1], real, nullptr, 1, width, as_complex(real),
+                                                  nullptr, 1, waves, plan_flags));
+  back_along_first_ = made_plan(fftw_plan_many_dft_c2r(1, &nodes[0], nodes[1], as_complex(real), nullptr, 1, waves,
+                                                       real, nullptr, 1, width, plan_flags));
   const auto complex_plan = [&](const int& count, fftw_complex* in, int in_apart, fftw_complex* out, int out_apart,
                                 int sign) {
-    return FourierPlan(
+    return made_plan(
         fftw_plan_many_dft(1, &count, waves, in, nullptr, in_apart, 1, out, nullptr, out_apart, 1, sign, plan_flags));
   };
   auto* in_place = as_complex(real);
@@ -40,6 +42,7 @@ PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int t
   back_along_second_ = complex_plan(nodes[1], in_place, waves, in_place, waves, FFTW_BACKWARD);
   along_third_ = complex_plan(nodes[2], in_place, apart, compact, waves, FFTW_FORWARD);
   back_along_third_ = complex_plan(nodes[2], compact, waves, in_place, apart, FFTW_BACKWARD);
+  for (int thread = 0; thread < threads; ++thread) rows_of_waves_.push_back(allocate_waves(3 * depth.size()));
 }
 
 void PeriodicPreconditioner::apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) {
@@ -66,8 +69,8 @@ void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, LatticeFi
   const auto size = waves_ * static_cast<std::size_t>(nodes[2]);
 #pragma omp parallel num_threads(threads_)
   {
-    const std::unique_ptr<fftw_complex, decltype(&fftw_free)> memory(fftw_alloc_complex(3 * size), fftw_free);
-    auto* depth = reinterpret_cast<Complex*>(memory.get());
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
+    auto* depth = reinterpret_cast<Complex*>(rows_of_waves_[thread].get());
 #pragma omp for
     for (int second = 0; second < nodes[1]; ++second) {
       const auto first = static_cast<std::size_t>(second) * row;

@@ -32,6 +32,7 @@ class PeriodicPreconditioner final : public LatticePreconditioner {
   std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
   FourierPlan along_first_, along_second_, along_third_;
   FourierPlan back_along_first_, back_along_second_, back_along_third_;
+  std::vector<Waves> rows_of_waves_;  ///< by thread: the three components of the waves of a row along the second axis
 };
 
 }  // namespace breccia::quasistatic

@@ -27,8 +27,8 @@ FourierPlan WallPreconditioner::plan(std::size_t axis, std::size_t rows, std::si
   const auto kind = is_fixed_ ? FFTW_RODFT00 : FFTW_REDFT00;
   double* first = values + (is_fixed_ ? apart : 0);
   const int node_step = static_cast<int>(apart), row_step = static_cast<int>(rows_apart);
-  return FourierPlan(fftw_plan_many_r2r(1, &count, static_cast<int>(rows), first, nullptr, node_step, row_step, first,
-                                        nullptr, node_step, row_step, &kind, plan_flags));
+  return made_plan(fftw_plan_many_r2r(1, &count, static_cast<int>(rows), first, nullptr, node_step, row_step, first,
+                                      nullptr, node_step, row_step, &kind, plan_flags));
 }
 
 void WallPreconditioner::apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) {
