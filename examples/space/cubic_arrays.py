@@ -69,10 +69,13 @@ def written(errors):
 kind, *numbers = sys.argv[1:]
 arrays = {"rigid": rigid_arrays, "elastic": elastic_arrays}[kind]
 cells = [int(number) for number in numbers] or [16, 32, 64]
-header("lattice", "fraction", "matrix K/G", *(f"{n} cells" for n in cells), "limit")
+header("lattice", "fraction", "matrix K/G", *(f"{n} cells" for n in cells), *(["limit"] if len(cells) > 1 else []))
 for array in arrays():
     errors = {n: array.errors(n) for n in cells}
-    coarse, fine = cells[-2:]
-    limit = [(fine * e - coarse * c) / (fine - coarse) for c, e in zip(errors[coarse], errors[fine])]
+    limit = []
+    if len(cells) > 1:
+        coarse, fine = cells[-2:]
+        of_first_order = [(fine * e - coarse * c) / (fine - coarse) for c, e in zip(errors[coarse], errors[fine])]
+        limit = [written(of_first_order)]
     ratio = array.matrix[0] / array.matrix[1]
-    row(array.lattice, f"{array.fraction:g}", f"{ratio:.3g}", *(written(errors[n]) for n in cells), written(limit))
+    row(array.lattice, f"{array.fraction:g}", f"{ratio:.3g}", *(written(errors[n]) for n in cells), *limit)

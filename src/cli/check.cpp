@@ -158,8 +158,9 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
   const auto shown = fmt::format("{:.2g}", cells_per_gap);
   const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells",
                                  packed.grains ? "across a film" : "in the narrowest gap");
-  // The rule was measured with discs.
-  if (stage.dimensions == 3) return fmt::format("  {}: {}\n", stage.name, width);
+  if (stage.dimensions == 3) {
+    return fmt::format("  {}: {}; no rule tells the error of a grid in three dimensions\n", stage.name, width);
+  }
   std::vector<std::string> advice;
   for (const double error : errors) {
     const double per_gap = packed.grains ? cells_per_film_for(error) : cells_per_gap_for(mixing, error);

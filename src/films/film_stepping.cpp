@@ -18,15 +18,19 @@ FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material&
   std::vector<const PronySeries*> series(composite.parameters().size());
   series[films::FilmComposite::shear] = &binder.shear;
   series[films::FilmComposite::bulk] = &binder.bulk;
-  films::FilmSolver solver(composite);
   quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
-  if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
-    runs.restore(*earlier);
-    solver.count_from(read_effort(*earlier, "/effort"));
-  }
-  quasistatic::take_all_steps(runs, solver, observer, checkpoint,
-                              [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
-  FilmSteppingResult result = {runs.responses(), {}, solver.effort()};
+  // Fields are found when the factors are gone.
+  const auto effort = [&] {
+    films::FilmSolver solver(composite);
+    if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
+      runs.restore(*earlier);
+      solver.count_from(read_effort(*earlier, "/effort"));
+    }
+    quasistatic::take_all_steps(runs, solver, observer, checkpoint,
+                                [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
+    return solver.effort();
+  }();
+  FilmSteppingResult result = {runs.responses(), {}, effort};
   for (const auto& [time, state] : runs.kept()) {
     result.fields.push_back({time, films::fields_of(composite, problem, loads.front(), state)});
   }

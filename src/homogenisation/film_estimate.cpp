@@ -103,8 +103,10 @@ double film_memory(const Study& study, const Stage& stage, const FilmedGrains& g
   const double vectors = is_reduced ? 3.0 * expected_snapshots(study.tests, stage) : 2.0 * terms;
   const double solution = program + unknowns * (bytes + sizeof(double) * loads * vectors);
   // Fields are written when the factors are gone.
-  constexpr double of_files = 100e6, of_grain_in_files = 1e5;
-  return has_fields(study.tests, stage) ? std::max(solution, of_files + of_grain_in_files * grains.count) : solution;
+  if (!has_fields(study.tests, stage)) return solution;
+  constexpr double of_files = 100e6, of_grain_in_files = 9e4, of_grain_and_time = 1e4;
+  const auto times = static_cast<double>(study.tests.field_times.size());
+  return std::max(solution, of_files + (of_grain_in_files + of_grain_and_time * times) * grains.count);
 }
 
 double film_time(const Study& study, const Stage& stage, const FilmedGrains& grains) {

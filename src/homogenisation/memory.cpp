@@ -79,8 +79,11 @@ std::optional<std::string> lacking_for_films(const Study& study, const Stage& st
   const auto grains = expected_grains(stage);
   const double bytes = film_memory(study, stage, grains), left = std::max(0.0, available);
   if (bytes <= left) return std::nullopt;
-  const double least = film_memory(study, stage, {0.0, grains.film});
-  const double fitting = std::floor(grains.count * (left - least) / (bytes - least));
+  // Larger factors are in files, so that the need does not grow steadily with the grains.
+  double fitting = grains.count;
+  constexpr double fewer = 0.999;
+  while (fitting >= 1.0 && film_memory(study, stage, {fitting, grains.film}) > left)
+    fitting = std::floor(fewer * fitting);
   return fmt::format("{}: {:.0f} grains and films take about {:.3g} GB, and {:.3g} GB are left{}", stage.name,
                      grains.count, bytes / 1e9, left / 1e9,
                      fitting >= 1.0 ? fmt::format("; {:.0f} grains would fit", fitting) : "");
@@ -120,9 +123,11 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
     return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + further);
   }
   // Fields of the iteration, a dozen nodal vectors, and the fractions and labels of the cells. Fields in space take the
-  // moduli of each phase applied to the displacement, twice, and 15 values a cell.
+  // moduli of each phase applied to the displacement, twice, and 15 values a cell and time.
   if (stage.dimensions == 3) {
-    constexpr double of_fields = 10.0 * sizeof(double), values_in_cell = 15.0 * sizeof(double) / 3.0;
+    const auto phases = static_cast<double>(materials_of(stage, expected_matrix(study, stage)).size());
+    const double of_fields = (4.0 * phases + 2.0) * sizeof(double);
+    const double values_in_cell = 15.0 * sizeof(double) / 3.0 * static_cast<double>(study.tests.field_times.size());
     const double in_space = study.tests.field_times.empty() ? 0.0 : of_fields * vectors + values_in_cell;
     return unknowns * (60.0 + dozen * vectors + in_space + further);
   }

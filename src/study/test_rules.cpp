@@ -92,8 +92,8 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
   std::vector<std::string> mistakes;
   const auto& tests = study.tests;
-  if (uses(tests, Method::dynamic) && tests.lists_field_times) {
-    mistakes.emplace_back(R"(three dimensions: expected times of fields with method "quasistatic" alone)");
+  if (!uses(tests, Method::quasistatic) && tests.lists_field_times) {
+    mistakes.emplace_back(R"(three dimensions: expected no times of fields without method "quasistatic")");
   }
   if (tests.model == Model::films) mistakes.emplace_back(R"(three dimensions: expected model "cells")");
   return mistakes;

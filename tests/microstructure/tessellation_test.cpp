@@ -110,6 +110,11 @@ TEST(Tessellation, SharesOfTheFilms) {
   EXPECT_NEAR(volume(periodic.grain(1, 0.5)), 1.1 * 3.25, 1e-14);
   EXPECT_NEAR(film_thickness(periodic, grain_fraction(periodic, 0.5)), 0.5, 1e-12);
 
+  // Shares may be of any scale: the films are then as much thicker.
+  auto small = sites;
+  small.film_shares = {0.5e-5, 1.5e-5};
+  EXPECT_NEAR(film_thickness(Tessellation<2>(small), grain_fraction(periodic, 0.5)), 0.5e5, 1e-7);
+
   sites.walls = Walls::hard;
   const Tessellation<2> walls(sites);
   EXPECT_NEAR(volume(walls.grain(0, 0.5)), (2.2 - 0.125 - 0.25) * 3.75, 1e-14);

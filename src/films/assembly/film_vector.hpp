@@ -10,7 +10,7 @@
 namespace breccia::films {
 
 /// A displacement of grains and films: the amplitude of the macroscopic part, the unit strain of a load, and the
-/// fluctuations of the grains' boundaries with the flows in the films, in the order of Unknowns. Lengths are in sides
+/// fluctuations of the grains with the flows in the films, in the order of Unknowns. Lengths are in sides
 /// of the box. Forces are stored like the displacements on which they do work.
 class FilmVector {
  public:

@@ -87,8 +87,12 @@ GrainPolygon grain_polygon(const Tessellation<2>& tessellation, std::size_t site
   for (std::size_t corner = 0; corner < found.corners.size(); ++corner) {
     const auto& begin = found.corners[corner];
     const auto& end = found.corners[(corner + 1) % found.corners.size()];
-    if ((end - begin).norm() < least_share * thickness * side) continue;
-    const auto edge = edge_of[remaining.origin[found.half_spaces[corner]]];
+    const auto origin_of_face = remaining.origin[found.half_spaces[corner]];
+    const auto& face = cell.half_spaces()[origin_of_face];
+    const double film = Tessellation<2>::neighbour(face) ? 2.0 * tessellation.half_film(site, face, thickness * side)
+                                                         : thickness * side;
+    if ((end - begin).norm() < least_share * film) continue;
+    const auto edge = edge_of[origin_of_face];
     corners[edge] = (origin + begin) / side;
     is_left[edge] = true;
     ++faces;

@@ -1,9 +1,11 @@
 #include "solver/elimination_order.hpp"
 
 #include <array>
+#include <csignal>
 #include <cstddef>
 #include <cstdint>
 
+#include <fmt/format.h>
 #include <metis.h>
 
 #include "breccia/error.hpp"
@@ -34,10 +36,10 @@ std::vector<int> first_unknowns(const Sparse& lower_triangle) {
   const auto count = static_cast<std::size_t>(lower_triangle.rows());
   // Equal sums stand for the same neighbours, the unknown itself among them.
   std::vector<std::uint64_t> neighbours(count);
-  for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i);
+  for (std::size_t i = 0; i < count; ++i) neighbours[i] = spread(i + 1);  // spread(0) would count for nothing
   for_each_pair(lower_triangle, [&](int row, int column) {
-    neighbours[static_cast<std::size_t>(row)] += spread(static_cast<std::uint64_t>(column));
-    neighbours[static_cast<std::size_t>(column)] += spread(static_cast<std::uint64_t>(row));
+    neighbours[static_cast<std::size_t>(row)] += spread(static_cast<std::uint64_t>(column) + 1);
+    neighbours[static_cast<std::size_t>(column)] += spread(static_cast<std::uint64_t>(row) + 1);
   });
   std::vector<int> first;
   for (std::size_t i = 0; i < count; ++i) {
@@ -84,6 +86,34 @@ Graph graph_of(const Sparse& lower_triangle, const std::vector<int>& first) {
   return graph;
 }
 
+/// METIS takes over the signals that end a process. They wait while it works, and have their own handlers again
+/// afterwards.
+class OwnSignals {
+ public:
+  OwnSignals() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    sigaddset(&ending, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &ending, &blocked_before_);
+    sigaction(SIGTERM, nullptr, &of_termination_);
+    sigaction(SIGABRT, nullptr, &of_abort_);
+  }
+  ~OwnSignals() {
+    sigaction(SIGTERM, &of_termination_, nullptr);
+    sigaction(SIGABRT, &of_abort_, nullptr);
+    pthread_sigmask(SIG_SETMASK, &blocked_before_, nullptr);
+  }
+  OwnSignals(const OwnSignals&) = delete;
+  OwnSignals& operator=(const OwnSignals&) = delete;
+  OwnSignals(OwnSignals&&) = delete;
+  OwnSignals& operator=(OwnSignals&&) = delete;
+
+ private:
+  sigset_t blocked_before_{};
+  struct sigaction of_termination_ {};
+  struct sigaction of_abort_ {};
+};
+
 }  // namespace
 
 std::vector<int> elimination_order(const Sparse& lower_triangle) {
@@ -94,11 +124,16 @@ std::vector<int> elimination_order(const Sparse& lower_triangle) {
   std::array<idx_t, METIS_NOPTIONS> options{};
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_COMPRESS] = 0;
-  const int result = METIS_NodeND(&vertices, graph.first_neighbour.data(), graph.neighbours.data(), graph.sizes.data(),
-                                  options.data(), vertex_at.data(), place.data());
-  if (result != METIS_OK) {
-    throw NumericalError("films: the unknowns cannot be ordered; memory may have run out, fewer grains take less");
+  const int result = [&] {
+    const OwnSignals signals;
+    return METIS_NodeND(&vertices, graph.first_neighbour.data(), graph.neighbours.data(), graph.sizes.data(),
+                        options.data(), vertex_at.data(), place.data());
+  }();
+  if (result == METIS_ERROR_MEMORY) {
+    throw NumericalError("films: memory has run out while the unknowns were ordered; fewer grains take less");
   }
+  if (result != METIS_OK)
+    throw NumericalError(fmt::format("films: the unknowns cannot be ordered (METIS: {})", result));
   std::vector<int> places(static_cast<std::size_t>(first.back()));
   int next = 0;
   for (const auto vertex : vertex_at) {

@@ -30,7 +30,8 @@ enum Control {
   use_files = 22
 };
 enum Information { status = 1, detail = 2, megabytes = 17 };
-constexpr int singular = -10, no_files = -90;  // what the status may be
+// What the status may be.
+constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, no_files = -90;
 
 std::string directory_of_files() {
   std::error_code error;
@@ -51,10 +52,15 @@ int information(const DMUMPS_STRUC_C& mumps, Information number) {
   return mumps.infog[number - 1];
 }
 
-/// Runs a job. Throws NumericalError when it fails.
-void run(DMUMPS_STRUC_C& mumps, Job job) {
+/// Runs a job and returns its status, which is negative when it fails.
+int attempt(DMUMPS_STRUC_C& mumps, Job job) {
   mumps.job = job;
   dmumps_c(&mumps);
+  return information(mumps, status);
+}
+
+/// Throws NumericalError for the status of a job that has failed.
+void require_success(const DMUMPS_STRUC_C& mumps) {
   const int found = information(mumps, status);
   if (found >= 0) return;
   if (found == singular) {
@@ -72,6 +78,23 @@ void run(DMUMPS_STRUC_C& mumps, Job job) {
                   found, information(mumps, detail)));
 }
 
+void run(DMUMPS_STRUC_C& mumps, Job job) {
+  attempt(mumps, job);
+  require_success(mumps);
+}
+
+/// Factorises. Pivots that come later than foreseen may take more room than the analysis said, which is given then.
+void factorise_with_room(DMUMPS_STRUC_C& mumps) {
+  constexpr int most_per_cent = 2000;
+  for (;;) {
+    const int found = attempt(mumps, factorisation);
+    const bool wants_room = found == too_few_integers || found == too_few_reals;
+    if (!wants_room || control(mumps, more_memory) > most_per_cent) break;
+    control(mumps, more_memory) *= 2;
+  }
+  require_success(mumps);
+}
+
 }  // namespace
 
 void SymmetricFactors::End::operator()(DMUMPS_STRUC_C* instance) const {
@@ -84,17 +107,20 @@ void SymmetricFactors::End::operator()(DMUMPS_STRUC_C* instance) const {
 void SymmetricFactors::analyse() {
   constexpr int symmetric = 2, works_too = 1, given = 1, silent = 0, no_unit = -1, per_cent = 30;
   parallel::start();
-  mumps_.reset(new DMUMPS_STRUC_C{});
-  auto& mumps = *mumps_;
+  auto blank = std::make_unique<DMUMPS_STRUC_C>();
+  auto& mumps = *blank;
   mumps.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
   mumps.par = works_too;
   mumps.sym = symmetric;
   run(mumps, begin);
+  std::unique_ptr<DMUMPS_STRUC_C, End> begun(blank.release());
   for (const auto unit : {errors, diagnostics, statistics}) control(mumps, unit) = no_unit;
   control(mumps, verbosity) = silent;
   control(mumps, ordering) = given;
   control(mumps, more_memory) = per_cent;
 
+  rows_.clear();
+  columns_.clear();
   for (int column = 0; column < matrix_.outerSize(); ++column) {
     for (Sparse::InnerIterator at(matrix_, column); at; ++at) {
       rows_.push_back(static_cast<int>(at.row()) + 1);
@@ -119,6 +145,7 @@ void SymmetricFactors::analyse() {
     set_text(mumps.ooc_tmpdir, directory_of_files());
     set_text(mumps.ooc_prefix, "breccia-factors");
   }
+  mumps_ = std::move(begun);
 }
 
 void SymmetricFactors::factorise(Sparse lower_triangle) {
@@ -126,7 +153,7 @@ void SymmetricFactors::factorise(Sparse lower_triangle) {
   matrix_.makeCompressed();
   if (!mumps_) analyse();
   mumps_->a = matrix_.valuePtr();
-  run(*mumps_, factorisation);
+  factorise_with_room(*mumps_);
 }
 
 Eigen::VectorXd SymmetricFactors::solve_once(const Eigen::VectorXd& right_side) const {

@@ -97,7 +97,9 @@ double film_thickness(const Tessellation<dim>& tessellation, double fraction) {
   // Newton steps from a film of zero, kept between the thicknesses that are known to be too small and too large.
   constexpr int most_steps = 200;
   double low = 0.0;
-  double high = 2.0 * tessellation.side();  // no cell is so thick
+  // No cell is so thick, and no film thinner than by the smallest share.
+  const auto& shares = tessellation.sites().film_shares;
+  double high = 2.0 * tessellation.side() / (shares.empty() ? 1.0 : std::ranges::min(shares));
   double film = 0.0;
   for (int count = 0; count < most_steps; ++count) {
     const auto [present, slope] = filling(tessellation, film);
@@ -107,7 +109,8 @@ double film_thickness(const Tessellation<dim>& tessellation, double fraction) {
     film += step;
     if (!(film > low && film < high)) film = std::midpoint(low, high);
   }
-  return film;
+  throw NumericalError(fmt::format(
+      "tessellation: no thickness of the films was found that leaves the fraction {} to the grains", fraction));
 }
 
 template class Tessellation<2>;
