@@ -60,7 +60,7 @@ TEST(SideRange, FindsTheNodesOfASideAmongThoseOfTheBoundary) {
 class Grids : public testing::TestWithParam<Cells> {
  protected:
   Cells cells_ = GetParam();
-  BlockGrid grid_{cells_.columns, cells_.rows, cells_.wraps};
+  BlockGrid grid_{BlockDivision::among(1, {cells_.columns, cells_.rows}, cells_.wraps).value(), 0};
 };
 
 TEST_P(Grids, BlocksCoverEveryCellOnceInPiecesOfAboutEight) {

@@ -16,7 +16,8 @@ struct Pair {
   Block lower_shape = {0, 0, 6, 5}, upper_shape = {0, 5, 6, 4};
 
   [[nodiscard]] EdgeAverage average() const {
-    return average_at_edge({&lower, lower_shape, top}, {&upper, upper_shape, bottom}, tolerance);
+    return average_at_edge(stiffness_at_edge({&lower, lower_shape, top}),
+                           stiffness_at_edge({&upper, upper_shape, bottom}), tolerance);
   }
   [[nodiscard]] SideRange lower_edge() const { return side_range(lower_shape, top); }
   [[nodiscard]] SideRange upper_edge() const { return side_range(upper_shape, bottom); }
@@ -109,7 +110,9 @@ CellShape<2>::Stiffness uniform_cell(double bulk, double shear) {
 TEST(EdgeAverage, OfMirroredBlocksIsTheMean) {
   const Block shape = {0, 0, 6, 6};
   const auto stiffness = condensed(shape, std::vector(36, uniform_cell(2.0, 1.0)));
-  const auto weight = average_at_edge({&stiffness, shape, top}, {&stiffness, shape, bottom}, tolerance).lower_weight;
+  const auto weight = average_at_edge(stiffness_at_edge({&stiffness, shape, top}),
+                                      stiffness_at_edge({&stiffness, shape, bottom}), tolerance)
+                          .lower_weight;
   // The upper block is the mirror image of the lower one, which changes the sign of y displacements. So does its
   // weight.
   Eigen::VectorXd mirror(10);
@@ -155,7 +158,8 @@ TEST(EdgeAverage, ConstrainsTheFlowThroughTheEdgeOfNearlyIncompressibleBlocks) {
 TEST(EdgeAverage, OfBlocksOfOneCellIsEmpty) {
   const Block cell = {0, 0, 1, 1};
   const auto stiffness = condensed(cell, test::random_cells(1, 1.0, 1));
-  const auto average = average_at_edge({&stiffness, cell, right}, {&stiffness, cell, left}, tolerance);
+  const auto average = average_at_edge(stiffness_at_edge({&stiffness, cell, right}),
+                                       stiffness_at_edge({&stiffness, cell, left}), tolerance);
   EXPECT_EQ(average.lower_weight.size(), 0);
   EXPECT_EQ(average.constraints.size(), 0);
 }

@@ -76,6 +76,8 @@ class ElasticOperator {
     return mixed ? &*mixed : nullptr;
   }
 
+  /// The nodes of this process.
+  [[nodiscard]] const typename NodeLayout<dim>::Range& own_nodes() const noexcept { return nodes_.own_nodes(); }
   /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
   [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
     return kind_of_[grid().cell_index(cell)];

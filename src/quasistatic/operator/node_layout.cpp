@@ -4,6 +4,7 @@
 
 #include <petscdmda.h>
 
+#include "operator/block_division.hpp"
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -25,6 +26,17 @@ Index<dim> sum(Index<dim> index, const Index<dim>& other) noexcept {
   return index;
 }
 
+/// Gives every process the nodes of whole blocks, if there are enough of them.
+void give_whole_blocks(DM nodes, const Grid<2>& grid, bool wraps) {
+  constexpr const char* what = "distributing the nodes over the processes";
+  const auto division = BlockDivision::among(parallel::ranks(), grid.cells, wraps);
+  if (!division) return;
+  const auto [across, up] = division->processes();
+  const std::vector<PetscInt> columns = division->nodes_along(0), rows = division->nodes_along(1);
+  check(DMDASetNumProcs(nodes, across, up, PETSC_DECIDE), what);
+  check(DMDASetOwnershipRanges(nodes, columns.data(), rows.data(), nullptr), what);
+}
+
 }  // namespace
 
 template <int dim>
@@ -41,6 +53,7 @@ NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(gr
   check(DMDASetDof(nodes_.get(), dim), what);
   check(DMDASetStencilType(nodes_.get(), DMDA_STENCIL_BOX), what);
   check(DMDASetStencilWidth(nodes_.get(), 1), what);
+  if constexpr (dim == 2) give_whole_blocks(nodes_.get(), grid_, boundary_ == Boundary::periodic);
   check(DMSetUp(nodes_.get()), what);
 
   const auto range = [&](auto&& corners) {

@@ -38,6 +38,8 @@ class NodeLayout {
   };
   /// The cells of this process: those whose lowest node belongs to it.
   [[nodiscard]] const Range& cells() const noexcept { return cells_; }
+  /// The nodes of this process, in the order of the values of nodal vectors.
+  [[nodiscard]] const Range& own_nodes() const noexcept { return owned_; }
   /// The nodes of this process and their neighbours, in the order of the values of local vectors.
   [[nodiscard]] const Range& seen_nodes() const noexcept { return seen_; }
 

@@ -1,6 +1,10 @@
 #include "solvers/bddc_preconditioner.hpp"
 
 #include <algorithm>
+#include <span>
+#include <utility>
+
+#include "solvers/shared_edge_averages.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -51,9 +55,10 @@ BddcPreconditioner::BddcPreconditioner(const Substructures& blocks,
   average_edges(condensed);
   std::vector<Eigen::MatrixXd> coarse_stiffness;
   make_block_solvers(condensed, coarse_stiffness);
-  number_coarse_unknowns();
+  const auto numbers = number_coarse_unknowns();
+  share_coarse_unknowns(numbers);
   averages_.clear();
-  factorise_coarse_problem(coarse_stiffness, stiffness_of_held);
+  factorise_coarse_problem(coarse_stiffness, stiffness_of_held, numbers.owned);
 }
 
 void BddcPreconditioner::average_edges(const std::vector<PackedSymmetric<double>>& condensed) {
@@ -62,11 +67,15 @@ void BddcPreconditioner::average_edges(const std::vector<PackedSymmetric<double>
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     const auto& [lower, upper, is_horizontal] = kinds[k];
+    constexpr int elsewhere = Substructures::EdgeKind::elsewhere;
+    if (lower == elsewhere || upper == elsewhere) continue;
     const auto below = condensed[static_cast<std::size_t>(lower)].full();
     const auto above = condensed[static_cast<std::size_t>(upper)].full();
-    averages_[k] = average_at_edge({&below, blocks_->shape_of(lower), is_horizontal ? top : right},
-                                   {&above, blocks_->shape_of(upper), is_horizontal ? bottom : left}, tolerance);
+    averages_[k] = average_at_edge(stiffness_at_edge({&below, blocks_->shape_of(lower), is_horizontal ? top : right}),
+                                   stiffness_at_edge({&above, blocks_->shape_of(upper), is_horizontal ? bottom : left}),
+                                   tolerance);
   }
+  average_shared_edges(*blocks_, condensed, tolerance, averages_);
 }
 
 /// Also returns the coarse stiffness of each kind of block with neighbours.
@@ -127,41 +136,82 @@ BddcPreconditioner::BlockSolvers BddcPreconditioner::block_solvers_of(const Subs
   return {PackedSymmetric<float>(weighted), weighted_coarse.cast<float>()};
 }
 
-/// Numbers the unknowns of the vertices first, then the constraints of the edges.
-void BddcPreconditioner::number_coarse_unknowns() {
+int BddcPreconditioner::constraints_of(int edge) const {
+  const int kind = blocks_->edge_kind_of(edge);
+  return kind == BlockEdge::none ? 0 : static_cast<int>(averages_[static_cast<std::size_t>(kind)].constraints.cols());
+}
+
+/// Numbers the unknowns of the vertices first, then the constraints of the edges; those of other processes behind those
+/// of this one.
+BddcPreconditioner::CoarseNumbers BddcPreconditioner::number_coarse_unknowns() {
   const auto& grid = blocks_->grid();
-  std::vector<int> first = {2 * grid.vertices()};
-  for (std::size_t e = 0; e < grid.edges().size(); ++e) {
-    const int kind = blocks_->edge_kind_of(static_cast<int>(e));
-    const auto count = kind == BlockEdge::none ? 0 : averages_[static_cast<std::size_t>(kind)].constraints.cols();
-    first.push_back(first.back() + static_cast<int>(count));
-  }
-  coarse_right_.resize(static_cast<std::size_t>(first.back()));
+  const int edges = static_cast<int>(grid.edges().size());
+  std::vector<int> first(grid.edges().size());
+  int next = 2 * grid.owned_vertices();
+  const auto number_edges = [&](bool owned) {
+    for (int e = 0; e < edges; ++e) {
+      if (grid.is_owned(e) != owned) continue;
+      first[static_cast<std::size_t>(e)] = next;
+      next += constraints_of(e);
+    }
+  };
+  number_edges(true);
+  const int owned = next;
+  next += 2 * (grid.vertices() - grid.owned_vertices());
+  number_edges(false);
+  coarse_right_.resize(static_cast<std::size_t>(next));
   coarse_solution_.resize(coarse_right_.size());
   for (int b = 0; b < grid.blocks(); ++b) {
     auto& unknowns = coarse_of_.emplace_back();
     for (const int vertex : grid.vertices_of(b)) {
-      unknowns.push_back(2 * vertex);
-      unknowns.push_back(2 * vertex + 1);
+      const bool is_owned = vertex < grid.owned_vertices();
+      const int unknown = is_owned ? 2 * vertex : owned + 2 * (vertex - grid.owned_vertices());
+      unknowns.push_back(unknown);
+      unknowns.push_back(unknown + 1);
     }
     for (const int edge : grid.edges_of(b)) {
-      const auto e = static_cast<std::size_t>(edge);
-      for (int u = first[e]; u < first[e + 1]; ++u) unknowns.push_back(u);
+      for (int i = 0; i < constraints_of(edge); ++i) unknowns.push_back(first[static_cast<std::size_t>(edge)] + i);
     }
   }
+  return {std::move(first), owned};
+}
+
+/// Finds out where the coarse unknowns of other processes are in the lists of those.
+void BddcPreconditioner::share_coarse_unknowns(const CoarseNumbers& numbers) {
+  const auto& grid = blocks_->grid();
+  const auto& between = blocks_->edges_between_processes();
+  std::vector<int> first_at_owner;
+  for (const int edge : between) first_at_owner.push_back(numbers.first_of_edge[static_cast<std::size_t>(edge)]);
+  blocks_->shared_edges().copy_from_owners(std::span(first_at_owner));
+  std::vector<SharedValues::Copy> copies;
+  for (const auto& vertex : blocks_->shared_boundaries().vertices) {
+    for (int i = 0; i < 2; ++i) {
+      const int place = numbers.owned + 2 * (vertex.number - grid.owned_vertices()) + i;
+      copies.push_back({place, vertex.owner, 2 * vertex.number_at_owner + i});
+    }
+  }
+  for (const auto& edge : blocks_->shared_boundaries().edges) {
+    const auto place = std::ranges::find(between, edge.number) - between.begin();
+    for (int i = 0; i < constraints_of(edge.number); ++i) {
+      copies.push_back({numbers.first_of_edge[static_cast<std::size_t>(edge.number)] + i, edge.owner,
+                        first_at_owner[static_cast<std::size_t>(place)] + i});
+    }
+  }
+  shared_coarse_ = {static_cast<int>(coarse_right_.size()), copies};
 }
 
 void BddcPreconditioner::factorise_coarse_problem(const std::vector<Eigen::MatrixXd>& coarse_stiffness,
-                                                  double stiffness_of_held) {
+                                                  double stiffness_of_held, int owned) {
   std::vector<CoarseSolver::Part> parts;
   for (int b = 0; b < blocks_->grid().blocks(); ++b) {
     auto unknowns = coarse_of_[static_cast<std::size_t>(b)];
+    const int* of_vertices = blocks_->unknowns_of(b) + blocks_->unknowns_on_boundary(b) - vertex_unknowns;
     for (std::size_t i = 0; i < vertex_unknowns; ++i) {
-      if (blocks_->is_held(unknowns[i])) unknowns[i] = -1;
+      if (of_vertices[i] < 0) unknowns[i] = -1;
     }
     parts.push_back({std::move(unknowns), &coarse_stiffness[static_cast<std::size_t>(blocks_->neighbourhood_of(b))]});
   }
-  coarse_solver_.emplace(coarse_unknowns(), parts, stiffness_of_held);
+  coarse_solver_.emplace(owned, static_cast<int>(coarse_right_.size()), shared_coarse_, parts, stiffness_of_held);
 }
 
 /// Calls work(unknowns of the boundary, solvers, coarse unknowns) for every block, one colour after the other.
@@ -177,7 +227,8 @@ void BddcPreconditioner::for_each_block(const Work& work) const {
 }
 
 void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<double>& result) {
-  const auto vertices = 2 * static_cast<std::size_t>(blocks_->grid().vertices());
+  // The vertices are the first unknowns of both problems.
+  const auto vertices = 2 * static_cast<std::size_t>(blocks_->grid().owned_vertices());
   std::fill(coarse_right_.begin(), coarse_right_.end(), 0.0);
   std::copy_n(residual.begin(), vertices, coarse_right_.begin());
   for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
@@ -186,7 +237,9 @@ void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<
       coarse_right_[static_cast<std::size_t>(coarse[i])] += static_cast<double>(forces[static_cast<Eigen::Index>(i)]);
     }
   });
+  shared_coarse_.add_to_owners(coarse_right_);
   coarse_solver_->solve(coarse_right_, coarse_solution_);
+  shared_coarse_.copy_from_owners(coarse_solution_);
   std::fill(result.begin(), result.end(), 0.0);
   std::copy_n(coarse_solution_.begin(), vertices, result.begin());
   for_each_block([&](const int* unknowns, const BlockSolvers& solvers, const std::vector<int>& coarse) {
@@ -197,6 +250,7 @@ void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<
       if (unknowns[i] >= 0) result[static_cast<std::size_t>(unknowns[i])] += static_cast<double>(displacements[i]);
     }
   });
+  blocks_->shared_unknowns().sum(result);
 }
 
 }  // namespace breccia::quasistatic

@@ -12,7 +12,7 @@ namespace breccia::quasistatic {
 
 /// Balancing domain decomposition by constraints (BDDC) with an adaptive coarse space: an approximate inverse of the
 /// condensed stiffness between the blocks, whose quality does not depend on the contrast of the cells (theory, Eqs. 37
-/// to 39).
+/// to 39). Every process has the blocks of its part of the box, and exchanges values with its neighbours.
 class BddcPreconditioner {
  public:
   /// Takes the condensed stiffnesses [Pa] by kind of block. `stiffness_of_held` [Pa] is the diagonal entry of held
@@ -20,11 +20,9 @@ class BddcPreconditioner {
   BddcPreconditioner(const Substructures& blocks, const std::vector<PackedSymmetric<double>>& condensed,
                      double stiffness_of_held, int threads);
 
-  /// z = M^-1 r, for a residual r of all unknowns between the blocks; zero on held ones.
+  /// z = M^-1 r, for a residual r of all unknowns between the blocks; zero on held ones. Processes that share an
+  /// unknown have the same value of it, in both vectors.
   void apply(const std::vector<double>& residual, std::vector<double>& result);
-
-  /// Unknowns of the coarse problem: the vertices and the constraints of the edges.
-  [[nodiscard]] int coarse_unknowns() const noexcept { return static_cast<int>(coarse_right_.size()); }
 
  private:
   /// The two parts of M^-1 on one kind of block with neighbours, weighted by the averages at its edges. Single
@@ -46,8 +44,17 @@ class BddcPreconditioner {
   [[nodiscard]] BlockSolvers block_solvers_of(const Substructures::BlockWithNeighbours& block,
                                               const Eigen::MatrixXd& condensed,
                                               Eigen::MatrixXd& coarse_stiffness) const;
-  void number_coarse_unknowns();
-  void factorise_coarse_problem(const std::vector<Eigen::MatrixXd>& coarse_stiffness, double stiffness_of_held);
+  /// The first constraint of each edge in the numbering of the coarse problem on this process, and the number of those
+  /// that belong to it.
+  struct CoarseNumbers {
+    std::vector<int> first_of_edge;
+    int owned;
+  };
+  [[nodiscard]] CoarseNumbers number_coarse_unknowns();
+  void share_coarse_unknowns(const CoarseNumbers& numbers);
+  [[nodiscard]] int constraints_of(int edge) const;
+  void factorise_coarse_problem(const std::vector<Eigen::MatrixXd>& coarse_stiffness, double stiffness_of_held,
+                                int owned);
   template <class Work>
   void for_each_block(const Work& work) const;
 
@@ -56,6 +63,7 @@ class BddcPreconditioner {
   std::vector<EdgeAverage> averages_;        ///< by kind of edge
   std::vector<BlockSolvers> block_solvers_;  ///< by kind of block with neighbours
   std::vector<std::vector<int>> coarse_of_;  ///< unknowns of the coarse problem by block: vertices, then constraints
+  SharedValues shared_coarse_;
   std::optional<CoarseSolver> coarse_solver_;
   std::vector<double> coarse_right_, coarse_solution_;
 };

@@ -1,24 +1,8 @@
 #include "solvers/block_grid.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace breccia::quasistatic {
-namespace {
-
-/// Where to cut a row of cells into about equal pieces of some eight cells, both its ends included.
-std::vector<int> cut(int cells, bool wraps) {
-  constexpr int wanted = 8;
-  int pieces = std::max(1, (cells + wanted / 2) / wanted);
-  if (wraps) pieces = std::max(2, pieces / 2 * 2);
-  std::vector<int> ends;
-  for (int i = 0; i <= pieces; ++i) {
-    ends.push_back(static_cast<int>(static_cast<long>(cells) * i / pieces));
-  }
-  return ends;
-}
-
-}  // namespace
-
 std::vector<LocalNode> boundary_nodes(const Block& block) {
   std::vector<LocalNode> nodes;
   for (const int y : {0, block.rows}) {
@@ -53,14 +37,18 @@ std::array<int, 2> ends_of(Side side) {
   return ends.at(side);
 }
 
-BlockGrid::BlockGrid(int columns, int rows, bool wraps) : columns_(cut(columns, wraps)), rows_(cut(rows, wraps)) {
-  const int more = wraps ? 0 : 1;
-  vertex_columns_ = across() + more;
-  vertex_rows_ = up() + more;
-  const int horizontal = across() * vertex_rows_;
-  const int edges = horizontal + vertex_columns_ * up();
-  edges_.resize(static_cast<std::size_t>(edges));
-  std::vector<int> sizes(edges_.size(), 0);
+BlockGrid::BlockGrid(const BlockDivision& division, int rank)
+    : BlockGrid(division.blocks_along(0, division.place_of(rank)[0]),
+                division.blocks_along(1, division.place_of(rank)[1])) {}
+
+BlockGrid::BlockGrid(BlockRow columns, BlockRow rows) : columns_(std::move(columns)), rows_(std::move(rows)) {
+  vertex_columns_ = across() + (columns_.wraps ? 0 : 1);
+  vertex_rows_ = up() + (rows_.wraps ? 0 : 1);
+  owned_columns_ = vertex_columns_ - (columns_.ends_at_neighbour ? 1 : 0);
+  owned_rows_ = vertex_rows_ - (rows_.ends_at_neighbour ? 1 : 0);
+  const auto edges = static_cast<std::size_t>(across() * vertex_rows_ + vertex_columns_ * up());
+  edges_.resize(edges);
+  sizes_.assign(edges, 0);
   for (int b = 0; b < blocks(); ++b) {
     const auto [bottom_edge, top_edge, left_edge, right_edge] = edges_of(b);
     edges_[static_cast<std::size_t>(bottom_edge)].upper = b;
@@ -68,42 +56,65 @@ BlockGrid::BlockGrid(int columns, int rows, bool wraps) : columns_(cut(columns, 
     for (const int edge : {left_edge, right_edge}) edges_[static_cast<std::size_t>(edge)].is_horizontal = false;
     edges_[static_cast<std::size_t>(left_edge)].upper = b;
     edges_[static_cast<std::size_t>(right_edge)].lower = b;
-    for (const int edge : {bottom_edge, top_edge}) sizes[static_cast<std::size_t>(edge)] = 2 * (block(b).columns - 1);
-    for (const int edge : {left_edge, right_edge}) sizes[static_cast<std::size_t>(edge)] = 2 * (block(b).rows - 1);
+    for (const int edge : {bottom_edge, top_edge}) sizes_[static_cast<std::size_t>(edge)] = 2 * (block(b).columns - 1);
+    for (const int edge : {left_edge, right_edge}) sizes_[static_cast<std::size_t>(edge)] = 2 * (block(b).rows - 1);
     colours_[static_cast<std::size_t>(b % across() % 2 + 2 * (b / across() % 2))].push_back(b);
   }
-  first_unknown_ = {2 * vertices()};
-  for (const int size : sizes) first_unknown_.push_back(first_unknown_.back() + size);
+  first_unknown_.resize(edges);
+  int next = 2 * owned_vertices();
+  const auto number_edges = [&](bool owned) {
+    for (std::size_t e = 0; e < edges; ++e) {
+      if (is_owned(static_cast<int>(e)) != owned) continue;
+      first_unknown_[e] = next;
+      next += sizes_[e];
+    }
+  };
+  number_edges(true);
+  owned_unknowns_ = next;
+  next += 2 * (vertices() - owned_vertices());
+  number_edges(false);
+  unknowns_ = next;
 }
 
 Block BlockGrid::block(int number) const noexcept {
   const auto i = static_cast<std::size_t>(number % across()), j = static_cast<std::size_t>(number / across());
-  return {columns_[i], rows_[j], columns_[i + 1] - columns_[i], rows_[j + 1] - rows_[j]};
+  const auto &x = columns_.cuts, &y = rows_.cuts;
+  return {x[i], y[j], x[i + 1] - x[i], y[j + 1] - y[j]};
+}
+
+bool BlockGrid::is_owned(int edge) const noexcept {
+  const int horizontal = across() * vertex_rows_;
+  if (edge < horizontal) return edge / across() < owned_rows_;
+  return (edge - horizontal) % vertex_columns_ < owned_columns_;
+}
+
+int BlockGrid::vertex(int column, int row) const noexcept {
+  if (column < owned_columns_ && row < owned_rows_) return row * owned_columns_ + column;
+  // Those of the next processes: of the column at the end, then of the row at the end.
+  if (column == owned_columns_) return owned_vertices() + row;
+  return vertices() - owned_columns_ + column;
 }
 
 std::array<int, 4> BlockGrid::edges_of(int block) const noexcept {
   const int i = block % across(), j = block / across();
-  const int horizontal = across() * vertex_rows_;
-  return {j * across() + i, (j + 1) % vertex_rows_ * across() + i, horizontal + j * vertex_columns_ + i,
-          horizontal + j * vertex_columns_ + (i + 1) % vertex_columns_};
+  return {horizontal_edge(i, j), horizontal_edge(i, (j + 1) % vertex_rows_), vertical_edge(i, j),
+          vertical_edge((i + 1) % vertex_columns_, j)};
 }
 
 std::array<int, 4> BlockGrid::vertices_of(int block) const noexcept {
   const int i = block % across(), j = block / across();
   const int next_i = (i + 1) % vertex_columns_, next_j = (j + 1) % vertex_rows_;
-  return {j * vertex_columns_ + i, j * vertex_columns_ + next_i, next_j * vertex_columns_ + i,
-          next_j * vertex_columns_ + next_i};
+  return {vertex(i, j), vertex(next_i, j), vertex(i, next_j), vertex(next_i, next_j)};
 }
 
 std::vector<int> BlockGrid::unknowns_of(int block) const {
   std::vector<int> unknowns;
   for (const int edge : edges_of(block)) {
-    const auto e = static_cast<std::size_t>(edge);
-    for (int u = first_unknown_[e]; u < first_unknown_[e + 1]; ++u) unknowns.push_back(u);
+    for (int i = 0; i < unknowns_of_edge(edge); ++i) unknowns.push_back(first_unknown_of_edge(edge) + i);
   }
   for (const int vertex : vertices_of(block)) {
-    unknowns.push_back(2 * vertex);
-    unknowns.push_back(2 * vertex + 1);
+    unknowns.push_back(first_unknown_of_vertex(vertex));
+    unknowns.push_back(first_unknown_of_vertex(vertex) + 1);
   }
   return unknowns;
 }

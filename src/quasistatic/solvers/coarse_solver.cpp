@@ -1,5 +1,8 @@
 #include "solvers/coarse_solver.hpp"
 
+#include <numeric>
+#include <span>
+
 #include "solvers/breakdown.hpp"
 
 namespace breccia::quasistatic {
@@ -9,41 +12,59 @@ constexpr const char* cannot_be_factorised =
     "quasi-static solver: the stiffness matrix of the coarse problem cannot be factorised: memory may have run out "
     "(fewer cells take less), or a modulus is zero";
 
+/// The numbers of the unknowns of this process among those of all.
+std::vector<int> numbers_in_all(int owned, int unknowns, const SharedValues& shared) {
+  int before = 0;
+  MPI_Exscan(&owned, &before, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
+  if (parallel::rank() == 0) before = 0;  // MPI leaves it undefined there
+  std::vector<int> numbers(static_cast<std::size_t>(unknowns));
+  std::iota(numbers.begin(), numbers.begin() + owned, before);
+  shared.copy_from_owners(std::span(numbers));
+  return numbers;
+}
+
 }  // namespace
 
-CoarseSolver::CoarseSolver(int unknowns, const std::vector<Part>& parts, double stiffness_of_held) {
+CoarseSolver::CoarseSolver(int owned, int unknowns, const SharedValues& shared, const std::vector<Part>& parts,
+                           double stiffness_of_held)
+    : owned_(owned) {
   constexpr const char* what = "factorising the coarse stiffness matrix";
+  check(MatCreate(PETSC_COMM_WORLD, matrix_.put()), what);
+  check(MatSetSizes(matrix_.get(), owned, owned, PETSC_DETERMINE, PETSC_DETERMINE), what);
+  check(MatSetType(matrix_.get(), MATAIJ), what);
+  const auto numbers = numbers_in_all(owned, unknowns, shared);
   std::vector<int> rows, columns;
   std::vector<double> values;
-  std::vector<bool> is_stiff(static_cast<std::size_t>(unknowns), false);
   const auto add = [&](int row, int column, double value) {
     rows.push_back(row);
     columns.push_back(column);
     values.push_back(value);
   };
+  std::vector<double> is_stiff(static_cast<std::size_t>(unknowns), 0.0);
   for (const auto& [indices, matrix] : parts) {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (indices[i] < 0) continue;
-      is_stiff[static_cast<std::size_t>(indices[i])] = true;
+      const auto row = static_cast<std::size_t>(indices[i]);
+      is_stiff[row] = 1.0;
       for (std::size_t j = 0; j < indices.size(); ++j) {
+        if (indices[j] < 0) continue;
+        const int column = numbers[static_cast<std::size_t>(indices[j])];
         // One triangle is enough for Cholesky.
-        if (indices[j] < indices[i]) continue;
-        add(indices[i], indices[j], (*matrix)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        if (column < numbers[row]) continue;
+        add(numbers[row], column, (*matrix)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
       }
     }
   }
-  for (int u = 0; u < unknowns; ++u) {
-    if (!is_stiff[static_cast<std::size_t>(u)]) add(u, u, stiffness_of_held);
+  shared.add_to_owners(is_stiff);
+  for (std::size_t u = 0; u < static_cast<std::size_t>(owned); ++u) {
+    if (is_stiff[u] == 0.0) add(numbers[u], numbers[u], stiffness_of_held);
   }
-  check(MatCreate(PETSC_COMM_SELF, matrix_.put()), what);
-  check(MatSetSizes(matrix_.get(), unknowns, unknowns, unknowns, unknowns), what);
-  check(MatSetType(matrix_.get(), MATSEQAIJ), what);
   check(MatSetPreallocationCOO(matrix_.get(), static_cast<PetscCount>(values.size()), rows.data(), columns.data()),
         what);
   check(MatSetValuesCOO(matrix_.get(), values.data(), INSERT_VALUES), what);
   check(MatSetOption(matrix_.get(), MAT_SPD, PETSC_TRUE), what);
 
-  check(KSPCreate(PETSC_COMM_SELF, solver_.put()), what);
+  check(KSPCreate(PETSC_COMM_WORLD, solver_.put()), what);
   check(KSPSetType(solver_.get(), KSPPREONLY), what);
   check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), what);
   PC factors = nullptr;
@@ -56,10 +77,9 @@ CoarseSolver::CoarseSolver(int unknowns, const std::vector<Part>& parts, double 
 
 void CoarseSolver::solve(const std::vector<double>& right, std::vector<double>& solution) const {
   constexpr const char* what = "solving with the coarse stiffness matrix";
-  const auto size = static_cast<PetscInt>(right.size());
   NodalVector from, to;
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, right.data(), from.put()), what);
-  check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, solution.data(), to.put()), what);
+  check(VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, owned_, PETSC_DETERMINE, right.data(), from.put()), what);
+  check(VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, owned_, PETSC_DETERMINE, solution.data(), to.put()), what);
   check(KSPSolve(solver_.get(), from.get(), to.get()), what);
   require_no_breakdown(solver_.get(), cannot_be_factorised);
 }

@@ -33,10 +33,17 @@ Eigen::MatrixXd free_around(const BlockAtEdge& block) {
 
 }  // namespace
 
-EdgeAverage average_at_edge(const BlockAtEdge& lower, const BlockAtEdge& upper, double tolerance) {
-  const Eigen::MatrixXd s1 = held_around(lower), s2 = held_around(upper);
+EdgeStiffness stiffness_at_edge(const BlockAtEdge& block) {
+  const bool has_only_vertices = side_range(block.shape, block.side).size == 0;  // one cell wide
+  if (has_only_vertices) return {};
+  return {held_around(block), free_around(block)};
+}
+
+EdgeAverage average_at_edge(const EdgeStiffness& lower, const EdgeStiffness& upper, double tolerance) {
+  const auto& [s1, free1] = lower;
+  const auto& [s2, free2] = upper;
   const Eigen::Index size = s1.rows();
-  if (size == 0) return {};  // one cell wide: there are only vertices
+  if (size == 0) return {};
   const Eigen::LLT<Eigen::MatrixXd> sum(s1 + s2);
   const Eigen::MatrixXd weight = sum.solve(s1);
   // Energy of a jump after averaging: the parallel sum s1 : s2 = s1 (s1 + s2)^-1 s2.
@@ -46,7 +53,6 @@ EdgeAverage average_at_edge(const BlockAtEdge& lower, const BlockAtEdge& upper, 
   // Least energy of two blocks with that jump, and with no jump at the ends of the edge. The two blocks together may
   // float: a rigid motion of both takes no force, and a little additional stiffness does no harm.
   constexpr double little = 1e-12;
-  const Eigen::MatrixXd free1 = free_around(lower), free2 = free_around(upper);
   Eigen::MatrixXd both = free1 + free2;
   both.diagonal().array() += little * both.trace();
   Eigen::MatrixXd least = free1.topRows(size) * both.llt().solve(free2.leftCols(size));

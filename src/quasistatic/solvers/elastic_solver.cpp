@@ -8,6 +8,7 @@
 
 #include "breccia/error.hpp"
 
+#include "operator/block_division.hpp"
 #include "solvers/assembled_solver.hpp"
 #include "solvers/lattice_solver.hpp"
 #include "solvers/substructuring_solver.hpp"
@@ -69,12 +70,18 @@ namespace {
 
 std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>& elastic_operator,
                                                         const LinearOptions& options) {
-  return std::make_unique<SubstructuringSolver>(elastic_operator, options);
+  const bool is_periodic = elastic_operator.boundary() == Boundary::periodic;
+  // Every process needs a block at least.
+  if (BlockDivision::among(parallel::ranks(), elastic_operator.grid().cells, is_periodic)) {
+    return std::make_unique<SubstructuringSolver>(elastic_operator, options);
+  }
+  return std::make_unique<AssembledSolver<2>>(elastic_operator, options, Preconditioner::multigrid);
 }
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
-  return std::make_unique<LatticeSolver>(elastic_operator, options);
+  if (parallel::ranks() == 1) return std::make_unique<LatticeSolver>(elastic_operator, options);
+  return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::multigrid);
 }
 
 }  // namespace
@@ -88,8 +95,6 @@ std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<di
   if (options.is_direct(elastic_operator.unknowns(), parallel::ranks(), dim) || is_one_cell) {
     return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::factors);
   }
-  if (parallel::ranks() > 1)
-    return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::multigrid);
   return make_iterative_solver(elastic_operator, options);
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "breccia/parallel/session.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -17,10 +19,17 @@ void append(std::string& signature, Number number) {
 }  // namespace
 
 Substructures::Substructures(const ElasticOperator<2>& elastic_operator)
+    : Substructures(elastic_operator, BlockDivision::among(parallel::ranks(), elastic_operator.grid().cells,
+                                                           elastic_operator.boundary() == Boundary::periodic)
+                                          .value()) {}
+
+Substructures::Substructures(const ElasticOperator<2>& elastic_operator, const BlockDivision& division)
     : elastic_operator_(&elastic_operator),
-      grid_(elastic_operator.grid().columns(), elastic_operator.grid().rows(),
-            elastic_operator.boundary() == Boundary::periodic) {
-  vertex_is_held_.assign(2 * static_cast<std::size_t>(grid_.vertices()), false);
+      grid_(division, parallel::rank()),
+      edges_between_processes_(quasistatic::edges_between_processes(grid_)),
+      shared_boundaries_(quasistatic::shared_boundaries(division, parallel::rank())),
+      shared_unknowns_(quasistatic::shared_unknowns(grid_, shared_boundaries_)),
+      shared_edges_(quasistatic::shared_edges(division, parallel::rank(), shared_boundaries_)) {
   first_unknown_ = {0};
   sort_blocks();
   sort_edges();
@@ -60,9 +69,7 @@ void Substructures::append_unknowns(int number, std::string& signature) {
     const bool held =
         elastic_operator_->is_held({block.first_column + x, block.first_row + y}, static_cast<int>(i % 2));
     signature.push_back(held ? '1' : '0');
-    if (!held) continue;
-    if (unknowns[i] < 2 * grid_.vertices()) vertex_is_held_[static_cast<std::size_t>(unknowns[i])] = true;
-    unknowns[i] = -1;
+    if (held) unknowns[i] = -1;
   }
   unknowns_.insert(unknowns_.end(), unknowns.begin(), unknowns.end());
   first_unknown_.push_back(unknowns_.size());
@@ -70,16 +77,24 @@ void Substructures::append_unknowns(int number, std::string& signature) {
 
 void Substructures::sort_edges() {
   std::map<std::array<int, 3>, int> known;
-  for (const auto& [lower, upper, is_horizontal] : grid_.edges()) {
-    if (lower == BlockEdge::none || upper == BlockEdge::none) {
+  std::vector<bool> is_between(grid_.edges().size(), false);
+  for (const int edge : edges_between_processes_) is_between[static_cast<std::size_t>(edge)] = true;
+  const auto kind_beside = [&](int block) { return block == BlockEdge::none ? EdgeKind::elsewhere : kind_of(block); };
+  for (std::size_t e = 0; e < grid_.edges().size(); ++e) {
+    const auto& [lower, upper, is_horizontal] = grid_.edges()[e];
+    const EdgeKind kind = {kind_beside(lower), kind_beside(upper), is_horizontal};
+    const bool is_one_sided = lower == BlockEdge::none || upper == BlockEdge::none;
+    if (is_between[e]) {
+      edge_kind_of_.push_back(static_cast<int>(edge_kinds_.size()));
+      edge_kinds_.push_back(kind);
+    } else if (is_one_sided) {
       edge_kind_of_.push_back(BlockEdge::none);
-      continue;
+    } else {
+      const auto [found, is_new] = known.emplace(std::array{kind.lower, kind.upper, is_horizontal ? 1 : 0},
+                                                 static_cast<int>(edge_kinds_.size()));
+      if (is_new) edge_kinds_.push_back(kind);
+      edge_kind_of_.push_back(found->second);
     }
-    const EdgeKind kind = {kind_of(lower), kind_of(upper), is_horizontal};
-    const auto [found, is_new] =
-        known.emplace(std::array{kind.lower, kind.upper, is_horizontal ? 1 : 0}, static_cast<int>(known.size()));
-    if (is_new) edge_kinds_.push_back(kind);
-    edge_kind_of_.push_back(found->second);
   }
 }
 

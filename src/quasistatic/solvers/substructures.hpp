@@ -7,19 +7,23 @@
 #include "operator/elastic_operator.hpp"
 #include "solvers/block_grid.hpp"
 #include "solvers/block_stiffness.hpp"
+#include "solvers/shared_blocks.hpp"
 
 namespace breccia::quasistatic {
 
 /// The blocks of cells that substructuring cuts a box into, sorted into kinds. Blocks are of one kind when they have
 /// the same cells in the same places; edges, when the blocks on both sides are of the same kinds; blocks with
-/// neighbours, when block and edges are. What belongs to a kind is computed once. One process holds all blocks.
+/// neighbours, when block and edges are. What belongs to a kind is computed once. A process holds its own blocks alone;
+/// an edge between blocks of two processes is of a kind of its own.
 class Substructures {
  public:
+  /// The blocks of this process. There must be enough of them for all processes (BlockDivision).
   explicit Substructures(const ElasticOperator<2>& elastic_operator);
 
   /// A kind of edge: the kinds of the two blocks that it joins.
   struct EdgeKind {
-    int lower, upper;  ///< kinds of the blocks below and above, or left and right
+    static constexpr int elsewhere = -1;
+    int lower, upper;  ///< kinds of the blocks below and above, or left and right; `elsewhere` on another process
     bool is_horizontal;
   };
   /// A kind of block together with the kinds of its edges.
@@ -29,6 +33,13 @@ class Substructures {
   };
 
   [[nodiscard]] const BlockGrid& grid() const noexcept { return grid_; }
+  /// The vertices and edges that belong to other processes.
+  [[nodiscard]] const SharedBoundaries& shared_boundaries() const noexcept { return shared_boundaries_; }
+  /// Exchange of the unknowns between blocks.
+  [[nodiscard]] const SharedValues& shared_unknowns() const noexcept { return shared_unknowns_; }
+  /// The edges between processes, and the exchange of values that belong to them.
+  [[nodiscard]] const std::vector<int>& edges_between_processes() const noexcept { return edges_between_processes_; }
+  [[nodiscard]] const SharedValues& shared_edges() const noexcept { return shared_edges_; }
 
   /// Numbers of all blocks, by kind.
   [[nodiscard]] const std::vector<std::vector<int>>& blocks_by_kind() const noexcept { return blocks_by_kind_; }
@@ -59,15 +70,12 @@ class Substructures {
   }
   /// Length of that list.
   [[nodiscard]] std::size_t unknowns_of_all_blocks() const noexcept { return unknowns_.size(); }
-  /// Is this unknown of a vertex held at zero?
-  [[nodiscard]] bool is_held(int vertex_unknown) const noexcept {
-    return vertex_is_held_[static_cast<std::size_t>(vertex_unknown)];
-  }
 
   /// What the stiffness of a kind of block is made of, with the stiffness matrices of the kinds of cells.
   [[nodiscard]] BlockKind block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells) const;
 
  private:
+  Substructures(const ElasticOperator<2>& elastic_operator, const BlockDivision& division);
   void sort_blocks();
   void append_unknowns(int number, std::string& signature);
   void sort_edges();
@@ -75,9 +83,11 @@ class Substructures {
 
   const ElasticOperator<2>* elastic_operator_;
   BlockGrid grid_;
+  std::vector<int> edges_between_processes_;
+  SharedBoundaries shared_boundaries_;
+  SharedValues shared_unknowns_, shared_edges_;
   std::vector<std::size_t> first_unknown_;
   std::vector<int> unknowns_;
-  std::vector<bool> vertex_is_held_;
   std::vector<Block> shapes_;
   std::vector<std::vector<int>> blocks_by_kind_;
   std::vector<int> kind_of_;

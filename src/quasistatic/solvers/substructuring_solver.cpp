@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
 
 #include "operator/vector_values.hpp"
 
@@ -17,11 +18,6 @@ namespace {
 int useful_threads(int threads, int blocks) {
   constexpr int blocks_per_thread = 200;
   return std::clamp(blocks / blocks_per_thread, 1, threads);
-}
-
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto size = static_cast<Eigen::Index>(a.size());
-  return Eigen::Map<const Eigen::VectorXd>(a.data(), size).dot(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
 }
 
 /// Values of the unknowns of the boundary of a block, zero where they are held.
@@ -53,13 +49,14 @@ SubstructuringSolver::SubstructuringSolver(const ElasticOperator<2>& elastic_ope
     : ElasticSolver(elastic_operator, options, false),
       blocks_(elastic_operator),
       threads_(useful_threads(options.threads > 0 ? options.threads : omp_get_max_threads(), blocks_.grid().blocks())),
-      place_of_unknown_(static_cast<std::size_t>(blocks_.grid().unknowns())) {
+      place_of_unknown_(static_cast<std::size_t>(blocks_.grid().owned_unknowns())) {
   const auto& grid = blocks_.grid();
   for (int b = 0; b < grid.blocks(); ++b) {
     const auto block = grid.block(b);
     const auto nodes = boundary_nodes(block);
     const auto unknowns = grid.unknowns_of(b);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      if (unknowns[i] >= grid.owned_unknowns()) continue;
       const auto& [x, y] = nodes[i / 2];
       place_of_unknown_[static_cast<std::size_t>(unknowns[i])] =
           place_of(block.first_column + x, block.first_row + y) + i % 2;
@@ -67,15 +64,19 @@ SubstructuringSolver::SubstructuringSolver(const ElasticOperator<2>& elastic_ope
   }
 }
 
-/// Index of the x displacement of a node among all nodal values.
+/// Index of the x displacement of a node among the nodal values of this process.
 std::size_t SubstructuringSolver::place_of(int column, int row) const noexcept {
-  const bool wraps = elastic_operator().boundary() == Boundary::periodic;
-  const int width = wraps ? elastic_operator().grid().columns() : elastic_operator().grid().columns() + 1;
-  if (wraps) {
-    column %= elastic_operator().grid().columns();
-    row %= elastic_operator().grid().rows();
-  }
-  return 2 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column));
+  const auto& [begin, end] = elastic_operator().own_nodes();
+  // The last nodes of a process that wraps around are its first ones.
+  const int width = end[0] - begin[0], height = end[1] - begin[1];
+  return 2 * (static_cast<std::size_t>((row - begin[1]) % height) * static_cast<std::size_t>(width) +
+              static_cast<std::size_t>((column - begin[0]) % width));
+}
+
+double SubstructuringSolver::product(const std::vector<double>& a, const std::vector<double>& b) const {
+  const Eigen::Index own = blocks_.grid().owned_unknowns();
+  return parallel::sum(
+      Eigen::Map<const Eigen::VectorXd>(a.data(), own).dot(Eigen::Map<const Eigen::VectorXd>(b.data(), own)));
 }
 
 void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
@@ -121,8 +122,8 @@ std::vector<double> SubstructuringSolver::condense(const double* forces) const {
     const Eigen::VectorXd of_block = stiffness.carried_by_boundary(inside_of(grid.block(block), forces));
     std::copy_n(of_block.data(), of_block.size(), carried.data() + blocks_.first_unknown(block));
   });
-  std::vector<double> interface(place_of_unknown_.size());
-  for (std::size_t u = 0; u < interface.size(); ++u) interface[u] = forces[place_of_unknown_[u]];
+  std::vector<double> interface(static_cast<std::size_t>(grid.unknowns()), 0.0);
+  for (std::size_t u = 0; u < place_of_unknown_.size(); ++u) interface[u] = forces[place_of_unknown_[u]];
   for (int b = 0; b < grid.blocks(); ++b) {
     const int* unknowns = blocks_.unknowns_of(b);
     const double* of_block = carried.data() + blocks_.first_unknown(b);
@@ -130,6 +131,7 @@ std::vector<double> SubstructuringSolver::condense(const double* forces) const {
       if (unknowns[i] >= 0) interface[static_cast<std::size_t>(unknowns[i])] -= of_block[i];
     }
   }
+  blocks_.shared_unknowns().sum(interface);
   return interface;
 }
 
@@ -145,7 +147,7 @@ void SubstructuringSolver::expand(const double* forces, const std::vector<double
       Eigen::Map<Eigen::VectorXd>(row, row_size) += inside.segment((y - 1) * row_size, row_size);
     }
   });
-  for (std::size_t u = 0; u < interface.size(); ++u) displacement[place_of_unknown_[u]] += interface[u];
+  for (std::size_t u = 0; u < place_of_unknown_.size(); ++u) displacement[place_of_unknown_[u]] += interface[u];
 }
 
 void SubstructuringSolver::multiply(const std::vector<double>& x, std::vector<double>& y) const {
@@ -162,6 +164,7 @@ void SubstructuringSolver::multiply(const std::vector<double>& x, std::vector<do
       }
     }
   }
+  blocks_.shared_unknowns().sum(y);
 }
 
 double SubstructuringSolver::correct(const Displacement& residual, double largest, Displacement& displacement) {

@@ -10,9 +10,10 @@
 
 namespace breccia::quasistatic {
 
-/// Solves by substructuring on one process, without assembling K: the nodes inside blocks of cells are eliminated, and
-/// conjugate gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks
-/// (theory, section 9).
+/// Solves by substructuring, without assembling K: the nodes inside blocks of cells are eliminated, and conjugate
+/// gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks (theory,
+/// section 9). Every process has whole blocks; vectors of the interface have the unknowns that belong to the process,
+/// and then copies of those that belong to its neighbours.
 class SubstructuringSolver final : public ElasticSolver<2> {
  public:
   SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options);
@@ -26,6 +27,8 @@ class SubstructuringSolver final : public ElasticSolver<2> {
   /// Solves K w = residual by conjugate gradients until the residual is small compared with the load, and adds w to the
   /// displacement. Returns the norm of the residual that is left.
   double correct(const Displacement& residual, double largest, Displacement& displacement);
+  /// Scalar product of two vectors of the interface.
+  [[nodiscard]] double product(const std::vector<double>& a, const std::vector<double>& b) const;
   /// y = S x, with the condensed stiffness S of the interface
   void multiply(const std::vector<double>& x, std::vector<double>& y) const;
   /// Forces on the interface, the forces on the nodes inside the blocks condensed onto it.
@@ -41,7 +44,7 @@ class SubstructuringSolver final : public ElasticSolver<2> {
 
   Substructures blocks_;
   int threads_;
-  std::vector<std::size_t> place_of_unknown_;  ///< index of each unknown of the interface among the nodal values
+  std::vector<std::size_t> place_of_unknown_;  ///< index of this process' unknowns of the interface among nodal values
   double stiffest_ = 0.0;
   std::vector<CellShape<2>::Stiffness> cells_;      ///< stiffness matrices, by kind of cell
   std::vector<PackedSymmetric<double>> condensed_;  ///< condensed stiffnesses, by kind of block

@@ -1,0 +1,62 @@
+#include "operator/block_division.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace breccia::quasistatic {
+namespace {
+
+/// Where to cut a row of cells into about equal pieces of some eight cells, both its ends included.
+std::vector<int> cut(int cells, bool wraps) {
+  constexpr int wanted = 8;
+  int pieces = std::max(1, (cells + wanted / 2) / wanted);
+  if (wraps) pieces = std::max(2, pieces / 2 * 2);
+  std::vector<int> ends;
+  for (int i = 0; i <= pieces; ++i) {
+    ends.push_back(static_cast<int>(static_cast<long>(cells) * i / pieces));
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::optional<BlockDivision> BlockDivision::among(int processes, const std::array<int, 2>& cells, bool wraps) {
+  const std::array cuts = {cut(cells[0], wraps), cut(cells[1], wraps)};
+  std::optional<BlockDivision> best;
+  std::int64_t fewest = 0;
+  for (int across = 1; across <= processes; ++across) {
+    const int up = processes / across;
+    if (across * up != processes) continue;
+    if (across >= static_cast<int>(cuts[0].size()) || up >= static_cast<int>(cuts[1].size())) continue;
+    const std::int64_t between = std::int64_t{across} * cells[1] + std::int64_t{up} * cells[0];
+    if (best && between >= fewest) continue;
+    best = BlockDivision({across, up}, cuts, wraps);
+    fewest = between;
+  }
+  return best;
+}
+
+std::size_t BlockDivision::first_block(std::size_t axis, int place) const noexcept {
+  return (cuts_[axis].size() - 1) * static_cast<std::size_t>(place) / static_cast<std::size_t>(processes_[axis]);
+}
+
+BlockRow BlockDivision::blocks_along(std::size_t axis, int place) const {
+  const bool is_shared = processes_[axis] > 1;
+  const auto begin = cuts_[axis].begin();
+  return {.cuts = {begin + static_cast<std::ptrdiff_t>(first_block(axis, place)),
+                   begin + static_cast<std::ptrdiff_t>(first_block(axis, place + 1)) + 1},
+          .wraps = wraps_ && !is_shared,
+          .begins_at_neighbour = is_shared && (wraps_ || place > 0),
+          .ends_at_neighbour = is_shared && (wraps_ || place + 1 < processes_[axis])};
+}
+
+std::vector<int> BlockDivision::nodes_along(std::size_t axis) const {
+  std::vector<int> nodes;
+  for (int place = 0; place < processes_[axis]; ++place) {
+    nodes.push_back(cuts_[axis][first_block(axis, place + 1)] - cuts_[axis][first_block(axis, place)]);
+  }
+  if (!wraps_) ++nodes.back();
+  return nodes;
+}
+
+}  // namespace breccia::quasistatic

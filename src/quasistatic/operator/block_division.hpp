@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace breccia::quasistatic {
+
+/// The blocks of one process along one axis.
+struct BlockRow {
+  std::vector<int> cuts;             ///< the first cell of each block, and the end of the last one
+  bool wraps = false;                ///< does the last block have the first one as its neighbour?
+  bool begins_at_neighbour = false;  ///< is another process before the first block?
+  bool ends_at_neighbour = false;    ///< is another process behind the last block?
+};
+
+/// How the cells of a plane box are cut into blocks of about eight by eight, and the blocks divided among a grid of
+/// processes: every process has a rectangle of whole blocks.
+class BlockDivision {
+ public:
+  /// The division with the fewest nodes between processes, or nothing if there are fewer blocks than that takes. In a
+  /// box that wraps around, opposite sides are neighbours; the number of its blocks along each axis is even.
+  static std::optional<BlockDivision> among(int processes, const std::array<int, 2>& cells, bool wraps);
+
+  /// Number of processes along each axis. The first axis is the faster one in the ranks of processes.
+  [[nodiscard]] const std::array<int, 2>& processes() const noexcept { return processes_; }
+  /// Place of a process in the grid of processes.
+  [[nodiscard]] std::array<int, 2> place_of(int rank) const noexcept {
+    return {rank % processes_[0], rank / processes_[0]};
+  }
+  /// Rank of the process at a place, which may be one beyond the last of a box that wraps around.
+  [[nodiscard]] int rank_at(const std::array<int, 2>& place) const noexcept {
+    return place[1] % processes_[1] * processes_[0] + place[0] % processes_[0];
+  }
+  /// The blocks of the processes at a place along an axis.
+  [[nodiscard]] BlockRow blocks_along(std::size_t axis, int place) const;
+  /// Number of nodes along an axis that belong to the processes at each place: the nodes at the beginning of a block
+  /// belong to its process, and those at the end of the box to the last one.
+  [[nodiscard]] std::vector<int> nodes_along(std::size_t axis) const;
+
+ private:
+  BlockDivision(const std::array<int, 2>& processes, const std::array<std::vector<int>, 2>& cuts, bool wraps)
+      : processes_(processes), cuts_(cuts), wraps_(wraps) {}
+
+  /// Number of the first block of a place along an axis.
+  [[nodiscard]] std::size_t first_block(std::size_t axis, int place) const noexcept;
+
+  std::array<int, 2> processes_;
+  std::array<std::vector<int>, 2> cuts_;  ///< of the box along each axis
+  bool wraps_;
+};
+
+}  // namespace breccia::quasistatic
