@@ -193,13 +193,15 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
   return norm;
 }
 
-ElasticSolver<2>::End SubstructuringSolver::iterate(const Forces& forces, Displacement& displacement) {
+ElasticSolver<2>::End SubstructuringSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
   // Iterative refinement: after the first pass only rounding errors of the conjugate gradients are left.
   constexpr int most_corrections = 4;
   displacement.set_macroscopic(0.0);
+  // There are none on the strains of phases, which follow from the displacement.
+  auto forces = elastic_operator().zero();
+  forces.set_fluctuation(std::move(on_nodes));
   double norm = 0.0;
   for (int correction = 0; correction <= most_corrections; ++correction) {
-    // The forces have none on the strains of phases, which follow from the displacement.
     elastic_operator().recover_phase_strains(moduli(), forces, displacement);
     auto residual = elastic_operator().forces(moduli(), Load::shear, displacement);
     residual.scale(-1.0);
