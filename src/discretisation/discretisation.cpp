@@ -19,7 +19,7 @@ Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase) : g
   }
   CellPhases<dim> cell{};
   cell.fill(phase);
-  cells_.assign(grid.cell_count(), cell);
+  cells_ = std::make_shared<std::vector<CellPhases<dim>>>(grid.cell_count(), cell);
 }
 
 template <int dim>
@@ -63,7 +63,7 @@ PhaseIndex Discretisation<dim>::add_mixture(Mixture mixture, std::size_t phases)
 template <int dim>
 std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
   std::vector<double> fractions(count, 0.0);
-  for (const auto& cell : cells_) {
+  for (const auto& cell : cells()) {
     for (const auto phase : cell) {
       if (phase == no_phase) continue;
       if (const auto* mixture = this->mixture(phase); mixture != nullptr && phase >= count) {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "breccia/quasistatic/affine_composite.hpp"
+#include "breccia/quasistatic/stored_vectors.hpp"
 
 #include "assembly/film_operator.hpp"
 #include "solver/symmetric_factors.hpp"
@@ -16,6 +17,8 @@ namespace breccia::films {
 class FilmComposite {
  public:
   using Vector = FilmVector;
+  using BasisVectors = quasistatic::StoredVectors<FilmVector>;
+  static constexpr std::size_t forces_at_hand = 3;  ///< those of all parts
   static constexpr std::size_t shear = 0, bulk = 1;  ///< places of the moduli of the binder among the parameters
 
   explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}
@@ -26,6 +29,7 @@ class FilmComposite {
   /// Lengths are in sides of the box.
   [[nodiscard]] static constexpr double volume() noexcept { return 1.0; }
   [[nodiscard]] static std::array<PhaseModulus, 2> parameters();
+  [[nodiscard]] static BasisVectors no_vectors(Load /*load*/) { return {}; }
   [[nodiscard]] FilmVector zero() const { return film_operator_.zero(); }
   [[nodiscard]] FilmVector uniform_strain(Load load) const { return film_operator_.uniform_strain(load); }
   [[nodiscard]] FilmVector load_forces(Load load) const { return film_operator_.load_forces(load); }

@@ -19,8 +19,11 @@
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
 #include "breccia/homogenisation/varying_phases.hpp"
+#include "breccia/microstructure/ball.hpp"
+#include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/image_statistics.hpp"
 #include "breccia/study/chain.hpp"
+#include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/test_rules.hpp"
 
@@ -54,23 +57,46 @@ double dynamic_memory(const Study& study, const Stage& stage, int cells) {
   return stage.dimensions == 3 ? dynamic_memory<3>(study, stage, cells) : dynamic_memory<2>(study, stage, cells);
 }
 
-/// Largest share of the cells of side h [m] that interfaces of a filler cross: a disc of diameter d crosses about
-/// 4 d / h cells, a sphere about 3/2 pi (d / h)^2, and particles of the smallest diameter have the largest interface. A
-/// coating has two interfaces.
+/// Interface of the particles of a filler, per volume of the filler [1/m]: that of the smallest ones, which have most.
+double specific_interface(const Filler& filler, double smallest, int dimensions) {
+  if (dimensions == 2) return 4.0 / smallest;
+  const Ellipsoid particle{{}, axes_of(filler, smallest)};
+  return surface(particle) / volume(particle);
+}
+
+/// Interface of listed spheres and ellipsoids, per volume of the box [1/m].
+double specific_interface(const Stage& stage, const ExplicitPacking& listed) {
+  double interface = 0.0;
+  for (const auto& sphere : listed.spheres) interface += ball_surface<3>(sphere.diameter);
+  for (const auto& ellipsoid : listed.ellipsoids) interface += surface(ellipsoid);
+  return interface / std::pow(stage.side, 3.0);
+}
+
+/// Largest share of the cells of side h [m] that interfaces of a filler cross: on the average over all directions an
+/// interface crosses 4 / pi cells per h of its length in 2 dimensions, and 3 / 2 per h^2 of its area in 3. A coating has
+/// two interfaces.
 double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) {
   const auto sizes = stage.listed() != nullptr ? diameters_of(stage) : diameters_of(filler);
   if (!sizes) return 1.0;
-  const double interfaces = filler.coating ? 2.0 : 1.0;
-  const double crossed = stage.dimensions == 3 ? 9.0 : 16.0 / std::numbers::pi;
-  return interfaces * crossed * filler.fraction.value_or(1.0) * h / sizes->smallest;
+  const double crossed = stage.dimensions == 3 ? 1.5 : 4.0 / std::numbers::pi;
+  return crossed * h * filler.fraction.value_or(1.0) * specific_interface(filler, sizes->smallest, stage.dimensions);
 }
 
 double share_of_mixed_cells(const Study& study, const Stage& stage, int cells) {
   if (study.tests.mixing == Mixing::points) return 0.0;
   if (const auto* image = stage.image()) return std::min(1.0, specific_interface(*image) * stage.side / cells);
   if (const auto* stack = stage.stack()) return std::min(1.0, specific_interface(*stack) * stage.side / cells);
+  const double h = stage.side / cells;
+  const auto* listed = stage.listed();
+  const bool is_coated = std::ranges::any_of(stage.fillers, [](const Filler& one) { return one.coating.has_value(); });
+  const double interfaces = is_coated ? 2.0 : 1.0;
+  if (listed != nullptr && stage.dimensions == 3) {
+    return std::min(1.0, 1.5 * h * interfaces * specific_interface(stage, *listed));
+  }
   double share = 0.0;
-  for (const auto& filler : stage.fillers) share += share_of_mixed_cells(stage, filler, stage.side / cells);
+  for (const auto& filler : stage.fillers) {
+    share += (filler.coating ? 2.0 : 1.0) * share_of_mixed_cells(stage, filler, h);
+  }
   return std::min(1.0, share);
 }
 
@@ -96,45 +122,74 @@ double quasistatic_unknowns(const Stage& stage, int cells) {
   return stage.dimensions * std::pow(static_cast<double>(cells), stage.dimensions);
 }
 
+namespace {
+
+/// Nodal vectors of the terms of all materials that stepping keeps for each load, in the run with fine and in that with
+/// coarse time steps.
+double vectors_of_stepping(const Study& study, const Stage& stage) {
+  std::size_t terms = 0;
+  for (const auto& material : materials_of(stage, expected_matrix(study, stage))) {
+    terms += material.bulk.terms().size() + material.shear.terms().size();
+  }
+  return 2.0 * static_cast<double>(terms * loads_of(study, stage).size());
+}
+
+/// Bytes an unknown of a cube beside what sparse factors take, with fields of `strains` bytes an unknown for the strains
+/// of phases in a nodal vector.
+double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
+  constexpr double vector = sizeof(double);
+  const double whole = vector + strains;
+  // The phases of the points and the kinds of the cells.
+  constexpr double cells = (8.0 * sizeof(PhaseIndex) + sizeof(std::uint32_t)) / 3.0;
+  // The vectors of a basis have no strains of phases. Products of their forces take three vectors and the copies of two
+  // for the threads; conjugate gradients take less.
+  double bytes = cells + 3.0 * whole + 2.0 * vector;
+  if (study.tests.quasistatic.solver == Solver::stepping) {
+    bytes += whole * (1.0 + vectors_of_stepping(study, stage));
+  } else {
+    const auto loads = static_cast<double>(loads_of(study, stage).size());
+    bytes += vector * loads * (1.0 + expected_snapshots(study.tests, stage));
+  }
+  if (study.tests.field_times.empty()) return bytes;
+  // Fields take the moduli of each phase applied to the displacement, twice, and 15 values a cell and time.
+  const auto phases = static_cast<double>(materials_of(stage, expected_matrix(study, stage)).size());
+  return bytes + (4.0 * phases + 2.0) * whole + 15.0 / 3.0 * vector * static_cast<double>(study.tests.field_times.size());
+}
+
+/// The same of a square, with as many nodal vectors as there are with the strains of phases in each.
+double bytes_of_square(const Study& study, const Stage& stage, double strains) {
+  constexpr double vector = sizeof(double);
+  const double whole = vector + strains;
+  if (study.tests.quasistatic.solver == Solver::stepping) return whole * vectors_of_stepping(study, stage);
+  // The residual of a reduced basis takes a nodal vector for each modulus that varies, among a dozen for the matrix.
+  double bytes = 2.0 * whole * static_cast<double>(other_varying_phases(study.tests, stage).size());
+  // So does each snapshot under each load; those that the matrix alone takes are among the dozen as well.
+  constexpr double few_snapshots = 11.0;
+  bytes += whole * static_cast<double>(loads_of(study, stage).size()) *
+           std::max(0.0, expected_snapshots(study.tests, stage) - few_snapshots);
+  return bytes;
+}
+
+}  // namespace
+
 double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   const double unknowns = quasistatic_unknowns(stage, cells);
   // Strains of the second phase of mixed cells beside the displacements a cell of each nodal vector.
   const int modes = stage.dimensions == 3 ? CellShape<3>::modes : CellShape<2>::modes;
-  const double vectors =
-      1.0 + modes / static_cast<double>(stage.dimensions) * share_of_mixed_cells(study, stage, cells);
-  constexpr double dozen = 12.0 * sizeof(double);
   constexpr double vector = sizeof(double);
-  // The residual of a reduced basis takes a nodal vector for each modulus that varies, among the dozen for the matrix.
-  double further = 2.0 * vector * vectors * static_cast<double>(other_varying_phases(study.tests, stage).size());
-  // So does each snapshot under each load; those that the matrix alone takes are among the dozen as well.
-  constexpr double few_snapshots = 11.0;
-  further += vector * vectors * static_cast<double>(loads_of(study, stage).size()) *
-             std::max(0.0, expected_snapshots(study.tests, stage) - few_snapshots);
-  if (study.tests.quasistatic.solver == Solver::stepping) {
-    // A nodal vector for each term, in the run with fine and in that with coarse time steps.
-    std::size_t terms = 0;
-    for (const auto& material : materials_of(stage, expected_matrix(study, stage))) {
-      terms += material.bulk.terms().size() + material.shear.terms().size();
-    }
-    further = 2.0 * vector * vectors * static_cast<double>(terms * loads_of(study, stage).size());
-  }
-  if (study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions)) {
-    // Sparse Cholesky factors of a square grid, ordered by nested dissection.
-    return unknowns * (640.0 + 60.0 * std::log2(unknowns) + dozen * (vectors - 1.0) + further);
-  }
-  // Fields of the iteration, a dozen nodal vectors, and the fractions and labels of the cells. Fields in space take the
-  // moduli of each phase applied to the displacement, twice, and 15 values a cell and time.
-  if (stage.dimensions == 3) {
-    const auto phases = static_cast<double>(materials_of(stage, expected_matrix(study, stage)).size());
-    const double of_fields = (4.0 * phases + 2.0) * sizeof(double);
-    const double values_in_cell = 15.0 * sizeof(double) / 3.0 * static_cast<double>(study.tests.field_times.size());
-    const double in_space = study.tests.field_times.empty() ? 0.0 : of_fields * vectors + values_in_cell;
-    return unknowns * (60.0 + dozen * vectors + in_space + further);
-  }
+  const double strains = vector * modes / stage.dimensions * share_of_mixed_cells(study, stage, cells);
+  const bool is_direct =
+      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions);
+  // Sparse Cholesky factors of a square grid, ordered by nested dissection.
+  const double factors = is_direct ? 640.0 + 60.0 * std::log2(unknowns) : 0.0;
+  if (stage.dimensions == 3) return unknowns * (factors + bytes_of_cube(study, stage, strains));
+  constexpr double dozen = 12.0;
+  const double further = bytes_of_square(study, stage, strains);
+  if (is_direct) return unknowns * (factors + dozen * strains + further);
   // Substructures and a dozen nodal vectors; fields of a square take as much again.
-  constexpr double substructures = 340.0 - dozen;
+  constexpr double substructures = 340.0;
   const double fields = study.tests.field_times.empty() ? 1.0 : 2.0;
-  return unknowns * (fields * (substructures + dozen * vectors) + further);
+  return unknowns * (fields * (substructures + dozen * strains) + further);
 }
 
 std::vector<std::string> lacking_memory(const Study& study, double available) {

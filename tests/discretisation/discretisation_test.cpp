@@ -50,6 +50,18 @@ TEST(Discretisation, DiscsAndTheirTestAgreePointByPoint) {
   EXPECT_EQ(by_disc.cells(), by_test.cells());
 }
 
+TEST(Discretisation, OfWhichACopyChangesStaysAsItIs) {
+  Discretisation<2> first(Grid<2>{{3, 2}, 1.0});
+  const auto before = first.cells();
+  auto copy = first;
+  EXPECT_EQ(&copy.cells(), &first.cells());
+  copy.fill({1, 1}, 1);
+  EXPECT_EQ(first.cells(), before);
+  EXPECT_NE(copy.cells(), before);
+  first.paint(Disc{{0.5, 0.5}, 2.0}, 2);
+  EXPECT_EQ(copy.cell({0, 0}), before.front());
+}
+
 TEST(Discretisation, SamplesTheVolumeOfASphereAcrossTheSides) {
   const Microstructure<3> corner_sphere = {1.0, Walls::periodic, {{{0.01, 0.02, 0.99}, 0.6}}};
   const double exact = std::numbers::pi / 6.0 * 0.216;

@@ -60,6 +60,31 @@ TEST(Memory, OfFieldsIsThatOfTheSolutionOnceMore) {
   EXPECT_NEAR(quasistatic_memory(study, study.stages.front(), 2000) / without, 2.0, 1e-12);
 }
 
+Study cube_of(double aspect) {
+  auto study = study_of(64, {Method::quasistatic});
+  auto& stage = study.stages.front();
+  stage.dimensions = 3;
+  Filler filler;
+  filler.material = {"filler", 1e3, PronySeries(1e10), PronySeries(1e10)};
+  filler.fraction = 0.2;
+  filler.sizes = SingleSize{1e-4};
+  filler.shape = FillerShape{EllipticOutline{aspect}};
+  stage.fillers = {filler};
+  return study;
+}
+
+// 18 strains of a phase in 3/2 cells per h^2 of the interface, in each of three nodal vectors.
+TEST(Memory, OfFlatEllipsoidsHasTheStrainsInTheirLargerInterface) {
+  const auto spheres = cube_of(1.0), flat = cube_of(0.1);
+  const double unknowns = 3.0 * 64 * 64 * 64, h = 1e-3 / 64;
+  // An oblate ellipsoid of aspect c / a has the surface 2 pi a^2 (1 + (1 - e^2) / e artanh e), e^2 = 1 - (c / a)^2.
+  const double e = std::sqrt(1.0 - 0.01), over_sphere =
+      0.5 * std::cbrt(100.0) * (1.0 + 0.01 / e * std::atanh(e));
+  const double more = 3.0 * 8.0 * 18.0 / 3.0 * 1.5 * h * 0.2 * 6.0 / 1e-4 * (over_sphere - 1.0);
+  EXPECT_NEAR((quasistatic_memory(flat, flat.stages.front(), 64) -
+               quasistatic_memory(spheres, spheres.stages.front(), 64)) / unknowns, more, 1e-9 * more);
+}
+
 TEST(Memory, IsLackingFromOneByteTooFewOn) {
   const auto study = study_of(100, {Method::quasistatic});
   const double bytes = quasistatic_memory(study, study.stages.front(), 100);

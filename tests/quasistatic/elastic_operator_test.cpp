@@ -3,9 +3,17 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include <gtest/gtest.h>
+
+#include "breccia/discretisation/mixed_cells.hpp"
+
+#include "operator/vector_values.hpp"
+
+#include "composites.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -98,6 +106,33 @@ TYPED_TEST(ElasticOperatorOf, HoldsAsManyComponentsAsThereAreRigidMotions) {
   EXPECT_EQ(held(Boundary::periodic), dim);
   // All nodes but those inside: 20 - 6 of 4 x 5 nodes, 120 - 24 of 4 x 5 x 6.
   EXPECT_EQ(held(Boundary::displacement), dim == 2 ? 2 * 14 : 3 * 96);
+}
+
+TEST(ElasticOperator, HasTheSameForcesInSpaceForAnyNumberOfThreads) {
+  const Microstructure<3> box = {1.0, Walls::hard, {{{0.47, 0.52, 0.55}, 0.6}}};
+  constexpr std::array<PhaseIndex, 1> of_sphere = {1};
+  const std::vector<Moduli> moduli = {{.bulk = 3.0, .shear = 1.0}, {.bulk = 40.0, .shear = 30.0}};
+  const auto bits = [](Vec vector) {
+    PetscInt size = 0;
+    check(VecGetLocalSize(vector, &size), "reading the size of a vector");
+    const ReadValues values(vector);
+    return std::vector<double>(values.data(), values.data() + size);
+  };
+  for (const auto boundary : test::boundaries) {
+    for (const int cells : {5, 11, 12}) {
+      const auto forces_of = [&](int threads) {
+        const ElasticOperator<3> elastic_operator(discretise_mixed(box, cells, 0, of_sphere, 2), Volumetric::averaged,
+                                                  boundary, threads);
+        auto moved = elastic_operator.uniform_strain(Load::shear);
+        const auto once = elastic_operator.forces(moduli, Load::shear, moved);
+        moved.add(0.1, once);
+        const auto forces = elastic_operator.forces(moduli, Load::shear, moved);
+        return std::tuple(forces.macroscopic(), bits(forces.fluctuation()), bits(forces.phase_strains()));
+      };
+      const auto expected = forces_of(1);
+      for (const int threads : {2, 3}) EXPECT_EQ(forces_of(threads), expected) << name_of(boundary) << ", " << cells;
+    }
+  }
 }
 
 TEST(ElasticOperator, TellsMoreThan65536KindsOfCellsApart) {

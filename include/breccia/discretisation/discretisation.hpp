@@ -3,6 +3,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,7 @@ template <int dim>
 using CellPhases = std::array<PhaseIndex, std::size_t{1} << dim>;
 
 /// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
-/// mixture in place of a phase.
+/// mixture in place of a phase. Copies share the phases of their points until one of them is changed.
 template <int dim>
 class Discretisation {
  public:
@@ -29,13 +30,13 @@ class Discretisation {
   explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
-  [[nodiscard]] std::size_t points() const noexcept { return cells_.size() * points_per_cell; }
+  [[nodiscard]] std::size_t points() const noexcept { return cells().size() * points_per_cell; }
 
   /// Phases of the points of a cell.
   [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept {
-    return cells_[grid_.cell_index(cell)];
+    return cells()[grid_.cell_index(cell)];
   }
-  [[nodiscard]] const std::vector<CellPhases<dim>>& cells() const noexcept { return cells_; }
+  [[nodiscard]] const std::vector<CellPhases<dim>>& cells() const noexcept { return *cells_; }
 
   /// Position of a point of a cell [m].
   [[nodiscard]] Vector<dim> position(const Index<dim>& cell, int point) const noexcept;
@@ -49,8 +50,9 @@ class Discretisation {
   /// Gives every point the phase that phase_at(its position [m]) returns.
   template <class PhaseAt>
   void label(PhaseAt&& phase_at) {
+    auto& cells = own_cells();
     grid_.for_each_cell([&](const Index<dim>& cell) {
-      auto& phases = cells_[grid_.cell_index(cell)];
+      auto& phases = cells[grid_.cell_index(cell)];
       for (int p = 0; p < points_per_cell; ++p) phases[static_cast<std::size_t>(p)] = phase_at(position(cell, p));
     });
   }
@@ -59,7 +61,7 @@ class Discretisation {
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
   /// Gives a phase, or a mixture, to all points of a cell.
-  void fill(const Index<dim>& cell, PhaseIndex phase) { cells_[grid_.cell_index(cell)].fill(phase); }
+  void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[grid_.cell_index(cell)].fill(phase); }
 
   /// Adds a mixture, and returns the number that stands for it in place of that of a phase; `phases` is the number of
   /// phases, which the numbers of the mixtures follow. Throws InputError when there is no number left.
@@ -79,16 +81,23 @@ class Discretisation {
  private:
   template <class Inside>
   void paint_range(const Index<dim>& begin, const Index<dim>& end, Inside&& inside, PhaseIndex phase) {
+    auto& cells = own_cells();
     for_each_index(begin, end, [&](const Index<dim>& cell) {
-      auto& phases = cells_[grid_.cell_index(cell)];
+      auto& phases = cells[grid_.cell_index(cell)];
       for (int p = 0; p < points_per_cell; ++p) {
         if (inside(position(cell, p))) phases[static_cast<std::size_t>(p)] = phase;
       }
     });
   }
 
+  /// The phases of the points, to be changed: those of this object alone.
+  [[nodiscard]] std::vector<CellPhases<dim>>& own_cells() {
+    if (cells_.use_count() > 1) cells_ = std::make_shared<std::vector<CellPhases<dim>>>(*cells_);
+    return *cells_;
+  }
+
   Grid<dim> grid_;
-  std::vector<CellPhases<dim>> cells_;
+  std::shared_ptr<std::vector<CellPhases<dim>>> cells_;
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
 };

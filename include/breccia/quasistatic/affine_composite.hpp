@@ -43,7 +43,9 @@ void restore_vector(const StateReader& state, const std::string& group, Vector& 
 /// A discretised composite whose stiffness is affine in moduli p_i, K(p) = K_0 + sum_i p_i K_i (theory, Eq. 18a):
 /// what a reduced basis needs to know of it, whether it is made of cells or of grains and films. volume() is that of
 /// the box in the unit of the forces; uniform_strain() has the strain of a load everywhere; load_forces() are the force
-/// 1 on the macroscopic part or, under a traction boundary, those of the unit stress.
+/// 1 on the macroscopic part or, under a traction boundary, those of the unit stress. no_vectors() is an empty list of
+/// basis vectors (StoredVectors), in the form that takes least memory; forces_at_hand is the number of vectors of forces
+/// that may be in memory at a time beside it, for the products of all with all.
 template <class Composite>
 concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
     requires(const Composite& composite, Load load, const typename Composite::Vector& u, std::span<const double> p,
@@ -57,6 +59,8 @@ concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
   { composite.constant_forces(load, u) } -> std::same_as<typename Composite::Vector>;  // K_0 u
   { composite.part_forces(i, load, u) } -> std::same_as<typename Composite::Vector>;   // K_i u
   { composite.forces(p, load, u) } -> std::same_as<typename Composite::Vector>;        // K(p) u
+  { composite.no_vectors(load) } -> std::same_as<typename Composite::BasisVectors>;
+  { Composite::forces_at_hand } -> std::convertible_to<std::size_t>;
 };
 
 /// Solves for the displacements of a composite, for one choice of the moduli p_i after the other. solve() starts from a

@@ -1,14 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/quasistatic/affine_composite.hpp"
@@ -16,6 +15,7 @@
 #include "breccia/quasistatic/network.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/reduced_response_state.hpp"
+#include "breccia/quasistatic/stored_vectors.hpp"
 
 namespace breccia::quasistatic {
 
@@ -34,7 +34,6 @@ class ReducedBasis {
   ReducedBasis(const Composite& composite, Load load, std::vector<Moduli> reference);
 
   [[nodiscard]] Load load() const noexcept { return load_; }
-  [[nodiscard]] const Vector& load_forces() const noexcept { return load_forces_; }
   [[nodiscard]] const ReducedResponse& response() const noexcept { return response_; }
 
   /// The reduced solution for these moduli, a guess for the solver: under the prescribed strain or,
@@ -54,8 +53,9 @@ class ReducedBasis {
 
  private:
   [[nodiscard]] Vector reference_forces(const Vector& displacement) const;
-  [[nodiscard]] bool normalise(Vector& vector) const;
-  void extend(Vector candidate);
+  [[nodiscard]] Vector load_forces() const;
+  [[nodiscard]] bool normalise(Vector& vector, VectorOrigin& origin) const;
+  void extend(Vector candidate, std::optional<std::vector<double>> parameters);
   void extend_projection();
   void extend_residual_products();
   /// K_0 u for part 0, then K_i u.
@@ -64,8 +64,7 @@ class ReducedBasis {
   const Composite* composite_;
   Load load_;
   std::vector<Moduli> reference_;
-  Vector load_forces_;
-  std::vector<Vector> vectors_;
+  typename Composite::BasisVectors vectors_;
   ReducedResponse response_;
 };
 
@@ -79,14 +78,21 @@ inline void enlarge(Eigen::MatrixXd& matrix) {
 
 template <AffineComposite Composite>
 ReducedBasis<Composite>::ReducedBasis(const Composite& composite, Load load, std::vector<Moduli> reference)
-    : composite_(&composite), load_(load), reference_(std::move(reference)), load_forces_(composite.load_forces(load)) {
+    : composite_(&composite), load_(load), reference_(std::move(reference)), vectors_(composite.no_vectors(load)) {
   response_.load = load;
   response_.boundary = composite.boundary();
   for (const auto& parameter : composite.parameters()) response_.parts.push_back({parameter, {}});
-  // With the square root of the area, e' K^-1 e is a compliance [1/Pa].
-  load_forces_.scale(1.0 / std::sqrt(composite.volume()));
-  if (composite.boundary() != Boundary::traction) load_forces_.set_macroscopic(std::sqrt(composite.volume()));
-  extend(composite.uniform_strain(load));
+  extend(composite.uniform_strain(load), {});
+}
+
+/// The forces e of the load, with the square root of the area: e' K^-1 e is a compliance [1/Pa].
+template <AffineComposite Composite>
+typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::load_forces() const {
+  auto forces = composite_->load_forces(load_);
+  const double root = std::sqrt(composite_->volume());
+  forces.scale(1.0 / root);
+  if (composite_->boundary() != Boundary::traction) forces.set_macroscopic(root);
+  return forces;
 }
 
 template <AffineComposite Composite>
@@ -101,18 +107,20 @@ typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::forces_of_part
   return composite_->part_forces(static_cast<std::size_t>(part) - 1, load_, displacement);
 }
 
-/// Orthonormalises a vector against the others (Gram-Schmidt). False when it lies in their span.
+/// Orthonormalises a vector against the others (Gram-Schmidt), and adds up what is taken of them. False when it lies in
+/// their span.
 template <AffineComposite Composite>
-bool ReducedBasis<Composite>::normalise(Vector& vector) const {
+bool ReducedBasis<Composite>::normalise(Vector& vector, VectorOrigin& origin) const {
   constexpr double nothing = 1e-13;
   double before = work(reference_forces(vector), vector);
   // "Twice is enough" for orthogonality to working precision (Giraud, Langou and Rozloznik 2005).
   for (int pass = 0; pass < 2; ++pass) {
-    const auto forces = reference_forces(vector);
-    for (const auto& other : vectors_) vector.add(-work(forces, other), other);
+    const Eigen::VectorXd taken = -vectors_.works(reference_forces(vector));
+    vectors_.add_to(vector, taken);
     const double energy = work(reference_forces(vector), vector);
     if (!(energy > nothing * before)) return false;
     vector.scale(1.0 / std::sqrt(energy));
+    origin.of_earlier = (origin.of_earlier + taken) / std::sqrt(energy);
     before = 1.0;
   }
   return true;
@@ -120,15 +128,17 @@ bool ReducedBasis<Composite>::normalise(Vector& vector) const {
 
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::add(Vector solution, std::vector<Moduli> moduli) {
+  auto parameters = response_.parameters(moduli);
   response_.snapshots.push_back({std::move(moduli)});
-  extend(std::move(solution));
+  extend(std::move(solution), std::move(parameters));
 }
 
 /// Adds a vector unless it lies in the span of the others.
 template <AffineComposite Composite>
-void ReducedBasis<Composite>::extend(Vector candidate) {
-  if (!normalise(candidate)) return;
-  vectors_.push_back(std::move(candidate));
+void ReducedBasis<Composite>::extend(Vector candidate, std::optional<std::vector<double>> parameters) {
+  VectorOrigin origin{std::move(parameters), Eigen::VectorXd::Zero(static_cast<Eigen::Index>(vectors_.size()))};
+  if (!normalise(candidate, origin)) return;
+  vectors_.add(std::move(candidate), std::move(origin));
   extend_projection();
   extend_residual_products();
 }
@@ -139,16 +149,14 @@ void ReducedBasis<Composite>::extend_projection() {
   const auto last = static_cast<Eigen::Index>(vectors_.size()) - 1;
   const auto extend = [&](Eigen::MatrixXd& projection, Eigen::Index part) {
     enlarge(projection);
-    const auto forces = forces_of_part(part, vectors_.back());
-    for (Eigen::Index i = 0; i <= last; ++i) {
-      projection(i, last) = projection(last, i) = work(forces, vectors_[static_cast<std::size_t>(i)]);
-    }
+    const auto works = vectors_.works(forces_of_part(part, vectors_.at(vectors_.size() - 1)));
+    for (Eigen::Index i = 0; i <= last; ++i) projection(i, last) = projection(last, i) = works[i];
   };
   extend(response.constant, 0);
   Eigen::Index number = 0;
   for (auto& part : response.parts) extend(part.stiffness, ++number);
   response.load_forces.conservativeResize(last + 1);
-  response.load_forces[last] = work(load_forces_, vectors_.back());
+  response.load_forces[last] = vectors_.works(load_forces())[last];
 }
 
 /// Scalar products of the parts of the residual: K_0 v of all vectors v, then K_i v for each part, then the load.
@@ -167,29 +175,44 @@ void ReducedBasis<Composite>::extend_residual_products() {
       if (!is_new(i) && !is_new(j) && last > 0) products(i, j) = response_.residual_products(earlier(i), earlier(j));
     }
   }
-  std::vector<Vector> newest;
-  newest.reserve(static_cast<std::size_t>(count));
-  for (Eigen::Index part = 0; part < count; ++part) newest.push_back(forces_of_part(part, vectors_.back()));
-  const auto multiply = [&](Eigen::Index i, const Vector& forces) {
-    for (Eigen::Index part = 0; part < count; ++part) {
-      const Eigen::Index j = part * size + last;
-      products(i, j) = products(j, i) = product(forces, newest[static_cast<std::size_t>(part)]);
+  for (Eigen::Index first = 0; first < count; first += static_cast<Eigen::Index>(Composite::forces_at_hand)) {
+    // The forces of some parts on the newest vector, with those of all parts on all vectors.
+    const auto end = std::min(first + static_cast<Eigen::Index>(Composite::forces_at_hand), count);
+    std::vector<Vector> newest;
+    newest.reserve(static_cast<std::size_t>(end - first));
+    for (auto part = first; part < end; ++part) {
+      newest.push_back(forces_of_part(part, vectors_.at(static_cast<std::size_t>(last))));
     }
-  };
-  for (Eigen::Index part = 0; part < count; ++part) {
-    for (Eigen::Index i = 0; i < last; ++i) {
-      multiply(part * size + i, forces_of_part(part, vectors_[static_cast<std::size_t>(i)]));
+    const auto multiply = [&](Eigen::Index i, const Vector& forces) {
+      for (auto part = first; part < end; ++part) {
+        const Eigen::Index j = part * size + last;
+        products(i, j) = products(j, i) = product(forces, newest[static_cast<std::size_t>(part - first)]);
+      }
+    };
+    for (Eigen::Index i = 0; i < size; ++i) {
+      const auto& vector = vectors_.at(static_cast<std::size_t>(i));
+      // Those on the newest vector itself are symmetric.
+      for (Eigen::Index part = i < last ? 0 : first; part < count; ++part) {
+        const bool is_at_hand = i == last && part < end;
+        if (is_at_hand) {
+          multiply(part * size + i, newest[static_cast<std::size_t>(part - first)]);
+        } else {
+          multiply(part * size + i, forces_of_part(part, vector));
+        }
+      }
     }
-    multiply(part * size + last, newest[static_cast<std::size_t>(part)]);
+    multiply(count * size, load_forces());
   }
-  multiply(count * size, load_forces_);
-  if (last == 0) products(count, count) = product(load_forces_, load_forces_);
+  if (last == 0) {
+    const auto load = load_forces();
+    products(count, count) = product(load, load);
+  }
   response_.residual_products = std::move(products);
 }
 
 template <AffineComposite Composite>
 typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::approximation(std::span<const Moduli> moduli) const {
-  if (vectors_.empty()) return composite_->zero();
+  if (vectors_.size() == 0) return composite_->zero();
   const Eigen::VectorXd weights = response_.stiffness(response_.parameters(moduli)).ldlt().solve(response_.load_forces);
   auto sum = combination(weights);
   // Scaled like a solution: macroscopic amplitude 1 where the strain is prescribed, unit traction otherwise. The forces
@@ -213,26 +236,19 @@ CompositeState<typename Composite::Vector> ReducedBasis<Composite>::state(std::s
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::save(StateWriter& state, const std::string& group) const {
   breccia::save(state, group + "/response", response_);
-  state.write(group + "/vectors", static_cast<std::int64_t>(vectors_.size()));
-  for (std::size_t i = 0; i < vectors_.size(); ++i) {
-    save_vector(state, fmt::format("{}/vector/{}", group, i), vectors_[i]);
-  }
+  vectors_.save(state, group);
 }
 
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::restore(const StateReader& state, const std::string& group) {
   response_ = read_response(state, group + "/response");
-  const auto count = state.integer(group + "/vectors");
-  vectors_.clear();
-  for (std::int64_t i = 0; i < count; ++i) {
-    restore_vector(state, fmt::format("{}/vector/{}", group, i), vectors_.emplace_back(composite_->zero()));
-  }
+  vectors_.restore(state, group, [this] { return composite_->zero(); });
 }
 
 template <AffineComposite Composite>
 typename ReducedBasis<Composite>::Vector ReducedBasis<Composite>::combination(const Eigen::VectorXd& weights) const {
   auto sum = composite_->zero();
-  for (std::size_t i = 0; i < vectors_.size(); ++i) sum.add(weights[static_cast<Eigen::Index>(i)], vectors_[i]);
+  vectors_.add_to(sum, weights);
   return sum;
 }
 

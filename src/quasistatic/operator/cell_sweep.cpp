@@ -3,38 +3,20 @@
 #include <algorithm>
 #include <vector>
 
-#include <omp.h>
-
 namespace breccia::quasistatic {
-namespace {
-
-/// Planes of cells of a slab, which one thread takes at a time.
-constexpr int planes_of_slab = 4;
-
-}  // namespace
 
 void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces,
                            int threads) const {
-  const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
-  // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
-  // taken first, then those between them, then the last one if it is a neighbour of the first.
-  const bool wraps = nodes_.nodes[2] == cells_[2];
-  const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
   // Memory is taken here: where it is short among the threads, the program could not say so.
-  std::vector<CellRow> rows(static_cast<std::size_t>(threads), CellRow(cells_[0]));
-  for (const int first : {0, 1}) {
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int slab = first; slab < paired; slab += 2) {
-      add_slab(moduli, slab, displacement, forces, rows[static_cast<std::size_t>(omp_get_thread_num())]);
-    }
-  }
-  if (paired < slabs) add_slab(moduli, paired, displacement, forces, rows.front());
+  std::vector<Row> rows(static_cast<std::size_t>(threads), Row(cells_[0]));
+  for_slabs(threads, [&](int thread, int first_plane, int end_plane) {
+    add_slab(moduli, first_plane, end_plane, displacement, forces, rows[static_cast<std::size_t>(thread)]);
+  });
 }
 
-void CellSweep::add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces,
-                         CellRow& row) const {
-  const int first = slab * planes_of_slab, end = std::min(first + planes_of_slab, cells_[2]);
-  for (int third = first; third < end; ++third) {
+void CellSweep::add_slab(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
+                         const Output& forces, Row& row) const {
+  for (int third = first_plane; third < end_plane; ++third) {
     for (int second = 0; second < cells_[1]; ++second) {
       EdgeRows<const double> moved{};
       EdgeRows<double> exerted{};
@@ -45,13 +27,15 @@ void CellSweep::add_slab(const CellModuli& moduli, int slab, const Input& displa
           exerted[component][edge] = forces[component] + place;
         }
       }
-      const auto cell =
-          static_cast<std::size_t>(cells_[0]) *
-          (static_cast<std::size_t>(third) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(second));
-      row.add_forces(moved, moduli.shear.data() + cell, moduli.bulk.data() + cell, exerted);
+      const auto* kinds = moduli.kind_of.row_at(second, third);
+      for (std::size_t cell = 0; cell < row.shear.size(); ++cell) {
+        row.shear[cell] = moduli.shear[kinds[cell]];
+        row.bulk[cell] = moduli.bulk[kinds[cell]];
+      }
+      row.forces.add_forces(moved, row.shear.data(), row.bulk.data(), exerted);
     }
   }
-  add_others(moduli, first, end, displacement, forces);
+  add_others(moduli, first_plane, end_plane, displacement, forces);
 }
 
 void CellSweep::add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
@@ -67,7 +51,7 @@ void CellSweep::add_others(const CellModuli& moduli, int first_plane, int end_pl
         values[3 * node + component] = displacement[static_cast<std::size_t>(component)][place];
       }
     }
-    const typename Shape::Values exerted = moduli.kinds[other->kind] * values;
+    const typename Shape::Values exerted = moduli.stiffnesses[other->stiffness] * values;
     for (int node = 0; node < Shape::nodes; ++node) {
       const auto place = place_of(other->cell, node);
       for (int component = 0; component < 3; ++component) {

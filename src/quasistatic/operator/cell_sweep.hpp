@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+#include <omp.h>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/microstructure/index.hpp"
@@ -25,17 +28,30 @@ struct NodeArrays {
   }
 };
 
-/// The moduli of the cells of a box.
+/// The kind of each cell of a box, in a larger box whose first axis is contiguous.
+struct KindsOfCells {
+  const std::uint32_t* first = nullptr;  ///< of the first cell
+  std::size_t row = 0;                   ///< distance of cells that are neighbours along the second axis
+  std::size_t plane = 0;                 ///< distance of cells that are neighbours along the third axis
+
+  /// The kinds of a row of cells.
+  [[nodiscard]] const std::uint32_t* row_at(int second, int third) const noexcept {
+    return first + static_cast<std::size_t>(second) * row + static_cast<std::size_t>(third) * plane;
+  }
+};
+
+/// The moduli of the cells of a box, which are few beside the cells: those of each kind of cells.
 struct CellModuli {
   /// A cell whose points are of different materials.
   struct OfManyMaterials {
     Index<3> cell;
-    std::uint32_t kind;
+    std::uint32_t stiffness;  ///< its place among the stiffnesses
   };
 
-  std::vector<double> shear, bulk;      ///< of the cells of one material or mixture, by cell [Pa]; zero for all others
+  KindsOfCells kind_of;
+  std::vector<double> shear, bulk;      ///< of the kinds of one material or mixture [Pa]; zero for all others
   std::vector<OfManyMaterials> others;  ///< in the order of the cells
-  std::vector<typename CellShape<3>::Stiffness> kinds;  ///< stiffnesses of the others [Pa]
+  std::vector<typename CellShape<3>::Stiffness> stiffnesses;  ///< of the others [Pa]
 };
 
 /// Forces of all cells of a box of cubic cells, row by row. The rows are divided into slabs that depend on the box
@@ -52,9 +68,26 @@ class CellSweep {
   /// Adds the nodal forces of the cells.
   void add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces, int threads) const;
 
+  /// Calls work(thread, first plane, plane behind the last one) for slabs of planes of cells: two that share nodes are
+  /// never taken at a time, and those that share nodes always in the same order.
+  template <class Work>
+  void for_slabs(int threads, const Work& work) const;
+
  private:
-  void add_slab(const CellModuli& moduli, int slab, const Input& displacement, const Output& forces,
-                CellRow& row) const;
+  /// Planes of cells of a slab, which one thread takes at a time.
+  static constexpr int planes_of_slab = 4;
+
+  /// What a thread keeps of a row of cells.
+  struct Row {
+    explicit Row(int cells)
+        : forces(cells), shear(static_cast<std::size_t>(cells)), bulk(static_cast<std::size_t>(cells)) {}
+
+    CellRow forces;
+    std::vector<double> shear, bulk;  ///< by cell [Pa]
+  };
+
+  void add_slab(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
+                const Output& forces, Row& row) const;
   void add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
                   const Output& forces) const;
   [[nodiscard]] std::size_t place_of(const Index<3>& cell, int node) const noexcept;
@@ -62,5 +95,23 @@ class CellSweep {
   Index<3> cells_;
   NodeArrays nodes_;
 };
+
+template <class Work>
+void CellSweep::for_slabs(int threads, const Work& work) const {
+  const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
+  // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
+  // taken first, then those between them, then the last one if it is a neighbour of the first.
+  const bool wraps = nodes_.nodes[2] == cells_[2];
+  const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
+  const auto take = [&](int thread, int slab) {
+    const int first = slab * planes_of_slab;
+    work(thread, first, std::min(first + planes_of_slab, cells_[2]));
+  };
+  for (const int parity : {0, 1}) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int slab = parity; slab < paired; slab += 2) take(omp_get_thread_num(), slab);
+  }
+  if (paired < slabs) take(0, paired);
+}
 
 }  // namespace breccia::quasistatic

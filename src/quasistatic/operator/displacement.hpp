@@ -23,6 +23,9 @@ class Displacement {
   void set_macroscopic(double amplitude) noexcept { macroscopic_ = amplitude; }
   /// Fluctuation w.
   [[nodiscard]] Vec fluctuation() const noexcept { return fluctuation_.get(); }
+  /// Gives the fluctuation away, to free its memory, or takes another one.
+  [[nodiscard]] NodalVector take_fluctuation() noexcept { return std::move(fluctuation_); }
+  void set_fluctuation(NodalVector fluctuation) noexcept { fluctuation_ = std::move(fluctuation); }
   /// Strains of the phases of the mixed cells of each process, cell by cell.
   [[nodiscard]] Vec phase_strains() const noexcept { return phase_strains_.get(); }
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include <omp.h>
+
 #include "breccia/error.hpp"
 
 #include "operator/vector_values.hpp"
@@ -12,13 +14,31 @@
 namespace breccia::quasistatic {
 template <int dim>
 ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                                      Boundary boundary)
-    : nodes_({discretisation.grid().cells, 1.0}, boundary), volumetric_(volumetric) {
+                                      Boundary boundary, int threads)
+    : nodes_({discretisation.grid().cells, 1.0}, boundary),
+      volumetric_(volumetric),
+      threads_(threads > 0 ? threads : omp_get_max_threads()) {
   find_kinds(discretisation);
-  Eigen::Index strains = 0;
-  for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t) { strains += mixed.unknowns(); });
-  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(strains), PETSC_DETERMINE, zero_phase_strains_.put()),
+  find_first_strains();
+  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(first_strain_.back()), PETSC_DETERMINE,
+                     zero_phase_strains_.put()),
         "making strains of phases");
+}
+
+template <int dim>
+void ElasticOperator<dim>::find_first_strains() {
+  const auto& [begin, end] = nodes_.cells();
+  std::size_t strains = 0;
+  auto from = begin, to = end;
+  first_strain_.push_back(strains);
+  for (int plane = begin.back(); plane < end.back(); ++plane) {
+    from.back() = plane;
+    to.back() = plane + 1;
+    for_each_index(from, to, [&](const Index<dim>& cell) {
+      if (const auto* mixed = mixed_cell(cell)) strains += static_cast<std::size_t>(mixed->unknowns());
+    });
+    first_strain_.push_back(strains);
+  }
 }
 
 template <int dim>
@@ -45,21 +65,15 @@ void ElasticOperator<dim>::find_kinds(const Discretisation<dim>& discretisation)
 template <int dim>
 template <class Action>
 void ElasticOperator<dim>::for_mixed_cells(Action&& action) const {
-  std::size_t place = 0;
-  nodes_.for_cells([&](const Index<dim>& cell) {
-    const auto* mixed = mixed_cell(cell);
-    if (mixed == nullptr) return;
-    action(cell, *mixed, place);
-    place += static_cast<std::size_t>(mixed->unknowns());
-  });
+  for_mixed_cells_of_planes(0, planes(), action);
 }
 
 template <int dim>
-Displacement ElasticOperator<dim>::zero() const {
+NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
   NodalVector phase_strains;
   check(VecDuplicate(zero_phase_strains_.get(), phase_strains.put()), "making strains of phases");
   check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
-  return {0.0, nodes_.zeros(), std::move(phase_strains)};
+  return phase_strains;
 }
 
 template <int dim>
@@ -109,7 +123,8 @@ typename CellShape<dim>::Stiffness ElasticOperator<dim>::stiffness_of(std::size_
 /// Sums what cell_forces(cell) returns for each cell: the forces on its nodes and their work on the macroscopic part.
 template <int dim>
 template <class CellForces>
-Forces ElasticOperator<dim>::sum_over_cells(const CellForces& cell_forces) const {
+typename ElasticOperator<dim>::SumOverCells ElasticOperator<dim>::sum_over_cells(
+    const CellForces& cell_forces) const {
   const auto local = nodes_.local_zeros();
   double macroscopic = 0.0;
   {
@@ -120,11 +135,10 @@ Forces ElasticOperator<dim>::sum_over_cells(const CellForces& cell_forces) const
       nodes_.add_to_cell(cell, forces.first, values.data());
     });
   }
-  auto sum = zero();
-  nodes_.sum_up(local.get(), sum.fluctuation());
+  auto on_nodes = nodes_.zeros();
+  nodes_.sum_up(local.get(), on_nodes.get());
   MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  sum.set_macroscopic(macroscopic);
-  return sum;
+  return {macroscopic, std::move(on_nodes)};
 }
 
 template <int dim>
@@ -140,7 +154,9 @@ Forces ElasticOperator<dim>::load_forces(Load load) const {
   for (int place = 0; place < Shape::strains; ++place) stress[place] = component(unit, place);
   CellValues of_cell = CellValues::Zero();
   for (int p = 0; p < Shape::points; ++p) of_cell += Shape::strain_matrix(p).transpose() * stress / Shape::points;
-  return sum_over_cells([&](const Index<dim>&) { return std::pair(of_cell, 0.0); });
+  auto [macroscopic, on_nodes] = sum_over_cells([&](const Index<dim>&) { return std::pair(of_cell, 0.0); });
+  forces.set_fluctuation(std::move(on_nodes));
+  return forces;
 }
 
 template <int dim>
@@ -158,7 +174,7 @@ Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, c
   const ReadValues values(local.get()), strains(displacement.phase_strains());
   const typename Shape::ModeValues unit_modes = modes_ * unit;
   std::vector<double> on_strains;
-  auto sum = sum_over_cells([&](const Index<dim>& cell) {
+  auto [macroscopic, on_nodes] = sum_over_cells([&](const Index<dim>& cell) {
     const CellValues u = affine + nodes_.cell_values(cell, values.data());
     const auto kind = kind_of_cell(cell);
     const auto& mixed = mixed_[kind];
@@ -168,8 +184,9 @@ Forces ElasticOperator<dim>::forces(std::span<const Moduli> moduli, Load load, c
     on_strains.insert(on_strains.end(), forces.begin(), forces.end());
     return std::pair<CellValues, double>(modes_.transpose() * stress, unit_modes.dot(stress));
   });
-  std::ranges::copy(on_strains, WriteValues(sum.phase_strains()).data());
-  return sum;
+  auto on_phase_strains = zero_strains_of_phases();
+  std::ranges::copy(on_strains, WriteValues(on_phase_strains.get()).data());
+  return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
 }
 
 template <int dim>
@@ -188,19 +205,21 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
     requires(dim == 3) {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   CellModuli cells;
-  std::vector<Moduli> uniform;
   std::vector<std::uint32_t> other;  // place among the stiffnesses of the other cells, by kind
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
     const auto same = of_kind(kind);
-    uniform.push_back(same.value_or(Moduli{.bulk = 0.0, .shear = 0.0}));
-    other.push_back(same ? none : static_cast<std::uint32_t>(cells.kinds.size()));
-    if (!same) cells.kinds.push_back(stiffness_of(kind, moduli));
+    const auto [bulk, shear] = same.value_or(Moduli{.bulk = 0.0, .shear = 0.0});
+    cells.shear.push_back(shear);
+    cells.bulk.push_back(bulk);
+    other.push_back(same ? none : static_cast<std::uint32_t>(cells.stiffnesses.size()));
+    if (!same) cells.stiffnesses.push_back(stiffness_of(kind, moduli));
   }
-  const auto& [begin, end] = nodes_.cells();
+  const auto& begin = nodes_.cells().begin;
+  const auto row = static_cast<std::size_t>(grid().cells[0]);
+  cells.kind_of = {kind_of_.data() + grid().cell_index(begin), row, row * static_cast<std::size_t>(grid().cells[1])};
+  if (cells.stiffnesses.empty()) return cells;
   nodes_.for_cells([&](const Index<dim>& cell) {
     const auto kind = kind_of_cell(cell);
-    cells.shear.push_back(uniform[kind].shear);
-    cells.bulk.push_back(uniform[kind].bulk);
     if (other[kind] == none) return;
     auto place = cell;
     for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] -= begin[axis];
@@ -214,100 +233,73 @@ CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli)
   return collect_cells(moduli, [&](std::size_t kind) { return uniform_moduli(kind, moduli); });
 }
 
-/// The forces in 3 dimensions: those of all cells but the mixed ones row by row, then those of the mixed cells.
+/// The forces in 3 dimensions: those of all cells but the mixed ones row by row, then those of the mixed cells. What is
+/// not needed any longer is given back on the way, for memory is short where this is called.
 template <int dim>
 Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load load,
                                             const Displacement& displacement) const requires(dim == 3) {
-  // The values of the nodes that this process sees, component by component.
-  const auto& [begin, end] = nodes_.seen_nodes();
-  NodeArrays arrays;
-  for (std::size_t axis = 0; axis < begin.size(); ++axis) arrays.nodes[axis] = end[axis] - begin[axis];
-  arrays.row = static_cast<std::size_t>(arrays.nodes[0]);
-  arrays.plane = arrays.row * static_cast<std::size_t>(arrays.nodes[1]);
-  const auto places = arrays.plane * static_cast<std::size_t>(arrays.nodes[2]);
-  std::array<std::vector<double>, 3> moved, exerted;
-  for (auto& component : moved) component.resize(places);
-  for (auto& component : exerted) component.resize(places);
-  const auto place_of = [&](const Index<dim>& node) {
-    return arrays.row_at(node[1] - begin[1], node[2] - begin[2]) + static_cast<std::size_t>(node[0] - begin[0]);
-  };
   const auto strain = unit_strain<dim>(load);
-  const auto affine = [&](const Index<dim>& node) {
-    return product(
-        strain, Vector<dim>{static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])});
-  };
-  {
-    const auto local = nodes_.local_copy(displacement.fluctuation());
-    const ReadValues values(local.get());
-    const double* value = values.data();
-    std::size_t place = 0;
-    for_each_index(begin, end, [&](const Index<dim>& node) {
-      const auto motion = affine(node);
-      for (std::size_t i = 0; i < dim; ++i) moved[i][place] = displacement.macroscopic() * motion[i] + *value++;
-      ++place;
-    });
-  }
+  std::optional<SeenField> moved(std::in_place, nodes_, threads_), exerted;
+  moved->read(nodes_.local_copy(displacement.fluctuation()).get(), displacement.macroscopic(), strain);
+  exerted.emplace(nodes_, threads_);
 
   const auto cells = collect_cells(moduli, [&](std::size_t kind) {
     return mixed_[kind] ? std::optional<Moduli>(Moduli{.bulk = 0.0, .shear = 0.0}) : uniform_moduli(kind, moduli);
   });
   Index<dim> along{};
-  const auto& of_process = nodes_.cells();
-  for (std::size_t axis = 0; axis < along.size(); ++axis) along[axis] = of_process.end[axis] - of_process.begin[axis];
-  const auto first = place_of(of_process.begin);
-  CellSweep(along, arrays)
-      .add_forces(cells, {moved[0].data() + first, moved[1].data() + first, moved[2].data() + first},
-                  {exerted[0].data() + first, exerted[1].data() + first, exerted[2].data() + first}, 1);
+  const auto& [begin, end] = nodes_.cells();
+  for (std::size_t axis = 0; axis < along.size(); ++axis) along[axis] = end[axis] - begin[axis];
+  const CellSweep sweep(along, moved->arrays());
+  const auto first = moved->place_of(begin);
+  sweep.add_forces(cells, std::as_const(*moved).from(first), exerted->from(first), threads_);
+  auto on_phase_strains = zero_strains_of_phases();
+  add_mixed_forces(moduli, displacement, sweep, *moved, *exerted, on_phase_strains.get());
+  moved.reset();
 
-  auto sum = zero();
-  const ReadValues strains(displacement.phase_strains());
-  {
-    const WriteValues on_strains(sum.phase_strains());
-    for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
-      std::array<std::size_t, Shape::nodes> nodes{};
-      CellValues u;
-      for (int n = 0; n < Shape::nodes; ++n) {
-        auto node = Shape::corner(n);
-        for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
-        nodes[static_cast<std::size_t>(n)] = place_of(node);
-        for (int i = 0; i < dim; ++i) {
-          u[dim * n + i] = moved[static_cast<std::size_t>(i)][nodes[static_cast<std::size_t>(n)]];
-        }
-      }
-      const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(place, mixed.unknowns()));
-      on_strains.range(place, mixed.unknowns()) = on_phases;
-      const CellValues forces = modes_.transpose() * stress;
-      for (int n = 0; n < Shape::nodes; ++n) {
-        for (int i = 0; i < dim; ++i) {
-          exerted[static_cast<std::size_t>(i)][nodes[static_cast<std::size_t>(n)]] += forces[dim * n + i];
-        }
-      }
-    });
-  }
-
-  const auto local = nodes_.local_zeros();
-  double macroscopic = 0.0;
-  {
-    const WriteValues values(local.get());
-    double* value = values.data();
-    std::size_t place = 0;
-    for_each_index(begin, end, [&](const Index<dim>& node) {
-      const auto motion = affine(node);
-      for (std::size_t i = 0; i < dim; ++i) {
-        macroscopic += motion[i] * exerted[i][place];
-        *value++ = exerted[i][place];
-      }
-      ++place;
-    });
-  }
-  nodes_.sum_up(local.get(), sum.fluctuation());
+  double macroscopic = exerted->work_on(strain);
   MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  sum.set_macroscopic(macroscopic);
-  return sum;
+  const auto local = nodes_.local_zeros();
+  exerted->write(local.get());
+  exerted.reset();
+  auto on_nodes = nodes_.zeros();
+  nodes_.sum_up(local.get(), on_nodes.get());
+  return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
+}
+
+/// Adds the forces of the mixed cells on their nodes, and sets those on the strains of their phases.
+template <int dim>
+void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement,
+                                            const CellSweep& sweep, const SeenField& moved, SeenField& exerted,
+                                            Vec on_phase_strains) const requires(dim == 3) {
+  const ReadValues strains(displacement.phase_strains());
+  const WriteValues on_strains(on_phase_strains);
+  const auto displacements = moved.from(0);
+  const auto forces_on = exerted.from(0);
+  sweep.for_slabs(threads_, [&](int, int first_plane, int end_plane) {
+    for_mixed_cells_of_planes(
+        first_plane, end_plane, [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+          std::array<std::size_t, Shape::nodes> nodes{};
+          CellValues u;
+          for (std::size_t n = 0; n < nodes.size(); ++n) {
+            auto node = Shape::corner(static_cast<int>(n));
+            for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
+            nodes[n] = moved.place_of(node);
+            for (std::size_t i = 0; i < dim; ++i) u[static_cast<Eigen::Index>(dim * n + i)] = displacements[i][nodes[n]];
+          }
+          const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(place, mixed.unknowns()));
+          on_strains.range(place, mixed.unknowns()) = on_phases;
+          const CellValues forces = modes_.transpose() * stress;
+          for (std::size_t n = 0; n < nodes.size(); ++n) {
+            for (std::size_t i = 0; i < dim; ++i) {
+              forces_on[i][nodes[n]] += forces[static_cast<Eigen::Index>(dim * n + i)];
+            }
+          }
+        });
+  });
 }
 
 template <int dim>
-Forces ElasticOperator<dim>::condensed(std::span<const Moduli> moduli, const Forces& forces) const {
+void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forces) const {
   for (const auto& mixed : mixed_) {
     if (!mixed) continue;
     const auto [bulk, shear] = series_moduli<dim>(mixed->mixture(), moduli);
@@ -316,15 +308,14 @@ Forces ElasticOperator<dim>::condensed(std::span<const Moduli> moduli, const For
   }
   const ReadValues on_strains(forces.phase_strains());
   std::size_t place = 0;
-  auto condensed = sum_over_cells([&](const Index<dim>& cell) {
+  const auto relief = sum_over_cells([&](const Index<dim>& cell) {
     const auto* mixed = mixed_cell(cell);
     if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
     const auto stress = mixed->stress_relieved_by(moduli, on_strains.range(place, mixed->unknowns()));
     place += static_cast<std::size_t>(mixed->unknowns());
     return std::pair<CellValues, double>(modes_.transpose() * stress, 0.0);
   });
-  check(VecAXPY(condensed.fluctuation(), 1.0, forces.fluctuation()), "adding nodal forces");
-  return condensed;
+  check(VecAXPY(forces.fluctuation(), 1.0, relief.on_nodes.get()), "adding nodal forces");
 }
 
 template <int dim>

@@ -15,6 +15,7 @@
 #include "operator/displacement.hpp"
 #include "operator/mixed_cell.hpp"
 #include "operator/node_layout.hpp"
+#include "operator/seen_field.hpp"
 
 namespace breccia::quasistatic {
 
@@ -30,10 +31,12 @@ class ElasticOperator {
  public:
   using Shape = CellShape<dim>;
 
-  /// Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
-  ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary);
+  /// Forces in 3 dimensions take as many threads, 0 for all that there are, and have the same bits for any number of
+  /// them. Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
+  ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1);
 
   [[nodiscard]] Boundary boundary() const noexcept { return nodes_.boundary(); }
+  [[nodiscard]] int threads() const noexcept { return threads_; }
   /// The cells, with side 1.
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return nodes_.grid(); }
   /// Area or volume of the box, in units of the cell side.
@@ -42,7 +45,7 @@ class ElasticOperator {
   [[nodiscard]] std::int64_t unknowns() const noexcept { return nodes_.unknowns(); }
 
   /// A displacement, or forces, all zero.
-  [[nodiscard]] Displacement zero() const;
+  [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
   /// The displacement with the uniform strain of a load, in all phases.
   [[nodiscard]] Displacement uniform_strain(Load load) const;
   /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
@@ -51,9 +54,9 @@ class ElasticOperator {
   /// K u, with the moduli [Pa] by material; zero on the held components of w. The forces on the strains of phases are
   /// affine in the moduli, which may be zero.
   [[nodiscard]] Forces forces(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const;
-  /// The nodal forces that remain when the strains of phases have been eliminated at these moduli [Pa], which are
-  /// positive.
-  [[nodiscard]] Forces condensed(std::span<const Moduli> moduli, const Forces& forces) const;
+  /// Changes the nodal forces to those that remain when the strains of phases have been eliminated at these moduli
+  /// [Pa], which are positive.
+  void condense(std::span<const Moduli> moduli, Forces& forces) const;
   /// Sets the strains of phases to those in equilibrium with forces, from the fluctuation w of a displacement.
   void recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces, Displacement& displacement) const;
 
@@ -76,8 +79,17 @@ class ElasticOperator {
     return mixed ? &*mixed : nullptr;
   }
 
-  /// The nodes of this process.
-  [[nodiscard]] const typename NodeLayout<dim>::Range& own_nodes() const noexcept { return nodes_.own_nodes(); }
+  /// Number of planes of cells of this process along the last axis.
+  [[nodiscard]] int planes() const noexcept { return static_cast<int>(first_strain_.size()) - 1; }
+  /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of some of these planes.
+  template <class Action>
+  void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
+  /// What the cells of each kind hold if they are mixed ones.
+  [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed_kinds() const noexcept { return mixed_; }
+  [[nodiscard]] const NodeLayout<dim>& nodes() const noexcept { return nodes_; }
+  /// The modes of a cell.
+  [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
+
   /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
   [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
     return kind_of_[grid().cell_index(cell)];
@@ -99,11 +111,18 @@ class ElasticOperator {
   using CellValues = typename Shape::Values;
 
   void find_kinds(const Discretisation<dim>& discretisation);
+  void find_first_strains();
+  [[nodiscard]] NodalVector zero_strains_of_phases() const;
   /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
+  /// Work on the macroscopic part, and nodal forces.
+  struct SumOverCells {
+    double macroscopic;
+    NodalVector on_nodes;
+  };
   template <class CellForces>
-  [[nodiscard]] Forces sum_over_cells(const CellForces& cell_forces) const;
+  [[nodiscard]] SumOverCells sum_over_cells(const CellForces& cell_forces) const;
 
   /// Moduli of a kind of cells at all of its points [Pa], if they are the same and K acts on the mean volumetric
   /// strain.
@@ -114,15 +133,34 @@ class ElasticOperator {
       requires(dim == 3);
   [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
       requires(dim == 3);
+  void add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement, const CellSweep& sweep,
+                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(dim == 3);
 
   NodeLayout<dim> nodes_;
   Volumetric volumetric_;
+  int threads_;
   std::vector<CellPhases<dim>> kinds_;                ///< phases of the points of a cell, by kind of cell
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
   std::vector<std::uint32_t> kind_of_;                ///< by cell
+  std::vector<std::size_t> first_strain_;             ///< of the mixed cells, by plane of cells of this process
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
   NodalVector zero_phase_strains_;  ///< the zero from which vectors of strains of phases are made
 };
+
+template <int dim>
+template <class Action>
+void ElasticOperator<dim>::for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const {
+  auto [from, to] = nodes_.cells();
+  to.back() = from.back() + end_plane;
+  from.back() += first_plane;
+  auto place = first_strain_[static_cast<std::size_t>(first_plane)];
+  for_each_index(from, to, [&](const Index<dim>& cell) {
+    const auto* mixed = mixed_cell(cell);
+    if (mixed == nullptr) return;
+    action(cell, *mixed, place);
+    place += static_cast<std::size_t>(mixed->unknowns());
+  });
+}
 
 extern template class ElasticOperator<2>;
 extern template class ElasticOperator<3>;

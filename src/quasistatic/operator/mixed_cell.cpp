@@ -61,6 +61,18 @@ typename MixedCell<dim>::Modes MixedCell<dim>::stress_relieved_by(std::span<cons
 }
 
 template <int dim>
+std::vector<StrainShare> MixedCell<dim>::shares(std::span<const Moduli> moduli) const {
+  const auto of_cell = series_moduli<dim>(mixture_, moduli);
+  std::vector<StrainShare> shares;
+  for (std::size_t k = 1; k < mixture_.size(); ++k) {
+    const auto& of_phase = moduli[mixture_[k].phase];
+    shares.push_back({.volumetric = dilatational_modulus<dim>(of_cell) / dilatational_modulus<dim>(of_phase),
+                      .deviatoric = of_cell.shear / of_phase.shear});
+  }
+  return shares;
+}
+
+template <int dim>
 Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const {
   // All phases have the stress of the first, but for the forces on them: M_k y_k = t + phi_k / f_k.

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -9,6 +10,11 @@
 #include "breccia/discretisation/mixture.hpp"
 
 namespace breccia::quasistatic {
+
+/// The strain of a phase over that of its cell: of the volumetric strain, and of all others.
+struct StrainShare {
+  double volumetric, deviatoric;
+};
 
 /// A cell that holds several phases in series. Each phase k has strains y_k of its own (CellShape::mode_matrix), whose
 /// mean is the strain of the cell, s = sum of f_k y_k. The energy, half the sum of f_k (G_k |dev y_k|^2 + k_k vol
@@ -41,6 +47,8 @@ class MixedCell {
   /// What forces on the unknown strains take away from the stress of the series mixture, when the strains have been
   /// eliminated: the sum in Eq. 42 of the theory, times the modulus of the mixture.
   [[nodiscard]] Modes stress_relieved_by(std::span<const Moduli> moduli, const Strains& forces) const;
+  /// The shares of all phases but the first where no forces are on the strains, for the moduli [Pa] of the phases.
+  [[nodiscard]] std::vector<StrainShare> shares(std::span<const Moduli> moduli) const;
   /// The unknown strains that are in equilibrium with these forces on them.
   [[nodiscard]] Eigen::VectorXd strains_under(std::span<const Moduli> moduli, const Modes& strain,
                                               const Strains& forces) const;

@@ -179,6 +179,29 @@ typename NodeLayout<dim>::CellValues NodeLayout<dim>::cell_values(const Index<di
 }
 
 template <int dim>
+std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::places_of(const Index<dim>& cell) const noexcept {
+  std::array<std::size_t, Shape::nodes> places{};
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    places[n] = static_cast<std::size_t>(dim * (lowest_node_of(cell) + offsets_[n]));
+  }
+  return places;
+}
+
+template <int dim>
+std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_places_of(
+    const Index<dim>& cell) const noexcept {
+  std::array<std::size_t, Shape::nodes> places{};
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    auto node = sum<dim>(cell, Shape::corner(static_cast<int>(n)));
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      if (node[axis] == owned_.end[axis]) node[axis] = 0;  // the last nodes of a periodic box are its first
+    }
+    places[n] = static_cast<std::size_t>(dim * place_in<dim>(node, owned_.begin, owned_.end));
+  }
+  return places;
+}
+
+template <int dim>
 void NodeLayout<dim>::add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept {
   const int lowest = lowest_node_of(cell);
   for (int node = 0; node < Shape::nodes; node += 2) {

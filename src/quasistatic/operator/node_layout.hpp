@@ -70,6 +70,10 @@ class NodeLayout {
   [[nodiscard]] NodalVector local_copy(Vec nodal) const;
   /// The values at the nodes of a cell, from those with the nodes of neighbouring processes.
   [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const double* local) const noexcept;
+  /// Places of the first components of the nodes of a cell among the values with the nodes of neighbouring processes.
+  [[nodiscard]] std::array<std::size_t, Shape::nodes> places_of(const Index<dim>& cell) const noexcept;
+  /// The same in a nodal vector of a single process.
+  [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_places_of(const Index<dim>& cell) const noexcept;
   /// Adds to the values at the nodes of a cell, among those with the nodes of neighbouring processes.
   void add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept;
   /// Adds what all processes have in such vectors to a nodal vector, and sets its held components to zero.

@@ -7,13 +7,22 @@ namespace breccia::quasistatic {
 template <int dim>
 CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying)
     : stiffness_(affine_stiffness(problem.materials, varying)),
-      elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary) {}
+      elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary, problem.linear.threads) {}
 
 template <int dim>
 std::vector<PhaseModulus> CellComposite<dim>::parameters() const {
   std::vector<PhaseModulus> parameters;
   for (const auto& part : stiffness_.parts) parameters.push_back(part.parameter);
   return parameters;
+}
+
+template <int dim>
+typename CellComposite<dim>::BasisVectors CellComposite<dim>::no_vectors(Load load) const {
+  if constexpr (dim == 3) {
+    return {elastic_operator_, stiffness_, load};
+  } else {
+    return {};
+  }
 }
 
 template <int dim>
@@ -75,8 +84,7 @@ void CellSolver<dim>::prepare(std::span<const double> parameters) {
 
 template <int dim>
 Displacement CellSolver<dim>::solve_forces(const Forces& forces, Displacement guess) {
-  solver_->solve(forces, guess);
-  return guess;
+  return solver_->solve(forces.copy(), std::move(guess));
 }
 
 template <int dim>
@@ -92,19 +100,21 @@ void CellSolver<dim>::restore_preconditioner(const StateReader& state, const std
 template <int dim>
 Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   const auto& elastic_operator = composite_->elastic_operator();
-  auto forces = elastic_operator.zero();
-  double macroscopic = 0.0;
-  if (elastic_operator.boundary() == Boundary::traction) {
-    forces = elastic_operator.load_forces(load);
-  } else {
-    macroscopic = 1.0;
-    auto prescribed = elastic_operator.zero();
-    prescribed.set_macroscopic(macroscopic);
-    forces.add(-1.0, elastic_operator.forces(moduli_, load, prescribed));
-  }
-  solver_->solve(forces, guess);
-  guess.set_macroscopic(macroscopic);
-  return guess;
+  const bool is_strained = elastic_operator.boundary() != Boundary::traction;
+  auto solution = solver_->solve(is_strained ? held_back(load) : elastic_operator.load_forces(load), std::move(guess));
+  solution.set_macroscopic(is_strained ? 1.0 : 0.0);
+  return solution;
+}
+
+/// The forces against the uniform strain of a load.
+template <int dim>
+Forces CellSolver<dim>::held_back(Load load) const {
+  const auto& elastic_operator = composite_->elastic_operator();
+  auto prescribed = elastic_operator.zero();
+  prescribed.set_macroscopic(1.0);
+  auto forces = elastic_operator.forces(moduli_, load, prescribed);
+  forces.scale(-1.0);
+  return forces;
 }
 
 template class CellComposite<2>;

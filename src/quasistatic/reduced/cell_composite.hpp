@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "breccia/discretisation/point_fields.hpp"
@@ -14,6 +15,7 @@
 #include "operator/displacement_state.hpp"
 #include "operator/elastic_operator.hpp"
 #include "reduced/affine_stiffness.hpp"
+#include "reduced/condensed_vectors.hpp"
 #include "solvers/elastic_solver.hpp"
 
 namespace breccia::quasistatic {
@@ -24,6 +26,9 @@ template <int dim>
 class CellComposite {
  public:
   using Vector = Displacement;
+  /// Cubes have many mixed cells and little memory, squares need not save it.
+  using BasisVectors = std::conditional_t<dim == 3, CondensedVectors, StoredVectors<Displacement>>;
+  static constexpr std::size_t forces_at_hand = dim == 3 ? 1 : 64;
 
   CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying);
 
@@ -33,6 +38,7 @@ class CellComposite {
   [[nodiscard]] Boundary boundary() const noexcept { return elastic_operator_.boundary(); }
   [[nodiscard]] double volume() const noexcept { return elastic_operator_.volume(); }
   [[nodiscard]] std::vector<PhaseModulus> parameters() const;
+  [[nodiscard]] BasisVectors no_vectors(Load load) const;
   [[nodiscard]] Displacement zero() const { return elastic_operator_.zero(); }
   [[nodiscard]] Displacement uniform_strain(Load load) const { return elastic_operator_.uniform_strain(load); }
   [[nodiscard]] Forces load_forces(Load load) const { return elastic_operator_.load_forces(load); }
@@ -72,6 +78,8 @@ class CellSolver {
   void count_from(const LinearEffort& earlier) { solver_->count_from(earlier); }
 
  private:
+  [[nodiscard]] Forces held_back(Load load) const;
+
   const CellComposite<dim>* composite_;
   std::unique_ptr<ElasticSolver<dim>> solver_;
   std::vector<Moduli> moduli_;  ///< by material

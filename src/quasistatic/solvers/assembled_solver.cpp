@@ -128,10 +128,10 @@ PetscErrorCode AssembledSolver<dim>::is_converged(KSP solver, PetscInt /*iterati
 }
 
 template <int dim>
-bool AssembledSolver<dim>::try_to_solve(const Displacement& forces, Displacement& displacement, int most_iterations) {
+bool AssembledSolver<dim>::try_to_solve(Vec on_nodes, Displacement& displacement, int most_iterations) {
   constexpr const char* what = "solving for the displacements";
   check(KSPSetTolerances(solver_.get(), PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, most_iterations), what);
-  check(KSPSolve(solver_.get(), forces.fluctuation(), displacement.fluctuation()), what);
+  check(KSPSolve(solver_.get(), on_nodes, displacement.fluctuation()), what);
   int iterations = 0;
   check(KSPGetIterationNumber(solver_.get(), &iterations), what);
   this->count_iterations(iterations);
@@ -140,14 +140,14 @@ bool AssembledSolver<dim>::try_to_solve(const Displacement& forces, Displacement
 }
 
 template <int dim>
-typename ElasticSolver<dim>::End AssembledSolver<dim>::iterate(const Forces& forces, Displacement& displacement) {
+typename ElasticSolver<dim>::End AssembledSolver<dim>::iterate(NodalVector on_nodes, Displacement& displacement) {
   // A factorisation costs about as much as this many iterations with an old one.
   constexpr int worth_a_factorisation = 8, many = 5000;
   if (fresh_iterations_ == 0) update_preconditioner();
-  bool is_solved = !is_fresh_ && try_to_solve(forces, displacement, fresh_iterations_ + worth_a_factorisation);
+  bool is_solved = !is_fresh_ && try_to_solve(on_nodes.get(), displacement, fresh_iterations_ + worth_a_factorisation);
   if (!is_solved) {
     update_preconditioner();
-    is_solved = try_to_solve(forces, displacement, many);
+    is_solved = try_to_solve(on_nodes.get(), displacement, many);
   }
   double residual = 0.0;
   check(KSPGetResidualNorm(solver_.get(), &residual), "reading the residual");

@@ -27,13 +27,13 @@ class AssembledSolver final : public ElasticSolver<dim> {
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
   /// Solves with the preconditioner of earlier moduli and makes a new one when that takes too many iterations.
-  typename ElasticSolver<dim>::End iterate(const Forces& forces, Displacement& displacement) override;
+  typename ElasticSolver<dim>::End iterate(NodalVector on_nodes, Displacement& displacement) override;
   void set_up();
   /// Message of the error when the preconditioner cannot be made.
   [[nodiscard]] const char* failure() const noexcept;
   static PetscErrorCode is_converged(KSP solver, PetscInt iteration, PetscReal residual, KSPConvergedReason* reason,
                                      void* self);
-  [[nodiscard]] bool try_to_solve(const Displacement& forces, Displacement& displacement, int most_iterations);
+  [[nodiscard]] bool try_to_solve(Vec on_nodes, Displacement& displacement, int most_iterations);
 
   Preconditioner preconditioner_;
   Matrix matrix_;

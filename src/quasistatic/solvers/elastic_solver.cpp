@@ -47,11 +47,11 @@ void ElasticSolver<dim>::count_iterations(int iterations) {
 }
 
 template <int dim>
-void ElasticSolver<dim>::solve(const Forces& forces, Displacement& displacement) {
+Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement) {
   ++effort_.solves;
-  const auto nodal = elastic_operator_->condensed(moduli_, forces);
-  check(VecNorm(nodal.fluctuation(), NORM_2, &load_), "reading the load");
-  const auto [is_converged, residual] = iterate(nodal, displacement);
+  elastic_operator_->condense(moduli_, forces);
+  check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
+  const auto [is_converged, residual] = iterate(forces.take_fluctuation(), displacement);
   // Where the prescribed displacements are the whole solution, as in a homogeneous box, the load itself is rounding.
   const double least = std::max(prescribed_ * rounding_ / tolerance_, std::numeric_limits<double>::min());
   const double relative = residual / std::max(load_, least);
@@ -64,6 +64,7 @@ void ElasticSolver<dim>::solve(const Forces& forces, Displacement& displacement)
   }
   effort_.largest_residual = std::max(effort_.largest_residual, relative);
   elastic_operator_->recover_phase_strains(moduli_, forces, displacement);
+  return displacement;
 }
 
 namespace {

@@ -27,9 +27,9 @@ class ElasticSolver {
   void set_moduli(std::span<const Moduli> moduli);
   /// Makes the preconditioner for the present moduli.
   virtual void update_preconditioner() = 0;
-  /// Finds w, and the strains of phases that go with it, with K w = forces. On entry `displacement` is the initial
-  /// guess; on return its macroscopic part is undefined. Throws NumericalError when the iteration does not converge.
-  void solve(const Forces& forces, Displacement& displacement);
+  /// The displacement w, and the strains of phases that go with it, with K w = forces, from an initial guess; its
+  /// macroscopic part is undefined. Throws NumericalError when the iteration does not converge.
+  [[nodiscard]] Displacement solve(Forces forces, Displacement guess);
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
   /// Continues counting from the effort of an earlier run.
@@ -60,7 +60,8 @@ class ElasticSolver {
 
  private:
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
-  virtual End iterate(const Forces& forces, Displacement& displacement) = 0;
+  /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be given back.
+  virtual End iterate(NodalVector on_nodes, Displacement& displacement) = 0;
 
   const ElasticOperator<dim>* elastic_operator_;
   double tolerance_;

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "breccia/error.hpp"
 
@@ -16,7 +15,7 @@ LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const L
       lattice_(elastic_operator.grid().cells, elastic_operator.boundary()),
       boundary_(lattice_),
       sweep_(lattice_.cells, lattice_.arrays),
-      threads_(options.threads > 0 ? options.threads : omp_get_max_threads()),
+      threads_(elastic_operator.threads()),
       energy_tolerance_(options.energy_tolerance),
       sums_(3 * lattice_.places(), threads_),
       preconditioner_(make_lattice_preconditioner(lattice_, threads_)) {}
@@ -80,12 +79,16 @@ double LatticeSolver::iterate(State& state, int most_iterations) {
   return norm;
 }
 
-ElasticSolver<3>::End LatticeSolver::iterate(const Forces& forces, Displacement& displacement) {
+ElasticSolver<3>::End LatticeSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
   constexpr int most_iterations = 20'000;
   State state(lattice_);
-  boundary_.read(displacement.fluctuation(), state.displacement);
-  boundary_.read(displacement.fluctuation(), state.direction);
-  boundary_.read(forces.fluctuation(), state.residual);
+  boundary_.read(on_nodes.get(), state.residual);
+  on_nodes = {};
+  {
+    const auto guess = displacement.take_fluctuation();
+    boundary_.read(guess.get(), state.displacement);
+    boundary_.read(guess.get(), state.direction);
+  }
   boundary_.balance(state.residual);
   state.energy = sums_.product(state.displacement, state.residual);
   multiply(state);
@@ -94,6 +97,7 @@ ElasticSolver<3>::End LatticeSolver::iterate(const Forces& forces, Displacement&
   const int earlier = effort().iterations;
   const double norm = iterate(state, most_iterations);
   boundary_.settle(state.displacement);
+  displacement.set_fluctuation(elastic_operator().nodes().zeros());
   boundary_.write(state.displacement, displacement.fluctuation());
   return {effort().iterations - earlier < most_iterations && std::isfinite(norm), norm};
 }

@@ -21,7 +21,7 @@ class LatticeSolver final : public ElasticSolver<3> {
 
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
-  End iterate(const Forces& forces, Displacement& displacement) override;
+  End iterate(NodalVector on_nodes, Displacement& displacement) override;
 
   /// The fields of an iteration.
   struct State {

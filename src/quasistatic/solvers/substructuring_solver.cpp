@@ -66,7 +66,7 @@ SubstructuringSolver::SubstructuringSolver(const ElasticOperator<2>& elastic_ope
 
 /// Index of the x displacement of a node among the nodal values of this process.
 std::size_t SubstructuringSolver::place_of(int column, int row) const noexcept {
-  const auto& [begin, end] = elastic_operator().own_nodes();
+  const auto& [begin, end] = elastic_operator().nodes().own_nodes();
   // The last nodes of a process that wraps around are its first ones.
   const int width = end[0] - begin[0], height = end[1] - begin[1];
   return 2 * (static_cast<std::size_t>((row - begin[1]) % height) * static_cast<std::size_t>(width) +
@@ -196,13 +196,15 @@ double SubstructuringSolver::correct(const Displacement& residual, double larges
   return norm;
 }
 
-ElasticSolver<2>::End SubstructuringSolver::iterate(const Forces& forces, Displacement& displacement) {
+ElasticSolver<2>::End SubstructuringSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
   // Iterative refinement: after the first pass only rounding errors of the conjugate gradients are left.
   constexpr int most_corrections = 4;
   displacement.set_macroscopic(0.0);
+  // There are none on the strains of phases, which follow from the displacement.
+  auto forces = elastic_operator().zero();
+  forces.set_fluctuation(std::move(on_nodes));
   double norm = 0.0;
   for (int correction = 0; correction <= most_corrections; ++correction) {
-    // The forces have none on the strains of phases, which follow from the displacement.
     elastic_operator().recover_phase_strains(moduli(), forces, displacement);
     auto residual = elastic_operator().forces(moduli(), Load::shear, displacement);
     residual.scale(-1.0);

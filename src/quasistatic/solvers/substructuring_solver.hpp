@@ -23,7 +23,7 @@ class SubstructuringSolver final : public ElasticSolver<2> {
 
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
-  End iterate(const Forces& forces, Displacement& displacement) override;
+  End iterate(NodalVector on_nodes, Displacement& displacement) override;
   /// Solves K w = residual by conjugate gradients until the residual is small compared with the load, and adds w to the
   /// displacement. Returns the norm of the residual that is left.
   double correct(const Displacement& residual, double largest, Displacement& displacement);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include <omp.h>
+
 namespace breccia::quasistatic {
 
 WallPreconditioner::WallPreconditioner(const NodeLattice& lattice, int threads)
@@ -11,24 +13,35 @@ WallPreconditioner::WallPreconditioner(const NodeLattice& lattice, int threads)
   for (std::size_t axis = 0; axis < angles_.size(); ++axis) {
     angles_[axis] = half_angles(nodes[axis], std::numbers::pi / lattice_.cells[axis]);
   }
-  LatticeField field(lattice_);
-  double* values = field.component(0);
-  const auto along = [&](std::size_t axis) { return static_cast<std::size_t>(nodes[axis]); };
-  plans_[0] = plan(0, along(1), 1, row, values);
-  plans_[1] = plan(1, along(0), row, 1, values);
-  plans_[2] = plan(2, along(0), plane, 1, values);
+  const auto kind = is_fixed_ ? WallTransform::Kind::sine : WallTransform::Kind::cosine;
+  for (std::size_t axis = 0; axis < angles_.size(); ++axis) {
+    const auto& transform = transforms_.emplace_back(kind, lattice_.cells[axis], rows_along(axis, nullptr).pairs);
+    for (int thread = 0; thread < threads; ++thread) waves_[axis].push_back(transform.make_waves());
+  }
 }
 
-/// Transforms of `rows` rows of nodes along an axis. Nodes of a row are `apart`, rows are `rows_apart`.
-FourierPlan WallPreconditioner::plan(std::size_t axis, std::size_t rows, std::size_t apart, std::size_t rows_apart,
-                                     double* values) const {
-  // The sine transform takes the nodes between the walls.
-  const int count = is_fixed_ ? lattice_.cells[axis] - 1 : lattice_.cells[axis] + 1;
-  const auto kind = is_fixed_ ? FFTW_RODFT00 : FFTW_REDFT00;
-  double* first = values + (is_fixed_ ? apart : 0);
-  const int node_step = static_cast<int>(apart), row_step = static_cast<int>(rows_apart);
-  return made_plan(fftw_plan_many_r2r(1, &count, static_cast<int>(rows), first, nullptr, node_step, row_step, first,
-                                      nullptr, node_step, row_step, &kind, plan_flags));
+PairedRows WallPreconditioner::rows_along(std::size_t axis, double* first) const {
+  const auto& [nodes, row, plane] = lattice_.arrays;
+  if (axis > 0) {
+    // Neighbours along the first axis, with the places behind the last node.
+    return {.first = first,
+            .apart = axis == 1 ? row : plane,
+            .partner = 1,
+            .pairs = row / 2,
+            .distance = 2,
+            .is_last_alone = false};
+  }
+  return {.first = first,
+          .apart = 1,
+          .partner = row,
+          .pairs = (static_cast<std::size_t>(nodes[1]) + 1) / 2,
+          .distance = 2 * row,
+          .is_last_alone = nodes[1] % 2 == 1};
+}
+
+void WallPreconditioner::transform(std::size_t axis, double* first, fftw_complex* waves) const {
+  if (!is_fixed_) double_ends(axis, first);
+  transforms_[axis].apply(rows_along(axis, first), waves);
 }
 
 void WallPreconditioner::apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) {
@@ -38,48 +51,45 @@ void WallPreconditioner::apply(const Moduli& reference, const LatticeField& forc
 }
 
 /// Doubles the forces on both ends of rows of nodes, which stand for half a period of an even function.
-void WallPreconditioner::double_ends(double* values, std::size_t axis, std::size_t rows, std::size_t apart,
-                                     std::size_t rows_apart) const {
+void WallPreconditioner::double_ends(std::size_t axis, double* values) const {
+  const auto& [nodes, row, plane] = lattice_.arrays;
+  const std::size_t rows = axis == 0 ? static_cast<std::size_t>(nodes[1]) : row;
+  const std::size_t apart = axis == 0 ? 1 : axis == 1 ? row : plane, rows_apart = axis == 0 ? row : 1;
   const auto last = static_cast<std::size_t>(lattice_.cells[axis]) * apart;
-  for (std::size_t row = 0; row < rows; ++row) {
-    values[row * rows_apart] *= 2.0;
-    values[row * rows_apart + last] *= 2.0;
+  for (std::size_t line = 0; line < rows; ++line) {
+    values[line * rows_apart] *= 2.0;
+    values[line * rows_apart + last] *= 2.0;
   }
 }
 
 void WallPreconditioner::transform_planes(const LatticeField& forces, LatticeField& waves) const {
-  const auto& [nodes, row, plane] = lattice_.arrays;
-  const auto width = static_cast<std::size_t>(nodes[0]), rows = static_cast<std::size_t>(nodes[1]);
-  const std::size_t skipped_in_row = is_fixed_ ? 1 : 0, skipped_rows = is_fixed_ ? row : 0;
+  const auto plane = lattice_.arrays.plane;
 #pragma omp parallel for num_threads(threads_)
-  for (int k = 0; k < 3 * nodes[2]; ++k) {
+  for (int k = 0; k < 3 * lattice_.arrays.nodes[2]; ++k) {
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     const auto first = static_cast<std::size_t>(k) * plane;
     double* values = waves.all().data() + first;
     std::copy_n(forces.all().data() + first, plane, values);
-    if (!is_fixed_) double_ends(values, 0, rows, 1, row);
-    fftw_execute_r2r(plans_[0].get(), values + skipped_in_row, values + skipped_in_row);
-    if (!is_fixed_) double_ends(values, 1, width, row, 1);
-    fftw_execute_r2r(plans_[1].get(), values + skipped_rows, values + skipped_rows);
+    for (const std::size_t axis : {0U, 1U}) transform(axis, values, waves_[axis][thread].get());
   }
 }
 
 void WallPreconditioner::divide_by_laplacian(const Moduli& reference, LatticeField& waves) const {
   const auto& [nodes, row, plane] = lattice_.arrays;
-  const auto width = static_cast<std::size_t>(nodes[0]);
-  const std::size_t skipped_planes = is_fixed_ ? plane : 0;
 #pragma omp parallel for num_threads(threads_)
   for (int second = 0; second < nodes[1]; ++second) {
+    auto* memory = waves_[2][static_cast<std::size_t>(omp_get_thread_num())].get();
     for (std::size_t component = 0; component < 3; ++component) {
       double* values = waves.component(component) + static_cast<std::size_t>(second) * row;
-      if (!is_fixed_) double_ends(values, 2, width, plane, 1);
-      fftw_execute_r2r(plans_[2].get(), values + skipped_planes, values + skipped_planes);
+      transform(2, values, memory);
       divide_row(reference, static_cast<std::size_t>(second), values);
-      fftw_execute_r2r(plans_[2].get(), values + skipped_planes, values + skipped_planes);
+      transforms_[2].apply(rows_along(2, values), memory);
     }
   }
 }
 
-/// Divides the waves of one component and one row along the second axis by the Laplacian.
+/// Divides the waves of one component and one row along the second axis by the Laplacian. A fixed box has none at the
+/// walls.
 void WallPreconditioner::divide_row(const Moduli& reference, std::size_t second, double* values) const {
   const auto& cells = lattice_.cells;
   const double scale = 1.0 / (reference.shear * 8.0 * cells[0] * cells[1] * cells[2]);
@@ -94,13 +104,12 @@ void WallPreconditioner::divide_row(const Moduli& reference, std::size_t second,
 }
 
 void WallPreconditioner::transform_planes_back(LatticeField& waves) const {
-  const auto& [nodes, row, plane] = lattice_.arrays;
-  const std::size_t skipped_in_row = is_fixed_ ? 1 : 0, skipped_rows = is_fixed_ ? row : 0;
+  const auto plane = lattice_.arrays.plane;
 #pragma omp parallel for num_threads(threads_)
-  for (int k = 0; k < 3 * nodes[2]; ++k) {
+  for (int k = 0; k < 3 * lattice_.arrays.nodes[2]; ++k) {
+    const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     double* values = waves.all().data() + static_cast<std::size_t>(k) * plane;
-    fftw_execute_r2r(plans_[1].get(), values + skipped_rows, values + skipped_rows);
-    fftw_execute_r2r(plans_[0].get(), values + skipped_in_row, values + skipped_in_row);
+    for (const std::size_t axis : {1U, 0U}) transforms_[axis].apply(rows_along(axis, values), waves_[axis][thread].get());
   }
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "solvers/fourier_plan.hpp"
 #include "solvers/lattice_preconditioner.hpp"
+#include "solvers/wall_transform.hpp"
 #include "solvers/wave_symbol.hpp"
 
 namespace breccia::quasistatic {
@@ -19,9 +19,11 @@ class WallPreconditioner final : public LatticePreconditioner {
   void apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) override;
 
  private:
-  [[nodiscard]] FourierPlan plan(std::size_t axis, std::size_t rows, std::size_t apart, std::size_t rows_apart,
-                                 double* values) const;
-  void double_ends(double* values, std::size_t axis, std::size_t rows, std::size_t apart, std::size_t rows_apart) const;
+  /// Rows of nodes of a plane or, across the planes, of those at one place along the second axis; `first` is the first
+  /// node.
+  [[nodiscard]] PairedRows rows_along(std::size_t axis, double* first) const;
+  void transform(std::size_t axis, double* first, fftw_complex* waves) const;
+  void double_ends(std::size_t axis, double* values) const;
   void transform_planes(const LatticeField& forces, LatticeField& waves) const;
   void divide_by_laplacian(const Moduli& reference, LatticeField& waves) const;
   void transform_planes_back(LatticeField& waves) const;
@@ -31,7 +33,8 @@ class WallPreconditioner final : public LatticePreconditioner {
   int threads_;
   bool is_fixed_;                                 ///< are the displacements of the nodes on the walls zero?
   std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
-  std::array<FourierPlan, 3> plans_;              ///< by axis; each is its own inverse, but for a factor
+  std::vector<WallTransform> transforms_;         ///< by axis; each is its own inverse, but for a factor
+  std::array<std::vector<Waves>, 3> waves_;       ///< memory of the transforms, by axis and thread
 };
 
 }  // namespace breccia::quasistatic

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "breccia/discretisation/tensor.hpp"
+
+#include "operator/cell_sweep.hpp"
+#include "operator/node_layout.hpp"
+
+namespace breccia::quasistatic {
+
+/// Displacements or forces of the nodes of a cube that a process sees, one component after the other, as CellSweep
+/// takes them. Several threads fill it plane by plane, with the same bits for any number of them.
+class SeenField {
+ public:
+  /// All zero.
+  SeenField(const NodeLayout<3>& nodes, int threads);
+
+  [[nodiscard]] const NodeArrays& arrays() const noexcept { return arrays_; }
+  [[nodiscard]] std::size_t place_of(const Index<3>& node) const noexcept {
+    return arrays_.row_at(node[1] - begin_[1], node[2] - begin_[2]) + static_cast<std::size_t>(node[0] - begin_[0]);
+  }
+  /// The components, from a place on.
+  [[nodiscard]] CellSweep::Output from(std::size_t place) noexcept {
+    return {values_[0].data() + place, values_[1].data() + place, values_[2].data() + place};
+  }
+  [[nodiscard]] CellSweep::Input from(std::size_t place) const noexcept {
+    return {values_[0].data() + place, values_[1].data() + place, values_[2].data() + place};
+  }
+
+  /// Takes the values of a local vector plus the affine motion of an amount of a strain.
+  void read(Vec local, double amount, const Strain<3>& strain);
+  /// Writes the values to a local vector.
+  void write(Vec local) const;
+  /// The work of the values, as forces, on the affine motion of a strain.
+  [[nodiscard]] double work_on(const Strain<3>& strain) const;
+
+ private:
+  /// Calls work(third index, first place) for all planes of nodes.
+  template <class Work>
+  void for_planes(const Work& work) const;
+  /// Calls work(node, place) for the nodes of a plane.
+  template <class Work>
+  void for_nodes_of_plane(int third, std::size_t place, const Work& work) const;
+
+  Index<3> begin_;  ///< the lowest node
+  NodeArrays arrays_;
+  int threads_;
+  std::array<std::vector<double>, 3> values_;  ///< by component
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "breccia/quasistatic/stored_vectors.hpp"
+
+#include "operator/displacement_state.hpp"
+#include "operator/elastic_operator.hpp"
+#include "reduced/affine_stiffness.hpp"
+
+namespace breccia::quasistatic {
+
+/// The vectors of a reduced basis of a cube without the strains of the phases of its mixed cells, which take as much
+/// memory as the displacements of the nodes. They follow from these: the phases of a displacement that solves for some
+/// moduli share the strain of their cell as the series mixture of these moduli has it, and a vector is a sum of such a
+/// displacement and of earlier vectors (theory, Eq. 76).
+class CondensedVectors {
+ public:
+  /// For a basis of this load. The operator and the stiffness must outlive it.
+  CondensedVectors(const ElasticOperator<3>& elastic_operator, const AffineStiffness& stiffness, Load load)
+      : elastic_operator_(&elastic_operator), stiffness_(&stiffness), load_(load) {}
+
+  [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
+  [[nodiscard]] Displacement at(std::size_t place) const;
+  void add(Displacement vector, VectorOrigin origin);
+
+  /// The work of forces on each of the vectors.
+  [[nodiscard]] Eigen::VectorXd works(const Forces& forces) const;
+  /// sum += the vectors times these weights
+  void add_to(Displacement& sum, const Eigen::VectorXd& weights) const;
+
+  void save(StateWriter& state, const std::string& group) const;
+  void restore(const StateReader& state, const std::string& group, const std::function<Displacement()>& zero);
+
+ private:
+  using Modes = CellShape<3>::ModeValues;
+
+  struct Condensed {
+    Displacement displacement;  ///< without strains of phases
+    VectorOrigin origin;
+    std::vector<std::vector<StrainShare>> shares;  ///< by kind of cell and phase but the first
+  };
+
+  class CellStrains;
+
+  /// Calls work(plane, strains of the phases of a mixed cell in the first `count` vectors, place and number of these
+  /// strains) for all mixed cells, those of a plane of cells one after the other, planes by several threads.
+  template <class Work>
+  void for_mixed_cells(std::size_t count, const Work& work) const;
+  [[nodiscard]] static Displacement without_strains(double macroscopic, NodalVector fluctuation);
+  [[nodiscard]] std::vector<std::vector<StrainShare>> shares_of(const VectorOrigin& origin) const;
+
+  const ElasticOperator<3>* elastic_operator_;
+  const AffineStiffness* stiffness_;
+  Load load_;
+  std::vector<Condensed> vectors_;
+};
+
+}  // namespace breccia::quasistatic

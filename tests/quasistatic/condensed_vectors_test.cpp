@@ -1,0 +1,130 @@
+#include "reduced/condensed_vectors.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/discretisation/mixed_cells.hpp"
+
+#include "operator/vector_values.hpp"
+#include "reduced/cell_composite.hpp"
+
+#include "composites.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+const std::vector<Material> materials = {{"soft", 1.0, PronySeries(3.0), PronySeries(1.0)},
+                                         {"hard", 1.0, PronySeries(40.0), PronySeries(30.0)}};
+
+QuasistaticProblem<3> sphere(Boundary boundary) {
+  const Microstructure<3> box = {1.0, Walls::hard, {{{0.47, 0.52, 0.55}, 0.6}}};
+  constexpr std::array<PhaseIndex, 1> of_sphere = {1};
+  return {.discretisation = discretise_mixed(box, 6, 0, of_sphere, 2), .materials = materials, .boundary = boundary};
+}
+
+std::vector<double> strains_of(const Displacement& displacement) {
+  PetscInt size = 0;
+  check(VecGetLocalSize(displacement.phase_strains(), &size), "reading the size of a vector");
+  const ReadValues values(displacement.phase_strains());
+  return {values.data(), values.data() + size};
+}
+
+double largest_difference(const std::vector<double>& some, const std::vector<double>& others) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < some.size(); ++i) largest = std::max(largest, std::abs(some[i] - others.at(i)));
+  return largest;
+}
+
+/// A sphere under one boundary condition, and three vectors: the uniform strain, and sums of a solution and of the
+/// vectors before it, kept with the strains of their phases and without.
+class CondensedSphere {
+ public:
+  explicit CondensedSphere(Boundary boundary)
+      : composite_(sphere(boundary), std::vector<VaryingPhase>{{0, "soft"}}),
+        condensed_(composite_.no_vectors(load)),
+        empty_(composite_.no_vectors(load)) {
+    CellSolver<3> solver(composite_, {.method = LinearMethod::direct});
+    add(composite_.uniform_strain(load), {});
+    for (const auto& parameters : std::vector<std::vector<double>>{{0.1, 2.0}, {5.0, 9.0}}) {
+      solver.prepare(parameters);
+      auto vector = solver.solve(load, composite_.zero());
+      vector.scale(1.7);
+      Eigen::VectorXd of_earlier(static_cast<Eigen::Index>(whole_.size()));
+      of_earlier.setLinSpaced(-1.3, 0.4);
+      whole_.add_to(vector, of_earlier);
+      add(std::move(vector), {parameters, of_earlier});
+    }
+  }
+
+  [[nodiscard]] const CellComposite<3>& composite() const { return composite_; }
+  [[nodiscard]] const StoredVectors<Displacement>& whole() const { return whole_; }
+  [[nodiscard]] const CondensedVectors& condensed() const { return condensed_; }
+  [[nodiscard]] CondensedVectors& empty() { return empty_; }
+
+  static constexpr auto load = Load::shear_zx;
+
+ private:
+  void add(Displacement vector, VectorOrigin origin) {
+    condensed_.add(vector.copy(), origin);
+    whole_.add(std::move(vector), std::move(origin));
+  }
+
+  CellComposite<3> composite_;
+  StoredVectors<Displacement> whole_;
+  CondensedVectors condensed_, empty_;
+};
+
+TEST(CondensedVectors, HaveTheStrainsOfPhasesThatTheyDoNotKeep) {
+  for (const auto boundary : test::boundaries) {
+    const CondensedSphere sphere(boundary);
+    ASSERT_EQ(sphere.condensed().size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto found = sphere.condensed().at(i);
+      const auto expected = strains_of(sphere.whole().at(i));
+      ASSERT_GT(expected.size(), 18U);
+      EXPECT_LT(largest_difference(strains_of(found), expected), 1e-11) << i;
+      EXPECT_EQ(found.macroscopic(), sphere.whole().at(i).macroscopic());
+    }
+  }
+}
+
+TEST(CondensedVectors, DoTheWorkOfWholeOnes) {
+  for (const auto boundary : test::boundaries) {
+    const CondensedSphere sphere(boundary);
+    const std::vector<double> parameters = {0.7, 4.0};
+    const auto forces = sphere.composite().forces(parameters, CondensedSphere::load, sphere.whole().at(2));
+    const auto found = sphere.condensed().works(forces), expected = sphere.whole().works(forces);
+    EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 1e-11 * expected.cwiseAbs().maxCoeff());
+    const Eigen::VectorXd weights{{2.0, -0.5, 3.0}};
+    auto sum = sphere.composite().zero(), whole_sum = sphere.composite().zero();
+    sphere.condensed().add_to(sum, weights);
+    sphere.whole().add_to(whole_sum, weights);
+    EXPECT_NEAR(work(forces, sum), work(forces, whole_sum), 1e-11 * std::abs(work(forces, whole_sum)));
+  }
+}
+
+TEST(CondensedVectors, KeepTheirBitsInAState) {
+  const test::TemporaryDirectory directory;
+  CondensedSphere sphere(Boundary::periodic);
+  StateWriter writer(directory.path() / "state.h5", {"deck", "version"});
+  sphere.condensed().save(writer, "/basis");
+  writer.commit();
+  sphere.empty().restore(StateReader(directory.path() / "state.h5"), "/basis",
+                         [&] { return sphere.composite().zero(); });
+  ASSERT_EQ(sphere.empty().size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(strains_of(sphere.empty().at(i)), strains_of(sphere.condensed().at(i))) << i;
+    EXPECT_EQ(sphere.composite().elastic_operator().gathered(sphere.empty().at(i)),
+              sphere.composite().elastic_operator().gathered(sphere.condensed().at(i)));
+  }
+}
+
+}  // namespace
+}  // namespace breccia::quasistatic
