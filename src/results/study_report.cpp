@@ -20,6 +20,7 @@
 
 #include "report_data.hpp"
 #include "report_tables.hpp"
+#include "space_views.hpp"
 
 namespace breccia {
 namespace {
@@ -186,19 +187,30 @@ Json data_of(const fs::path& directory, Json study) {
     if (is_there(response)) responses[name] = responses_of(response, hash);
     histories[name] = histories_of(directory / name, stage, hash);
   }
-  return {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
-          {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
+  auto views = space_views(directory, study);
+  Json data = {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
+               {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
+  if (!views.is_null()) data["views"] = std::move(views);
+  return data;
 }
 
 }  // namespace
 
 PageData study_page_data(const fs::path& directory) {
-  return read_page_data(directory / "study.json", [&](Json study) { return data_of(directory, std::move(study)); });
+  bool has_views = false;
+  auto page = read_page_data(directory / "study.json", [&](Json study) {
+    auto data = data_of(directory, std::move(study));
+    has_views = data.contains("views");
+    return data;
+  });
+  page.has_views = has_views;
+  return page;
 }
 
 void write_study_report(const fs::path& directory) {
-  const auto [title, data] = study_page_data(directory);
-  write_text(directory / "report.html", study_page(title, data));
+  const auto page = study_page_data(directory);
+  const auto put_together = page.has_views ? study_page_with_views : study_page;
+  write_text(directory / "report.html", put_together(page.title, page.json));
 }
 
 }  // namespace breccia

@@ -32,7 +32,7 @@ using PointFields = LatticeFields<dim>;
 template <int dim>
 using CellFields = LatticeFields<dim>;
 
-/// Fields at a time after the load was applied.
+/// Fields at a time after the load was applied: of the points of a square, of the cells of a cube.
 template <int dim>
 struct TimedFields {
   double time = 0.0;  ///< [s]
@@ -47,5 +47,14 @@ template <int dim>
 /// phase is that of most, the first of equals. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
+
+/// The zero fields that belong to a time: of the points of a square, of the cells of a cube.
+template <int dim>
+[[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation);
+
+/// The fields of all points as they belong to a time: those of a square as they are, the means over the cells of a
+/// cube. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] LatticeFields<dim> timed_fields_of(const Discretisation<dim>& discretisation, PointFields<dim> points);
 
 }  // namespace breccia

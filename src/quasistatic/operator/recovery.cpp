@@ -111,16 +111,6 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   return stresses;
 }
 
-/// The fields of a square are those of its points, the fields of a cube means over its cells.
-template <int dim>
-LatticeFields<dim> fields_to_recover(const Discretisation<dim>& discretisation) {
-  if constexpr (dim == 2) {
-    return zero_fields(discretisation);
-  } else {
-    return zero_cell_fields(discretisation);
-  }
-}
-
 /// Where the values of a point stand in these fields.
 template <int dim>
 std::size_t place_of_point(const Grid<dim>& grid, const Index<dim>& cell, int point) {
@@ -152,7 +142,7 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     by_material.push_back(
         {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
   }
-  auto fields = fields_to_recover(discretisation);
+  auto fields = zero_timed_fields(discretisation);
   if (parallel::rank() != 0) return fields;
   for (int p = 0; p < Shape::points; ++p) {
     const auto weights = Shape::weights(p);
