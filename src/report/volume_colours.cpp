@@ -1,6 +1,11 @@
 #include "breccia/report/volume_colours.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "breccia/error.hpp"
 
 #include "colour_map.hpp"
 #include "colour_range.hpp"
@@ -8,6 +13,9 @@
 namespace breccia {
 
 VolumeColours volume_colours(ColourScale scale, const std::vector<double>& values) {
+  if (values.empty() || !std::ranges::all_of(values, [](double value) { return std::isfinite(value); })) {
+    throw InputError("volume of a field: no values, or one that is not finite");
+  }
   const ColourRange range(scale, values);
   VolumeColours volume{.from = range.value_at(0.0), .to = range.value_at(1.0), .colours = {}};
   volume.colours.reserve(values.size());

@@ -13,6 +13,7 @@
 #include "breccia/io/raster_reader.hpp"
 
 #include "page_bytes.hpp"
+#include "report_data.hpp"
 
 namespace breccia {
 namespace {
@@ -69,11 +70,11 @@ Json phases_of(const Raster& raster) {
 }  // namespace
 
 Json microstructure_view(const fs::path& directory) {
-  if (const auto listed = directory / "microstructure.csv"; fs::is_regular_file(listed)) {
+  if (const auto listed = directory / "microstructure.csv"; is_there(listed)) {
     const auto table = read_csv(listed);
     if (table.has("z_m")) return {{"particles", particles_of(table)}};
   }
-  if (const auto labels = directory / "labels.npy"; fs::is_regular_file(labels)) {
+  if (const auto labels = directory / "labels.npy"; is_there(labels)) {
     const auto raster = read_raster(labels);
     if (raster.extents.size() == 3) return {{"phases", phases_of(raster)}};
   }

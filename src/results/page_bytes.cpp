@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "breccia/error.hpp"
 #include "breccia/io/base64.hpp"
 #include "breccia/io/zlib_stream.hpp"
 
@@ -18,6 +19,9 @@ Json bytes_for_page(std::span<const std::uint8_t> bytes) {
 Json numbers_for_page(const std::vector<double>& numbers) {
   if (numbers.empty()) return {{"from", 0.0}, {"to", 0.0}, {"values", bytes_for_page({})}};
   constexpr double most = 65535.0;
+  if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) {
+    throw FileError("a number that the page draws is not finite");
+  }
   const auto [from, to] = std::ranges::minmax(numbers);
   std::vector<std::uint8_t> bytes;
   bytes.reserve(2 * numbers.size());

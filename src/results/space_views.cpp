@@ -14,6 +14,7 @@
 
 #include "field_view.hpp"
 #include "microstructure_view.hpp"
+#include "report_data.hpp"
 
 namespace breccia {
 namespace {
@@ -46,7 +47,7 @@ std::vector<FieldsOfTest> fields_of(const fs::path& directory, const Json& stage
       if (!is_of_fields(name)) {
         throw FileError(fmt::format("study.json: \"{}\" is not a name that `breccia run` gives", name));
       }
-      if (!fs::is_regular_file(directory / name)) continue;
+      if (!is_there(directory / name)) continue;
       files.push_back({directory / name, word_in<Load>(test, "load"), word_in<Boundary>(test, "boundary")});
     }
   }

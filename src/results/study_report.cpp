@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -111,12 +110,6 @@ Json responses_of(const fs::path& file, const std::string& hash) {
     }
   }
   return responses;
-}
-
-/// Whether the file exists; false also for a name that no file can have.
-bool is_there(const fs::path& file) {
-  std::error_code is_no_name_of_a_file;
-  return fs::is_regular_file(file, is_no_name_of_a_file);
 }
 
 /// Throws FileError if study.json contains a name of a file or directory that no run gives: it could refer to any file

@@ -211,9 +211,6 @@ TEST_F(DeckInSpace, RefusesWhatIsFlat) {
               AllOf(HasSubstr("\"lubachevsky-stillinger\""), HasSubstr("\"random-sequential\"")));
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre", film = "10 um")", "model = \"films\"\n"),
               HasSubstr("three dimensions: expected model \"cells\""));
-  EXPECT_THAT(
-      mistakes(one_size, R"(method = "regular", lattice = "sc")", "method = \"dynamic\"\nfields = [\"1 ms\"]\n"),
-      HasSubstr("three dimensions: expected no times of fields without method \"quasistatic\""));
 }
 
 TEST_F(DeckInSpace, HasBothMethods) {
@@ -221,8 +218,8 @@ TEST_F(DeckInSpace, HasBothMethods) {
                                           "method = [\"quasistatic\", \"dynamic\"]\nfields = [\"1 ms\"]\n"));
   EXPECT_EQ(study.tests.methods, (std::vector{Method::quasistatic, Method::dynamic}));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")",
-                       "method = \"dynamic\"\nfields = [\"1 ms\"]\n[tests.dynamic]\ncourant = 2\n"),
-              AllOf(HasSubstr("three dimensions: expected no times of fields"), HasSubstr("courant")));
+                       "method = \"dynamic\"\nfields = [\"1 ms\", \"1 us\"]\n[tests.dynamic]\ncourant = 2\n"),
+              AllOf(HasSubstr("fields: expected rising times"), HasSubstr("courant")));
 }
 
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {

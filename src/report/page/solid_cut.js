@@ -1,5 +1,5 @@
-/// The cube [0, 1]^3 without a corner that a reader cuts off: all that is above three planes at once. Planes below 0
-/// leave no condition on their axis, so that one plane alone cuts a slab off.
+/// The cube [0, 1]^3 without what a reader cuts off: all that is above three planes, one an axis, at once. A plane below 0
+/// is no condition, so that one plane alone cuts a slab off.
 
 /// The ways to cut, with the planes for a place between 0 and 1.
 export const cuts = [
@@ -13,13 +13,12 @@ export const cuts = [
 const axes = [0, 1, 2];
 const others = (axis) => [(axis + 1) % 3, (axis + 2) % 3];
 
-/// The corner that is cut off begins here; at 1 along an axis there is none.
-function cornerOf(planes) {
-  return planes.map((plane) => Math.min(1, Math.max(0, plane)));
-}
-
-function isCut(corner) {
-  return corner.every((place) => place < 1);
+/// What a cut leaves: a box from the origin to `upper`, without that from `notch` to (1, 1, 1) if there is one.
+function solidOf(planes) {
+  const places = planes.map((plane) => Math.min(1, Math.max(0, plane)));
+  if (places.some((place) => place === 1)) return {upper: [1, 1, 1]};
+  if (places.every((place) => place > 0)) return {upper: [1, 1, 1], notch: places};
+  return {upper: planes.map((plane, axis) => (plane < 0 ? 1 : places[axis]))};
 }
 
 function point(axis, along, [first, second]) {
@@ -42,39 +41,30 @@ function rectangle(axis, along, from, to, faces) {
 
 /// The corners of triangles, and the outward normal at each, of the surface of what is left.
 export function surfaceOf(planes) {
-  const corner = cornerOf(planes);
+  const {upper, notch} = solidOf(planes);
   return axes.flatMap((axis) => {
     const [across, up] = others(axis);
-    const notch = [corner[across], corner[up]];
-    const whole = rectangle(axis, 0, [0, 0], [1, 1], -1);
-    if (!isCut(corner)) return [...whole, ...rectangle(axis, 1, [0, 0], [1, 1], 1)];
-    return [...whole,
-      ...rectangle(axis, corner[axis], notch, [1, 1], 1),
-      ...rectangle(axis, 1, [0, 0], [notch[0], 1], 1),
-      ...rectangle(axis, 1, [notch[0], 0], [1, notch[1]], 1)];
+    const end = [upper[across], upper[up]];
+    const lower = rectangle(axis, 0, [0, 0], end, -1);
+    if (notch === undefined) return [...lower, ...rectangle(axis, upper[axis], [0, 0], end, 1)];
+    const corner = [notch[across], notch[up]];
+    return [...lower,
+      ...rectangle(axis, notch[axis], corner, end, 1),
+      ...rectangle(axis, 1, [0, 0], [corner[0], 1], 1),
+      ...rectangle(axis, 1, [corner[0], 0], [1, corner[1]], 1)];
   });
 }
 
-/// The ends of the edges of what is left.
+/// The ends of the edges of what is left, two for each.
 export function edgesOf(planes) {
-  const corner = cornerOf(planes);
-  const edges = [];
-  for (const axis of axes) {
+  const {upper, notch} = solidOf(planes);
+  return axes.flatMap((axis) => {
     const [across, up] = others(axis);
-    const edge = (from, to, at) => {
-      if (to > from) edges.push(point(axis, from, at), point(axis, to, at));
-    };
-    edge(0, 1, [0, 0]);
-    edge(0, 1, [1, 0]);
-    edge(0, 1, [0, 1]);
-    if (!isCut(corner)) {
-      edge(0, 1, [1, 1]);
-      continue;
-    }
-    edge(0, corner[axis], [1, 1]);
-    edge(corner[axis], 1, [corner[across], corner[up]]);
-    edge(corner[axis], 1, [1, corner[up]]);
-    edge(corner[axis], 1, [corner[across], 1]);
-  }
-  return edges;
+    const edge = (from, to, at) => [point(axis, from, at), point(axis, to, at)];
+    const [right, top] = [upper[across], upper[up]];
+    const outer = [[0, 0], [right, 0], [0, top]].flatMap((at) => edge(0, upper[axis], at));
+    if (notch === undefined) return [...outer, ...edge(0, upper[axis], [right, top])];
+    const inner = [[notch[across], notch[up]], [1, notch[up]], [notch[across], 1]];
+    return [...outer, ...edge(0, notch[axis], [1, 1]), ...inner.flatMap((at) => edge(notch[axis], 1, at))];
+  });
 }
