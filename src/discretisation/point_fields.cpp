@@ -1,7 +1,6 @@
 #include "breccia/discretisation/point_fields.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 namespace breccia {
@@ -26,12 +25,6 @@ LatticeFields<dim> zero_lattice(std::size_t size) {
   fields.strain.resize(size);
   fields.stress.resize(size);
   return fields;
-}
-
-/// Adds the share of a point to a mean over the points of a cell.
-template <std::size_t components>
-void add_share(const std::array<double, components>& of_point, std::array<double, components>& mean) {
-  for (std::size_t i = 0; i < components; ++i) mean[i] += of_point[i] / Discretisation<3>::points_per_cell;
 }
 
 }  // namespace
@@ -61,26 +54,6 @@ CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation) {
   return fields;
 }
 
-namespace {
-
-/// Means over the points of each cell.
-CellFields<3> cell_means(const Discretisation<3>& cube, const PointFields<3>& points) {
-  auto cells = zero_cell_fields(cube);
-  const auto& grid = cube.grid();
-  grid.for_each_cell([&](const Index<3>& index) {
-    const auto cell = grid.cell_index(index);
-    for (int p = 0; p < Discretisation<3>::points_per_cell; ++p) {
-      const auto point = grid.point_index(index, p);
-      add_share(points.displacement[point], cells.displacement[cell]);
-      add_share(points.strain[point], cells.strain[cell]);
-      add_share(points.stress[point], cells.stress[cell]);
-    }
-  });
-  return cells;
-}
-
-}  // namespace
-
 template <int dim>
 LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation) {
   if constexpr (dim == 2) {
@@ -90,22 +63,11 @@ LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation) 
   }
 }
 
-template <int dim>
-LatticeFields<dim> timed_fields_of(const Discretisation<dim>& discretisation, PointFields<dim> points) {
-  if constexpr (dim == 2) {
-    return points;
-  } else {
-    return cell_means(discretisation, points);
-  }
-}
-
 template PointFields<2> zero_fields(const Discretisation<2>&);
 template PointFields<3> zero_fields(const Discretisation<3>&);
 template CellFields<2> zero_cell_fields(const Discretisation<2>&);
 template CellFields<3> zero_cell_fields(const Discretisation<3>&);
 template LatticeFields<2> zero_timed_fields(const Discretisation<2>&);
 template LatticeFields<3> zero_timed_fields(const Discretisation<3>&);
-template LatticeFields<2> timed_fields_of(const Discretisation<2>&, PointFields<2>);
-template LatticeFields<3> timed_fields_of(const Discretisation<3>&, PointFields<3>);
 
 }  // namespace breccia

@@ -13,7 +13,6 @@
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/printable.hpp"
 
-
 namespace breccia {
 
 namespace {

@@ -40,8 +40,8 @@ std::string filled(std::string_view page, std::string_view title, std::string_vi
   const auto [before_title, after_title] = split_at(page, "<!--TITLE-->");
   const auto [before_data, after_data] = split_at(after_title, "<!--DATA-->");
   const auto [before_views, after_views] = split_at(after_data, "<!--VIEWS-->\n");
-  return fmt::format("{}{}{}{}{}{}{}", before_title, as_markup(title), before_data, as_script(data), before_views, views,
-                     after_views);
+  return fmt::format("{}{}{}{}{}{}{}", before_title, as_markup(title), before_data, as_script(data), before_views,
+                     views, after_views);
 }
 
 }  // namespace

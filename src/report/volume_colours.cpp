@@ -25,7 +25,8 @@ VolumeColours volume_colours(ColourScale scale, const std::vector<double>& value
 
 std::string colours_of_fields() {
   std::string text;
-  for (const auto& [red, green, blue] : perceptual_colours()) text += fmt::format("{:02x}{:02x}{:02x}", red, green, blue);
+  for (const auto& [red, green, blue] : perceptual_colours())
+    text += fmt::format("{:02x}{:02x}{:02x}", red, green, blue);
   return text;
 }
 

@@ -12,8 +12,8 @@ namespace breccia {
 
 /// What is drawn of a field of cells in a cube.
 struct VolumeQuantity {
-  std::string words;              ///< with the unit of the labels
-  double unit_size = 1.0;         ///< unit of the labels in the unit of the values
+  std::string words;       ///< with the unit of the labels
+  double unit_size = 1.0;  ///< unit of the labels in the unit of the values
   ColourScale scale = ColourScale::linear;
   std::vector<double> values;  ///< by cell
 };

@@ -1,7 +1,5 @@
 // What the page draws of stages in three dimensions, from files of results.
 
-#include <zlib.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <zlib.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/base64.hpp"
@@ -46,7 +45,8 @@ std::vector<double> numbers(const json& column) {
   const auto bytes = unpacked(column.at("values"));
   const double from = column.at("from"), to = column.at("to");
   std::vector<double> values;
-  for (std::size_t i = 0; i < bytes.size(); i += 2) values.push_back(from + (to - from) * (bytes[i] + 256 * bytes[i + 1]) / 65535.0);
+  for (std::size_t i = 0; i < bytes.size(); i += 2)
+    values.push_back(from + (to - from) * (bytes[i] + 256 * bytes[i + 1]) / 65535.0);
   return values;
 }
 
@@ -77,8 +77,9 @@ TEST_F(SpaceViews, OfTwoDimensionsThereAreNone) {
 
 TEST_F(SpaceViews, OfSpheresHoldTheirTable) {
   write_study(3);
-  directory.write("A/microstructure.csv",
-                  "# spheres\nx_m,y_m,z_m,diameter_m,filler\n0,0.5,0.1,0.02,0\n1,0.5,0.3,0.04,1\n0.25,0.5,0.2,0.03,1\n");
+  directory.write(
+      "A/microstructure.csv",
+      "# spheres\nx_m,y_m,z_m,diameter_m,filler\n0,0.5,0.1,0.02,0\n1,0.5,0.3,0.04,1\n0.25,0.5,0.2,0.03,1\n");
   EXPECT_TRUE(study_page_data(directory.path()).has_views);
   EXPECT_EQ(data().at("views").at("colours").get<std::string>().size(), 6 * 256U);
   const auto particles = view().at("microstructure").at("particles");
@@ -133,7 +134,8 @@ TEST_F(SpaceViews, WithoutFilesAreEmpty) {
 
 TEST_F(SpaceViews, RefuseWhatIsNotOfBreccia) {
   const auto test_with = [](const std::string& load, const std::string& file) {
-    return fmt::format(R"({{"load": "{}", "boundary": "traction", "cells": 2, "fields": [{{"file": "{}"}}]}})", load, file);
+    return fmt::format(R"({{"load": "{}", "boundary": "traction", "cells": 2, "fields": [{{"file": "{}"}}]}})", load,
+                       file);
   };
   write_study(3, test_with("shear", "../fields.vtkhdf"));
   EXPECT_THAT(refusal(), HasSubstr("\"../fields.vtkhdf\" is not a name that `breccia run` gives"));
@@ -171,7 +173,9 @@ TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
   // Stress rises along z from 1 to 3 MPa, strain along y from 0.5 to 2.
   write_field(
       directory.path() / "A", 3, [](const Index<3>& cell) { return 1e6 * (cell[2] + 1); },
-      [](const Index<3>& cell) { return std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(cell[1])]; });
+      [](const Index<3>& cell) {
+        return std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(cell[1])];
+      });
   const auto field = view().at("fields").at("fields.vtkhdf");
   EXPECT_EQ(field.at("cells"), 3);
   const auto& stress = field.at("stress");
@@ -198,7 +202,8 @@ TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
 
 // Blocks of two cells along each axis, one at the ends.
 TEST_F(SpaceViews, OfManyCellsHoldMeans) {
-  write_study(3, R"({"load": "shear", "boundary": "displacement", "cells": 65, "fields": [{"file": "fields.vtkhdf"}]})");
+  write_study(3,
+              R"({"load": "shear", "boundary": "displacement", "cells": 65, "fields": [{"file": "fields.vtkhdf"}]})");
   write_field(
       directory.path() / "A", 65, [](const Index<3>& cell) { return cell[0] == 64 ? 66.0 : 1.0 + cell[0]; },
       [](const Index<3>& cell) { return cell[1] % 2 == 0 ? 1.0 : 3.0; });

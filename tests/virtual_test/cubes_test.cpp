@@ -51,8 +51,8 @@ TEST(DynamicTestInSpace, AHomogeneousCubeCreepsAsItsMaterial) {
   }
 }
 
-/// Under a load of one the uniform stress is the modulus times the load, the strain is the load, and the displacement at
-/// a place is the strain times the distance from the centre.
+/// Under a load of one the uniform stress is the modulus times the load, the strain is the load, and the displacement
+/// at a place is the strain times the distance from the centre.
 TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
   auto test = homogeneous_cube({"m", 1000.0, PronySeries(20e6), PronySeries(3e6)}, {1e-3, 0.01});
   test.load = Load::shear_zx;

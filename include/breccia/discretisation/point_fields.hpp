@@ -52,9 +52,30 @@ template <int dim>
 template <int dim>
 [[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation);
 
-/// The fields of all points as they belong to a time: those of a square as they are, the means over the cells of a
-/// cube. Instantiated for 2 and 3 dimensions.
+/// Where the values of a point (Grid::point_index) stand in such fields.
 template <int dim>
-[[nodiscard]] LatticeFields<dim> timed_fields_of(const Discretisation<dim>& discretisation, PointFields<dim> points);
+[[nodiscard]] std::size_t place_in_timed_fields(const Grid<dim>& grid, std::size_t point) {
+  if constexpr (dim == 2) {
+    return point;
+  } else {
+    Index<dim> cell{};
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const auto points = 2 * static_cast<std::size_t>(grid.cells[axis]);
+      cell[axis] = static_cast<int>(point % points / 2);
+      point /= points;
+    }
+    return grid.cell_index(cell);
+  }
+}
+
+/// Puts the values of a point into their place in such fields, or adds its share to the mean of its cell.
+template <int dim, std::size_t components>
+void put_in_timed_fields(const std::array<double, components>& of_point, std::array<double, components>& values) {
+  if constexpr (dim == 2) {
+    values = of_point;
+  } else {
+    for (std::size_t i = 0; i < components; ++i) values[i] += of_point[i] / Discretisation<dim>::points_per_cell;
+  }
+}
 
 }  // namespace breccia

@@ -15,8 +15,8 @@ struct VolumeColours {
   std::vector<std::uint8_t> colours;
 };
 
-/// The colours of values as in a picture of a field: they range from the 1st to the 99th percentile. Throws InputError when
-/// there are none, or one is not finite.
+/// The colours of values as in a picture of a field: they range from the 1st to the 99th percentile. Throws InputError
+/// when there are none, or one is not finite.
 VolumeColours volume_colours(ColourScale scale, const std::vector<double>& values);
 
 /// The 256 colours of the pictures of fields, six hexadecimal digits each, from the lowest to the highest.

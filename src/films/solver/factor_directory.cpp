@@ -33,9 +33,10 @@ FactorDirectory::FactorDirectory() {
                     purpose, name, name.size(), longest_name));
   }
   if (mkdtemp(name.data()) == nullptr) {
-    throw InputError(fmt::format("{}, and the directory {} cannot be made: {}; the environment variable TMPDIR names "
-                                 "another place",
-                                 purpose, name, std::generic_category().message(errno)));
+    throw InputError(
+        fmt::format("{}, and the directory {} cannot be made: {}; the environment variable TMPDIR names "
+                    "another place",
+                    purpose, name, std::generic_category().message(errno)));
   }
   path_ = name;
 }

@@ -44,7 +44,7 @@ class SymmetricFactors {
   double memory_;
   Sparse matrix_;
   std::optional<FactorDirectory> directory_;  ///< of the files, which end before it
-  std::vector<int> rows_, columns_;  ///< of the entries, from 1
+  std::vector<int> rows_, columns_;           ///< of the entries, from 1
   std::unique_ptr<DMUMPS_STRUC_C, End> mumps_;
   double residual_ = 0.0;
 };

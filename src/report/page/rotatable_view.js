@@ -49,14 +49,38 @@ export function roundLength(most) {
   return [5, 2, 1].find((factor) => factor * power <= most * (1 + 1e-9)) * power;
 }
 
-/// The camera, and what turns it.
-function turnableCamera(canvas, changed) {
+/// How many times coarser the pixels of a view are while it is dragged on a slow machine, so that it follows the hand.
+function dragPace() {
+  const slow = 60, coarsest = 4;
+  let coarseness = 1, isDragged = false, last = 0;
+  return {
+    begin() {
+      isDragged = true;
+      last = performance.now();
+    },
+    end() {
+      isDragged = false;
+      coarseness = 1;
+    },
+    ofNextFrame() {
+      const now = performance.now();
+      if (isDragged && now - last > slow) coarseness = Math.min(coarsest, 1.5 * coarseness);
+      last = now;
+      return coarseness;
+    },
+  };
+}
+
+/// The camera, and what turns it. `begun` and `ended` are called when the reader begins and ends to drag.
+function turnableCamera(canvas, {changed, begun, ended}) {
   const camera = new THREE.OrthographicCamera(-1, 1, halfHeight, -halfHeight, 0.1, 2 * distance);
   camera.up.set(0, 0, 1);
   const controls = new THREE.OrbitControls(camera, canvas);
   controls.target.set(0.5, 0.5, 0.5);
   Object.assign(controls, {minZoom: 0.5, maxZoom: 40, zoomToCursor: true});
   controls.addEventListener("change", changed);
+  controls.addEventListener("start", begun);
+  controls.addEventListener("end", ended);
   const lookFrom = ([azimuth, elevation]) => {
     // Not quite from above, where no direction is upwards.
     const [a, e] = [azimuth, Math.max(-89.99, Math.min(89.99, elevation))].map((degrees) => degrees * Math.PI / 180);
@@ -159,6 +183,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
   const scene = new THREE.Scene();
   const edges = edgeLines();
   scene.add(edges.lines);
+  const pace = dragPace();
   let model, isDue = false, wanted = build, isSeen = false;
 
   const draw = () => {
@@ -166,7 +191,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     if (model === undefined) return;
     const {clientWidth: width, clientHeight: height} = canvas;
     if (width === 0) return;
-    const scale = Math.min(2, Math.max(1.5, devicePixelRatio));
+    const scale = Math.min(2, Math.max(1.5, devicePixelRatio)) / pace.ofNextFrame();
     const size = [width, height].map((length) => Math.round(scale * length));
     if (canvas.width !== size[0] || canvas.height !== size[1]) [canvas.width, canvas.height] = size;
     const {camera} = view;
@@ -189,7 +214,10 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     drawSoon();
   };
   const controls = cutControls(name, cut);
-  const view = turnableCamera(canvas, drawSoon);
+  const view = turnableCamera(canvas, {changed: drawSoon, begun: pace.begin, ended() {
+    pace.end();
+    drawSoon();
+  }});
   listenToKeys(canvas, actionsOfKeys(view));
 
   const load = async () => {
