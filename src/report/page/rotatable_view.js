@@ -136,20 +136,21 @@ function listenToKeys(canvas, actions) {
   }, {capture: true});
 }
 
-/// The names of the axes at the ends of the edges that meet in the corner (0, 0, 0), and the scale bar.
+/// The names of the axes at the ends of the edges that meet in the corner (0, 0, 0), and the scale bar. Their places are
+/// shares of the view, which may have another size on paper.
 function labels(side) {
   const names = ["x", "y", "z"].map((name) => element("span", {className: "view-axis"}, name));
   const bar = element("span", {className: "view-scale"});
-  const place = (camera, width, height) => {
+  const place = (camera) => {
     names.forEach((name, axis) => {
       const end = new THREE.Vector3();
       end.setComponent(axis, 1.06).project(camera);
-      name.style.left = `${0.5 * (1 + end.x) * width}px`;
-      name.style.top = `${0.5 * (1 - end.y) * height}px`;
+      name.style.left = `${50 * (1 + end.x)}%`;
+      name.style.top = `${50 * (1 - end.y)}%`;
     });
-    const lengthOfPixel = side * 2 * halfHeight / camera.zoom / height;
-    const length = roundLength(0.3 * width * lengthOfPixel);
-    bar.style.width = `${length / lengthOfPixel}px`;
+    const width = side * (camera.right - camera.left) / camera.zoom;
+    const length = roundLength(0.3 * width);
+    bar.style.width = `${100 * length / width}%`;
     bar.textContent = display(length, "m");
   };
   return {elements: [...names, bar], place};
@@ -201,7 +202,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     renderer().setSize(...size, false);
     renderer().render(scene, camera);
     canvas.getContext("2d").drawImage(renderer().domElement, 0, 0);
-    marks.place(camera, width, height);
+    marks.place(camera);
     figure.dataset.drawn = Number(figure.dataset.drawn ?? 0) + 1;
   };
   const drawSoon = () => {
