@@ -249,26 +249,29 @@ function colourAt(canvas, right, up) {
   return `#${[red, green, blue].map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
 }
 
-async function press(canvas, key) {
-  canvas.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true}));
-  await wait(200);
+/// Waits until a view has been drawn (again), after an action of the reader.
+async function untilDrawn(figure, action = () => {}) {
+  const before = figure.dataset.drawn;
+  action();
+  for (let i = 0; i < 1000 && figure.dataset.drawn === before; ++i) await wait(10);
 }
 
-async function chooseIn(figure, className, index) {
+const press = (figure, key) => untilDrawn(figure, () => figure.querySelector("canvas").dispatchEvent(
+  new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true})));
+
+const chooseIn = (figure, className, index) => untilDrawn(figure, () => {
   const select = figure.querySelector(className);
   select.selectedIndex = index;
   select.dispatchEvent(new Event("change"));
-  await wait(500);
-}
+});
 
 /// A view that has been drawn, with its section through the middle, seen along z.
 async function sectionOf(figure) {
   figure.scrollIntoView({block: "center"});
-  for (let i = 0; i < 100 && figure.dataset.drawn === undefined; ++i) await wait(100);
-  const canvas = figure.querySelector("canvas");
+  if (figure.dataset.drawn === undefined) await untilDrawn(figure);
   await chooseIn(figure, ".view-cut", 3);
-  await press(canvas, "z");
-  return canvas;
+  await press(figure, "z");
+  return figure.querySelector("canvas");
 }
 
 /// The ball of glass in the view of the particles.
@@ -276,28 +279,27 @@ async function lookAtParticles(figure) {
   const canvas = await sectionOf(figure);
   see("ball", [0, 0.39, 0.41].map((right) => colourAt(canvas, right, 0)).join(" "));
   see("ball upwards", [0.39, 0.41].map((up) => colourAt(canvas, 0, up)).join(" "));
-  move(figure.querySelector(".view-slider"), 0.05);
-  await wait(200);
+  await untilDrawn(figure, () => move(figure.querySelector(".view-slider"), 0.05));
   see("below the ball", colourAt(canvas, 0, 0));
   const before = canvas.toDataURL();
-  await press(canvas, "0");
+  await press(figure, "0");
   const home = canvas.toDataURL();
-  await press(canvas, "ArrowLeft");
+  await press(figure, "ArrowLeft");
   const turned = canvas.toDataURL();
   see("keys turn", before !== home && home !== turned);
-  await press(canvas, "Home");
+  await press(figure, "Home");
   see("keys turn back", canvas.toDataURL() === home);
-  await press(canvas, "+");
+  await press(figure, "+");
   see("keys zoom", canvas.toDataURL() !== home);
-  figure.querySelector('button[aria-label="all of it"]').click();
-  await wait(200);
+  await untilDrawn(figure, () => figure.querySelector('button[aria-label="all of it"]').click());
   see("button goes back", canvas.toDataURL() === home);
   const pointer = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1,
     pointerType: "mouse", button: type === "pointermove" ? -1 : 0, buttons: 1, clientX: x, clientY: y}));
-  pointer("pointerdown", 300, 300);
-  pointer("pointermove", 340, 310);
-  pointer("pointerup", 340, 310);
-  await wait(200);
+  await untilDrawn(figure, () => {
+    pointer("pointerdown", 300, 300);
+    pointer("pointermove", 340, 310);
+    pointer("pointerup", 340, 310);
+  });
   see("dragging turns", canvas.toDataURL() !== home);
   see("scale bar", figure.querySelector(".view-scale").textContent);
   see("axes", [...figure.querySelectorAll(".view-axis")].map((name) => name.textContent).join(""));
@@ -360,5 +362,7 @@ addEventListener("load", async () => {
   const list = document.createElement("pre");
   list.id = "seen";
   list.textContent = `\n${seen.join("\n")}\n`;
+  // For those who do not wait for the page's end (browser-test).
+  for (const line of seen) console.info(`seen:${line}`);
   document.body.append(list);
 });

@@ -14,25 +14,23 @@ const halfHeight = 0.92, distance = 4;
 
 let sharedRenderer;
 
-/// The renderer of all views; throws where the browser has no WebGL 2.
+/// The renderer of all views; undefined where the browser has no WebGL 2.
 function renderer() {
-  if (sharedRenderer === undefined) {
-    // The colours are those of the pictures, unchanged.
-    THREE.ColorManagement.enabled = false;
-    sharedRenderer = new THREE.WebGLRenderer({antialias: true});
-    sharedRenderer.outputColorSpace = THREE.LinearSRGBColorSpace;
-    sharedRenderer.setClearColor(0xffffff);
-  }
+  if (sharedRenderer !== undefined) return sharedRenderer;
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", {antialias: true});
+  if (context === null) return undefined;
+  // The colours are those of the pictures, unchanged.
+  THREE.ColorManagement.enabled = false;
+  sharedRenderer = new THREE.WebGLRenderer({canvas, context});
+  sharedRenderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+  sharedRenderer.setClearColor(0xffffff);
   return sharedRenderer;
 }
 
 /// Whether this browser draws the views.
 export function drawsViews() {
-  try {
-    return typeof DecompressionStream !== "undefined" && renderer() !== undefined;
-  } catch {
-    return false;
-  }
+  return typeof DecompressionStream !== "undefined" && renderer() !== undefined;
 }
 
 function edgeLines() {
