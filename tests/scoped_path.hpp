@@ -1,25 +1,18 @@
 #pragma once
 
-#include <cstdlib>
 #include <string>
+
+#include "scoped_variable.hpp"
 
 namespace breccia::test {
 
 /// Sets the PATH of this process, and of those it starts, as long as it lives.
 class ScopedPath {
  public:
-  explicit ScopedPath(const std::string& path) {
-    if (const char* before = std::getenv("PATH")) before_ = before;
-    setenv("PATH", path.c_str(), 1);
-  }
-  ~ScopedPath() { setenv("PATH", before_.c_str(), 1); }
-  ScopedPath(const ScopedPath&) = delete;
-  ScopedPath& operator=(const ScopedPath&) = delete;
-  ScopedPath(ScopedPath&&) = delete;
-  ScopedPath& operator=(ScopedPath&&) = delete;
+  explicit ScopedPath(const std::string& path) : path_("PATH", path) {}
 
  private:
-  std::string before_;
+  ScopedVariable path_;
 };
 
 }  // namespace breccia::test

@@ -103,8 +103,9 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
       plan.add(quasistatic_plan(study, stage, boundary, cells));
       continue;
     }
-    // A finer grid is planned by this one: its points would take long, and memory that may not be there.
-    const int most_planned = stage.dimensions == 3 ? 100 : 1000;
+    // A finer grid is planned by this one, which takes some 20 MB a Prony term: its points would take long, and memory
+    // that may not be there.
+    const int most_planned = stage.dimensions == 3 ? 48 : 1000;
     const auto matrix = expected_matrix(study, stage);
     const auto add_loads = [&](const auto& discretisation) {
       for (const auto load : loads_of(study, stage)) {

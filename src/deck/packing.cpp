@@ -137,6 +137,11 @@ ExplicitPacking read_explicit_in_space(const Section& packing, double side, std:
   packing.refuse({"discs", "polygons"}, "they are particles of a box of two dimensions");
   ExplicitPacking listed{packing.file("particles"), {}, read_walls(packing), {}};
   if (listed.file.empty()) return listed;
+  if (is_picture(listed.file)) {
+    packing.report("particles", fmt::format("expected a CSV file with columns x_m, y_m, z_m, diameter_m, got {}; {}",
+                                            listed.file.string(), image_elsewhere));
+    return listed;
+  }
   packing.report_errors_of("particles", [&] {
     const auto table = read_measured_table(listed.file);
     FileMistakes mistakes(listed.file);

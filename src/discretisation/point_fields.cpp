@@ -1,6 +1,7 @@
 #include "breccia/discretisation/point_fields.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace breccia {
 namespace {
@@ -53,9 +54,20 @@ CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation) {
   return fields;
 }
 
+template <int dim>
+LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation) {
+  if constexpr (dim == 2) {
+    return zero_fields(discretisation);
+  } else {
+    return zero_cell_fields(discretisation);
+  }
+}
+
 template PointFields<2> zero_fields(const Discretisation<2>&);
 template PointFields<3> zero_fields(const Discretisation<3>&);
 template CellFields<2> zero_cell_fields(const Discretisation<2>&);
 template CellFields<3> zero_cell_fields(const Discretisation<3>&);
+template LatticeFields<2> zero_timed_fields(const Discretisation<2>&);
+template LatticeFields<3> zero_timed_fields(const Discretisation<3>&);
 
 }  // namespace breccia

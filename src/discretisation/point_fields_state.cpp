@@ -47,7 +47,8 @@ std::vector<TimedFields<dim>> read_fields(const StateReader& state, const std::s
   const auto count = state.integer(group + "/count");
   for (std::int64_t i = 0; i < count; ++i) {
     const auto one = fmt::format("{}/{}", group, i);
-    auto& timed = fields.emplace_back(TimedFields<dim>{state.number(one + "/time_s"), zero_fields(discretisation)});
+    auto& timed =
+        fields.emplace_back(TimedFields<dim>{state.number(one + "/time_s"), zero_timed_fields(discretisation)});
     read_tuples(state, one + "/displacement_m", timed.fields.displacement);
     read_tuples(state, one + "/strain", timed.fields.strain);
     read_tuples(state, one + "/stress_Pa", timed.fields.stress);

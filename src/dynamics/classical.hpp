@@ -31,7 +31,7 @@ class Classical final : public DynamicSolver<dim> {
   void set_velocities(const VelocityField& velocity) override;
   [[nodiscard]] Vector<dim> momentum() const override;
   [[nodiscard]] Energy energy() const override;
-  [[nodiscard]] PointFields<dim> fields() const override;
+  [[nodiscard]] LatticeFields<dim> fields() const override;
   [[nodiscard]] Footprint footprint() const override;
 
  private:

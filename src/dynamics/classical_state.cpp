@@ -76,13 +76,15 @@ Footprint Classical<dim>::footprint() const {
 }
 
 template <int dim>
-PointFields<dim> Classical<dim>::fields() const {
+LatticeFields<dim> Classical<dim>::fields() const {
   const double scale = 1.0 / problem().amplitude;
-  auto fields = zero_fields(problem().discretisation);
+  const auto& discretisation = problem().discretisation;
+  auto fields = zero_timed_fields(discretisation);
   for (const auto& point : points_) {
-    auto& displacement = fields.displacement[point.lattice];
-    auto& strain = fields.strain[point.lattice];
-    auto& stress = fields.stress[point.lattice];
+    const auto place = place_in_timed_fields(discretisation.grid(), point.lattice);
+    Vector<dim> displacement{};
+    typename decltype(fields.strain)::value_type strain{};
+    typename decltype(fields.stress)::value_type stress{};
     for (std::size_t i = 0; i < dim; ++i) {
       displacement[i] = scale * point.displacement[i];
       strain[i] = scale * point.strain[i];
@@ -94,6 +96,9 @@ PointFields<dim> Classical<dim>::fields() const {
       strain[i] = 0.5 * scale * point.strain[i];
       stress[i + 3 - dim] = scale * point.deviator[i];
     }
+    put_in_timed_fields<dim>(displacement, fields.displacement[place]);
+    put_in_timed_fields<dim>(strain, fields.strain[place]);
+    put_in_timed_fields<dim>(stress, fields.stress[place]);
   }
   return fields;
 }
@@ -160,14 +165,14 @@ void Classical<dim>::restore_arrays(const StateReader& state, const std::string&
 template Vector<2> Classical<2>::momentum() const;
 template Energy Classical<2>::energy() const;
 template Footprint Classical<2>::footprint() const;
-template PointFields<2> Classical<2>::fields() const;
+template LatticeFields<2> Classical<2>::fields() const;
 template Vector<2> Classical<2>::most_moved() const;
 template void Classical<2>::save_arrays(StateWriter&, const std::string&) const;
 template void Classical<2>::restore_arrays(const StateReader&, const std::string&);
 template Vector<3> Classical<3>::momentum() const;
 template Energy Classical<3>::energy() const;
 template Footprint Classical<3>::footprint() const;
-template PointFields<3> Classical<3>::fields() const;
+template LatticeFields<3> Classical<3>::fields() const;
 template Vector<3> Classical<3>::most_moved() const;
 template void Classical<3>::save_arrays(StateWriter&, const std::string&) const;
 template void Classical<3>::restore_arrays(const StateReader&, const std::string&);

@@ -24,7 +24,7 @@ class TotalLagrangian final : public DynamicSolver<dim> {
   void set_velocities(const VelocityField& velocity) override;
   [[nodiscard]] Vector<dim> momentum() const override;
   [[nodiscard]] Energy energy() const override;
-  [[nodiscard]] PointFields<dim> fields() const override;
+  [[nodiscard]] LatticeFields<dim> fields() const override;
   [[nodiscard]] Footprint footprint() const override;
 
  private:
@@ -36,7 +36,7 @@ class TotalLagrangian final : public DynamicSolver<dim> {
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
   void fetch_nodes() const;
-  void set_fields_of_cell(PointFields<dim>& fields, const Index<dim>& cell) const;
+  void set_fields_of_cell(LatticeFields<dim>& fields, const Index<dim>& cell) const;
 
   LayerExchange<dim> exchange_;
   mutable LayerStep<dim> layers_;  ///< its nodes of other processes are fetched when they are asked for

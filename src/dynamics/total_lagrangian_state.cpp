@@ -178,7 +178,7 @@ Energy TotalLagrangian<dim>::energy() const {
 }
 
 template <int dim>
-void TotalLagrangian<dim>::set_fields_of_cell(PointFields<dim>& fields, const Index<dim>& cell) const {
+void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const Index<dim>& cell) const {
   using Shape = CellShape<dim>;
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();
@@ -186,35 +186,40 @@ void TotalLagrangian<dim>::set_fields_of_cell(PointFields<dim>& fields, const In
   const typename Shape::Values u = cell_displacements(nodes, cell);
   for (int p = 0; p < Shape::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
-    const auto point = grid.point_index(cell, p);
     if (phase == no_phase) continue;
+    const auto place = place_in_timed_fields(grid, grid.point_index(cell, p));
     const auto weights = Shape::weights(p);
+    Vector<dim> displacement{};
     for (std::size_t node = 0; node < weights.size(); ++node) {
       for (std::size_t i = 0; i < dim; ++i) {
-        fields.displacement[point][i] += weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
+        displacement[i] += weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
       }
     }
+    put_in_timed_fields<dim>(displacement, fields.displacement[place]);
     const typename Shape::StrainVector strain = Shape::strain_matrix(p, problem().volumetric) * u / grid.cell_side;
+    std::array<double, Shape::strains> components{};
     for (int i = 0; i < Shape::strains; ++i) {
-      fields.strain[point][static_cast<std::size_t>(i)] = i < dim ? strain[i] : 0.5 * strain[i];
+      components[static_cast<std::size_t>(i)] = i < dim ? strain[i] : 0.5 * strain[i];
     }
-    fields.stress[point] = stress_of<dim>(problem(), phase, p, strain, layers_.layout().histories(cell, phase));
+    put_in_timed_fields<dim>(components, fields.strain[place]);
+    put_in_timed_fields<dim>(stress_of<dim>(problem(), phase, p, strain, layers_.layout().histories(cell, phase)),
+                             fields.stress[place]);
   }
 }
 
 template <int dim>
-PointFields<dim> TotalLagrangian<dim>::fields() const {
+LatticeFields<dim> TotalLagrangian<dim>::fields() const {
   const auto& grid = problem().discretisation.grid();
-  auto fields = zero_fields(problem().discretisation);
-  const auto points = problem().discretisation.points();
+  auto fields = zero_timed_fields(problem().discretisation);
   Index<dim> begin{};
   auto end = grid.cells;
   begin.back() = exchange_.first();
   end.back() = exchange_.end();
   for_each_index(begin, end, [&](const Index<dim>& cell) { set_fields_of_cell(fields, cell); });
-  for (const auto values : {std::span(fields.displacement.front().data(), dim * points),
-                            std::span(fields.strain.front().data(), fields.strain.front().size() * points),
-                            std::span(fields.stress.front().data(), fields.stress.front().size() * points)}) {
+  const auto places = fields.phase.size();
+  for (const auto values : {std::span(fields.displacement.front().data(), dim * places),
+                            std::span(fields.strain.front().data(), fields.strain.front().size() * places),
+                            std::span(fields.stress.front().data(), fields.stress.front().size() * places)}) {
     exchange_.gather_cell_layers(values);
   }
   return fields;
@@ -257,19 +262,19 @@ void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::s
 
 template Footprint TotalLagrangian<2>::footprint() const;
 template void TotalLagrangian<2>::fetch_nodes() const;
-template void TotalLagrangian<2>::set_fields_of_cell(PointFields<2>&, const Index<2>&) const;
+template void TotalLagrangian<2>::set_fields_of_cell(LatticeFields<2>&, const Index<2>&) const;
 template Vector<2> TotalLagrangian<2>::momentum() const;
 template Energy TotalLagrangian<2>::energy() const;
-template PointFields<2> TotalLagrangian<2>::fields() const;
+template LatticeFields<2> TotalLagrangian<2>::fields() const;
 template Vector<2> TotalLagrangian<2>::most_moved() const;
 template void TotalLagrangian<2>::save_arrays(StateWriter&, const std::string&) const;
 template void TotalLagrangian<2>::restore_arrays(const StateReader&, const std::string&);
 template Footprint TotalLagrangian<3>::footprint() const;
 template void TotalLagrangian<3>::fetch_nodes() const;
-template void TotalLagrangian<3>::set_fields_of_cell(PointFields<3>&, const Index<3>&) const;
+template void TotalLagrangian<3>::set_fields_of_cell(LatticeFields<3>&, const Index<3>&) const;
 template Vector<3> TotalLagrangian<3>::momentum() const;
 template Energy TotalLagrangian<3>::energy() const;
-template PointFields<3> TotalLagrangian<3>::fields() const;
+template LatticeFields<3> TotalLagrangian<3>::fields() const;
 template Vector<3> TotalLagrangian<3>::most_moved() const;
 template void TotalLagrangian<3>::save_arrays(StateWriter&, const std::string&) const;
 template void TotalLagrangian<3>::restore_arrays(const StateReader&, const std::string&);

@@ -87,8 +87,7 @@ DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const
           .load = load,
           .times = {study.tests.first_time, study.tests.last_time},
           .points_per_decade = study.tests.points_per_decade,
-          .field_times = dim == 2 ? field_times_of(study, stage, discretisation.grid().cells[0], load)
-                                  : std::vector<double>(),  // in space the quasi-static method alone has fields
+          .field_times = field_times_of(study, stage, discretisation.grid().cells[0], load),
           .options = study.tests.dynamic,
           .threads = threads};
 }

@@ -1,4 +1,4 @@
-#include "base64.hpp"
+#include "breccia/io/base64.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,6 +24,21 @@ constexpr auto base64_meaning = [] {
 }();
 
 }  // namespace
+
+std::string encode_base64(std::string_view bytes) {
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return i + k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + k])) : 0U;
+    };
+    const std::uint32_t group = byte(0) << 16U | byte(1) << 8U | byte(2);
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k <= bytes.size() ? base64_digits[group >> (18U - 6U * k) & 63U] : '=';
+    }
+  }
+  return text;
+}
 
 std::optional<std::string> decode_base64(std::string_view text) {
   std::string bytes;

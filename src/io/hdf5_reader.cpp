@@ -17,7 +17,7 @@ Hdf5Handle open_file(const std::filesystem::path& path) {
   return file_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
 }
 
-std::size_t count(const Hdf5Shape& shape) {
+std::size_t value_count(const Hdf5Shape& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
 }
 
@@ -87,13 +87,33 @@ Hdf5Shape Hdf5Reader::shape(const std::string& name) const {
 }
 
 std::vector<double> Hdf5Reader::read_numbers(const std::string& name) const {
-  std::vector<double> values(count(shape(name)));
+  std::vector<double> values(value_count(shape(name)));
   read_raw(name, values.data(), H5T_NATIVE_DOUBLE);
   return values;
 }
 
+std::vector<double> Hdf5Reader::read_numbers(const std::string& name, std::size_t first, std::size_t count) const {
+  auto extents = shape(name);
+  if (extents.empty() || first + count > extents.front()) fail("find so many values in dataset", name);
+  extents.front() = count;
+  const std::vector<hsize_t> block(extents.begin(), extents.end());
+  std::vector<hsize_t> begin(block.size(), 0);
+  begin.front() = first;
+  const Hdf5Silence silence;
+  const auto dataset = dataset_handle(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT));
+  if (dataset.id() < 0) fail("open dataset", name);
+  const auto in_file = space_handle(H5Dget_space(dataset.id()));
+  const auto in_memory = space_handle(H5Screate_simple(static_cast<int>(block.size()), block.data(), nullptr));
+  H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, begin.data(), nullptr, block.data(), nullptr);
+  std::vector<double> values(value_count(extents));
+  if (H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0) {
+    fail("read dataset", name);
+  }
+  return values;
+}
+
 std::vector<std::int64_t> Hdf5Reader::read_integers(const std::string& name) const {
-  std::vector<std::int64_t> values(count(shape(name)));
+  std::vector<std::int64_t> values(value_count(shape(name)));
   read_raw(name, values.data(), H5T_NATIVE_INT64);
   return values;
 }

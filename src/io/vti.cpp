@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <zlib.h>
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/io/zlib_stream.hpp"
 
 namespace breccia {
 
@@ -20,16 +20,6 @@ void append_header_number(std::string& bytes, std::uint64_t number) {
   for (unsigned shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift);
 }
 
-std::string zlib_block(std::string_view block) {
-  constexpr int effort = 4;
-  auto size = compressBound(static_cast<uLong>(block.size()));
-  std::string compressed(size, '\0');
-  compress2(reinterpret_cast<Bytef*>(compressed.data()), &size, reinterpret_cast<const Bytef*>(block.data()),
-            static_cast<uLong>(block.size()), effort);
-  compressed.resize(size);
-  return compressed;
-}
-
 /// An array as VTK stores it: number of blocks, their size, size of a last one that is smaller, compressed size of
 /// each, and the blocks.
 std::string vti_blocks(std::string_view bytes) {
@@ -37,7 +27,7 @@ std::string vti_blocks(std::string_view bytes) {
   std::string sizes, data;
   std::size_t blocks = 0;
   for (std::size_t begin = 0; begin < bytes.size(); begin += block_size, ++blocks) {
-    const auto block = zlib_block(bytes.substr(begin, block_size));
+    const auto block = zlib_stream(bytes.substr(begin, block_size));
     append_header_number(sizes, block.size());
     data += block;
   }

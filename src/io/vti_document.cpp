@@ -8,11 +8,10 @@
 #include <zlib.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/base64.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/printable.hpp"
-
-#include "base64.hpp"
 
 namespace breccia {
 

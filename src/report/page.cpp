@@ -36,20 +36,26 @@ std::pair<std::string_view, std::string_view> split_at(std::string_view text, st
   return {text.substr(0, at), text.substr(at + marker.size())};
 }
 
-std::string filled(std::string_view page, std::string_view title, std::string_view data) {
+std::string filled(std::string_view page, std::string_view title, std::string_view data, std::string_view views) {
   const auto [before_title, after_title] = split_at(page, "<!--TITLE-->");
   const auto [before_data, after_data] = split_at(after_title, "<!--DATA-->");
-  return fmt::format("{}{}{}{}{}", before_title, as_markup(title), before_data, as_script(data), after_data);
+  const auto [before_views, after_views] = split_at(after_data, "<!--VIEWS-->\n");
+  return fmt::format("{}{}{}{}{}{}{}", before_title, as_markup(title), before_data, as_script(data), before_views,
+                     views, after_views);
 }
 
 }  // namespace
 
 std::string study_page(std::string_view title, std::string_view data) {
-  return filled(study_page_template(), title, data);
+  return filled(study_page_template(), title, data, {});
+}
+
+std::string study_page_with_views(std::string_view title, std::string_view data) {
+  return filled(study_page_template(), title, data, views_scripts());
 }
 
 std::string sweep_page(std::string_view title, std::string_view data) {
-  return filled(sweep_page_template(), title, data);
+  return filled(sweep_page_template(), title, data, {});
 }
 
 }  // namespace breccia

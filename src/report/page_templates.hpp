@@ -10,5 +10,7 @@ namespace breccia {
 std::string_view study_page_template();
 /// `page/sweep.html`
 std::string_view sweep_page_template();
+/// The elements of a page that draw the views of three dimensions: three.js and `page/views_main.js`.
+std::string_view views_scripts();
 
 }  // namespace breccia

@@ -1,6 +1,7 @@
 #include "report_data.hpp"
 
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -29,6 +30,11 @@ PageData read_page_data(const std::filesystem::path& record, const std::function
   } catch (const Json::exception& error) {
     throw FileError(fmt::format("{}: not as `breccia run` writes it: {}", record.string(), error.what()));
   }
+}
+
+bool is_there(const std::filesystem::path& file) {
+  std::error_code is_no_name_of_a_file;
+  return std::filesystem::is_regular_file(file, is_no_name_of_a_file);
 }
 
 std::vector<double> rounded(std::vector<double> numbers) {

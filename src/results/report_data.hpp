@@ -15,6 +15,9 @@ namespace breccia {
 PageData read_page_data(const std::filesystem::path& record,
                         const std::function<nlohmann::ordered_json(nlohmann::ordered_json)>& data_of);
 
+/// Whether a file exists; false also for a name that no file can have.
+bool is_there(const std::filesystem::path& file);
+
 /// Numbers for a figure, rounded to six digits to halve their size.
 std::vector<double> rounded(std::vector<double> numbers);
 

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <system_error>
 
 #include "breccia/io/csv.hpp"
+
+#include "report_data.hpp"
 
 namespace breccia {
 
@@ -12,8 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json table_for_page(const std::filesystem::path& file, const std::vector<std::string>& text_columns) {
   Json columns = Json::object();
-  std::error_code is_no_name_of_a_file;
-  if (!std::filesystem::is_regular_file(file, is_no_name_of_a_file)) return columns;
+  if (!is_there(file)) return columns;
   const auto table = read_csv(file, text_columns);
   for (const auto& name : table.names()) {
     Json& column = columns[name] = Json::array();

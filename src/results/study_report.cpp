@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,6 +19,7 @@
 
 #include "report_data.hpp"
 #include "report_tables.hpp"
+#include "space_views.hpp"
 
 namespace breccia {
 namespace {
@@ -112,12 +112,6 @@ Json responses_of(const fs::path& file, const std::string& hash) {
   return responses;
 }
 
-/// Whether the file exists; false also for a name that no file can have.
-bool is_there(const fs::path& file) {
-  std::error_code is_no_name_of_a_file;
-  return fs::is_regular_file(file, is_no_name_of_a_file);
-}
-
 /// Throws FileError if study.json contains a name of a file or directory that no run gives: it could refer to any file
 /// that the user of the results can read.
 void require_written(const std::string& name, bool is_as_written) {
@@ -186,19 +180,30 @@ Json data_of(const fs::path& directory, Json study) {
     if (is_there(response)) responses[name] = responses_of(response, hash);
     histories[name] = histories_of(directory / name, stage, hash);
   }
-  return {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
-          {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
+  auto views = space_views(directory, study);
+  Json data = {{"study", std::move(study)},   {"tables", std::move(tables)},       {"pictures", std::move(pictures)},
+               {"fields", std::move(fields)}, {"responses", std::move(responses)}, {"histories", std::move(histories)}};
+  if (!views.is_null()) data["views"] = std::move(views);
+  return data;
 }
 
 }  // namespace
 
 PageData study_page_data(const fs::path& directory) {
-  return read_page_data(directory / "study.json", [&](Json study) { return data_of(directory, std::move(study)); });
+  bool has_views = false;
+  auto page = read_page_data(directory / "study.json", [&](Json study) {
+    auto data = data_of(directory, std::move(study));
+    has_views = data.contains("views");
+    return data;
+  });
+  page.has_views = has_views;
+  return page;
 }
 
 void write_study_report(const fs::path& directory) {
-  const auto [title, data] = study_page_data(directory);
-  write_text(directory / "report.html", study_page(title, data));
+  const auto page = study_page_data(directory);
+  const auto put_together = page.has_views ? study_page_with_views : study_page;
+  write_text(directory / "report.html", put_together(page.title, page.json));
 }
 
 }  // namespace breccia

@@ -73,16 +73,16 @@ PageData sweep_page_data(const fs::path& directory) {
 }
 
 void write_sweep_report(const fs::path& directory) {
-  const auto [title, data] = sweep_page_data(directory);
-  write_text(directory / "report.html", sweep_page(title, data));
+  const auto page = sweep_page_data(directory);
+  write_text(directory / "report.html", sweep_page(page.title, page.json));
 }
 
 void write_sweep_report(const fs::path& directory, const SweepResult& result) {
   std::vector<std::vector<TaskCurve>> curves;
   for (const auto& task : result) curves.push_back(task.curves);
-  const auto [title, data] = read_page_data(directory / "sweep.json",
-                                            [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
-  write_text(directory / "report.html", sweep_page(title, data));
+  const auto page = read_page_data(directory / "sweep.json",
+                                   [&](Json sweep) { return data_of(directory, std::move(sweep), curves); });
+  write_text(directory / "report.html", sweep_page(page.title, page.json));
 }
 
 }  // namespace breccia

@@ -1,31 +1,24 @@
 #include "breccia/results/volume_field_files.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
-#include "breccia/discretisation/load.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/vtkhdf.hpp"
 #include "breccia/report/field_picture.hpp"
 #include "breccia/results/field_files.hpp"
 
 #include "field_quantities.hpp"
+#include "volume_quantities.hpp"
 
 namespace breccia {
 namespace {
 
 namespace fs = std::filesystem;
-
-template <class Tensor>
-Tensor tensor_of(const std::array<double, 6>& components) {
-  const auto& [xx, yy, zz, yz, zx, xy] = components;
-  return {.xx = xx, .yy = yy, .zz = zz, .yz = yz, .zx = zx, .xy = xy};
-}
 
 /// Components in the order of VTK: xx, yy, zz, xy, yz, xz.
 std::vector<float> in_order_of_vtk(const std::vector<std::array<double, 6>>& tensors) {
@@ -57,8 +50,7 @@ void write_volume_file(const fs::path& path, const Grid<3>& grid, const TimedFie
 }
 
 /// Values in the cells just above the middle planes, by the axis along which these are seen (FieldCutsPicture).
-std::array<std::vector<double>, 3> middle_cuts(const Grid<3>& grid,
-                                               const std::function<double(std::size_t)>& value_of_cell) {
+std::array<std::vector<double>, 3> middle_cuts(const Grid<3>& grid, const std::vector<double>& values) {
   std::array<std::vector<double>, 3> cuts;
   for (std::size_t normal = 0; normal < 3; ++normal) {
     const std::size_t across = (normal + 1) % 3, up = (normal + 2) % 3;
@@ -66,43 +58,11 @@ std::array<std::vector<double>, 3> middle_cuts(const Grid<3>& grid,
     cell[normal] = grid.cells[normal] / 2;
     for (cell[up] = 0; cell[up] < grid.cells[up]; ++cell[up]) {
       for (cell[across] = 0; cell[across] < grid.cells[across]; ++cell[across]) {
-        cuts[normal].push_back(value_of_cell(grid.cell_index(cell)));
+        cuts[normal].push_back(values[grid.cell_index(cell)]);
       }
     }
   }
   return cuts;
-}
-
-double mean_over_cells(std::size_t cells, const std::function<double(std::size_t)>& value_of_cell) {
-  double sum = 0.0;
-  for (std::size_t cell = 0; cell < cells; ++cell) sum += value_of_cell(cell);
-  return sum / static_cast<double>(cells);
-}
-
-/// The stress component of a load, relative to the applied strain or stress.
-FieldCutsPicture stress_cuts(const Grid<3>& grid, const CellFields<3>& fields, const TestId& test) {
-  const auto stress = [&](std::size_t cell) {
-    return modulus_of<3>(test.load, tensor_of<Stress<3>>(fields.stress[cell]));
-  };
-  auto [words, unit_size] = stress_in_space(test.boundary, test.load, mean_over_cells(fields.stress.size(), stress));
-  return {.quantity = std::move(words), .unit_size = unit_size, .cuts = middle_cuts(grid, stress)};
-}
-
-/// The equivalent shear strain, sqrt(2 e : e) of the deviator e, over the mean shear strain or dilatation of the load.
-FieldCutsPicture strain_cuts(const Grid<3>& grid, const CellFields<3>& fields, const TestId& test) {
-  const auto strain = [&](std::size_t cell) { return tensor_of<Strain<3>>(fields.strain[cell]); };
-  const auto equivalent_shear = [&](std::size_t cell) {
-    auto deviator = strain(cell);
-    const double mean = (deviator.xx + deviator.yy + deviator.zz) / 3.0;
-    for (int axis = 0; axis < 3; ++axis) component(deviator, axis) -= mean;
-    return std::sqrt(2.0 * contraction(deviator, deviator));
-  };
-  const auto of_load = [&](std::size_t cell) { return compliance_of<3>(test.load, strain(cell)); };
-  auto [words, unit_size] = strain_in_space(test.load, mean_over_cells(fields.strain.size(), of_load));
-  return {.quantity = std::move(words),
-          .unit_size = unit_size,
-          .cuts = middle_cuts(grid, equivalent_shear),
-          .scale = ColourScale::logarithmic};
 }
 
 }  // namespace
@@ -117,13 +77,16 @@ std::vector<FieldRecord> write_volume_fields(const fs::path& directory, const St
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto& record = records[i];
     write_volume_file(directory / record.file, grid, fields[i]);
-    const auto draw = [&, time = fields[i].time](const std::string& file, FieldCutsPicture picture) {
-      picture.columns = static_cast<std::size_t>(grid.cells[0]);
-      picture.title = field_title(stage, test, time);
-      write_text(directory / file, field_cuts_picture(picture));
+    const auto draw = [&, time = fields[i].time](const std::string& file, const VolumeQuantity& quantity) {
+      write_text(directory / file, field_cuts_picture({.title = field_title(stage, test, time),
+                                                       .quantity = quantity.words,
+                                                       .unit_size = quantity.unit_size,
+                                                       .columns = static_cast<std::size_t>(grid.cells[0]),
+                                                       .cuts = middle_cuts(grid, quantity.values),
+                                                       .scale = quantity.scale}));
     };
-    draw(record.stress_picture, stress_cuts(grid, fields[i].fields, test));
-    draw(record.strain_picture, strain_cuts(grid, fields[i].fields, test));
+    draw(record.stress_picture, stress_in_cells(fields[i].fields.stress, test.load, test.boundary));
+    draw(record.strain_picture, strain_in_cells(fields[i].fields.strain, test.load));
   }
   return records;
 }

@@ -90,13 +90,8 @@ std::vector<std::string> lacking_in_films(const Study& study) {
 /// What tests in three dimensions do not have.
 std::vector<std::string> lacking_in_space(const Study& study) {
   if (study.stages.empty() || study.stages.front().dimensions == 2) return {};
-  std::vector<std::string> mistakes;
-  const auto& tests = study.tests;
-  if (!uses(tests, Method::quasistatic) && tests.lists_field_times) {
-    mistakes.emplace_back(R"(three dimensions: expected no times of fields without method "quasistatic")");
-  }
-  if (tests.model == Model::films) mistakes.emplace_back(R"(three dimensions: expected model "cells")");
-  return mistakes;
+  if (study.tests.model == Model::films) return {R"(three dimensions: expected model "cells")"};
+  return {};
 }
 
 /// Loads that a box of two dimensions does not have.
@@ -179,8 +174,7 @@ Model model_of(const Tests& tests, const Stage& stage) {
 
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
-  if (model_of(tests, stage) == Model::films) return !tests.films.layers;
-  return stage.dimensions == 2 || uses(tests, Method::quasistatic);
+  return model_of(tests, stage) != Model::films || !tests.films.layers;
 }
 
 bool has_standard_points(const Tests& tests) {

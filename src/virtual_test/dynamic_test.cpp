@@ -44,9 +44,10 @@ std::size_t memory_of(const DynamicTest<2>& test, const Grid<2>& grid, std::size
 std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size_t terms) {
   const auto cells = grid.cell_count(), points = cells * Discretisation<3>::points_per_cell;
   const auto nodes = grid.node_count();
-  // The phases of the points, of the stage, of the test and of its run, and the fields.
-  const std::size_t numbers_of_fields = test.field_times.empty() ? 0 : 15;
-  const std::size_t rest = points * (3 * sizeof(PhaseIndex) + numbers_of_fields * sizeof(double));
+  // The phases of the points, of the stage, of the test and of its run, and the fields of the cells.
+  constexpr std::size_t numbers_of_fields = 15;
+  const std::size_t rest = points * 3 * sizeof(PhaseIndex) +
+                           cells * test.field_times.size() * (sizeof(PhaseIndex) + numbers_of_fields * sizeof(double));
   if (test.options.formulation == Formulation::classical) return rest + points * (280 + 48 * terms) + nodes * 112;
   return rest + nodes * 8 * sizeof(double) + cells * (8 + 18 * sizeof(double) * terms);
 }

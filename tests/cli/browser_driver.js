@@ -241,7 +241,110 @@ async function lookAtInterphase() {
   see("temperature of the binder", at("temperature") !== null);
 }
 
+/// The colour of a canvas at a place from its centre, right and up, in sides of the box; seen along an axis.
+function colourAt(canvas, right, up) {
+  const pixels = canvas.height / (2 * 0.92);
+  const [x, y] = [canvas.width / 2 + right * pixels, canvas.height / 2 - up * pixels].map(Math.round);
+  const [red, green, blue] = canvas.getContext("2d").getImageData(x, y, 1, 1).data;
+  return `#${[red, green, blue].map((channel) => channel.toString(16).padStart(2, "0")).join("")}`;
+}
+
+/// Waits until a view has been drawn (again), after an action of the reader.
+async function untilDrawn(figure, action = () => {}) {
+  const before = figure.dataset.drawn;
+  action();
+  for (let i = 0; i < 1000 && figure.dataset.drawn === before; ++i) await wait(10);
+}
+
+const press = (figure, key) => untilDrawn(figure, () => figure.querySelector("canvas").dispatchEvent(
+  new KeyboardEvent("keydown", {key, bubbles: true, cancelable: true})));
+
+const chooseIn = (figure, className, index) => untilDrawn(figure, () => {
+  const select = figure.querySelector(className);
+  select.selectedIndex = index;
+  select.dispatchEvent(new Event("change"));
+});
+
+/// A view that has been drawn, with its section through the middle, seen along z.
+async function sectionOf(figure) {
+  figure.scrollIntoView({block: "center"});
+  if (figure.dataset.drawn === undefined) await untilDrawn(figure);
+  await chooseIn(figure, ".view-cut", 3);
+  await press(figure, "z");
+  return figure.querySelector("canvas");
+}
+
+/// The ball of glass in the view of the particles.
+async function lookAtParticles(figure) {
+  const canvas = await sectionOf(figure);
+  see("ball", [0, 0.39, 0.41].map((right) => colourAt(canvas, right, 0)).join(" "));
+  see("ball upwards", [0.39, 0.41].map((up) => colourAt(canvas, 0, up)).join(" "));
+  await untilDrawn(figure, () => move(figure.querySelector(".view-slider"), 0.05));
+  see("below the ball", colourAt(canvas, 0, 0));
+  const before = canvas.toDataURL();
+  await press(figure, "0");
+  const home = canvas.toDataURL();
+  await press(figure, "ArrowLeft");
+  const turned = canvas.toDataURL();
+  see("keys turn", before !== home && home !== turned);
+  await press(figure, "Home");
+  see("keys turn back", canvas.toDataURL() === home);
+  await press(figure, "+");
+  see("keys zoom", canvas.toDataURL() !== home);
+  await untilDrawn(figure, () => figure.querySelector('button[aria-label="all of it"]').click());
+  see("button goes back", canvas.toDataURL() === home);
+  const pointer = (type, x, y) => canvas.dispatchEvent(new PointerEvent(type, {bubbles: true, pointerId: 1,
+    pointerType: "mouse", button: type === "pointermove" ? -1 : 0, buttons: 1, clientX: x, clientY: y}));
+  await untilDrawn(figure, () => {
+    pointer("pointerdown", 300, 300);
+    pointer("pointermove", 340, 310);
+    pointer("pointerup", 340, 310);
+  });
+  see("dragging turns", canvas.toDataURL() !== home);
+  see("scale bar", figure.querySelector(".view-scale").textContent);
+  see("axes", [...figure.querySelectorAll(".view-axis")].map((name) => name.textContent).join(""));
+}
+
+/// Whether the colours of a section through the middle are those of the cells below it, seen along z.
+async function showsCells(canvas, {cells, stress: {values}}, colours) {
+  const stream = new Blob([Uint8Array.from(atob(values), (sign) => sign.charCodeAt(0))]).stream()
+    .pipeThrough(new DecompressionStream("deflate"));
+  const of = new Uint8Array(await new Response(stream).arrayBuffer());
+  const places = Array.from({length: cells}, (_, i) => i);
+  return places.every((y) => places.every((x) => {
+    const colour = colours[of[((cells / 2 - 1) * cells + y) * cells + x]];
+    return colourAt(canvas, (x + 0.5) / cells - 0.5, (y + 0.5) / cells - 0.5) === `#${colour}`;
+  }));
+}
+
+async function lookAtFieldView(figure) {
+  const canvas = await sectionOf(figure);
+  const {views} = JSON.parse(at("data").textContent);
+  const field = views.stages.S.fields["fields.vtkhdf"];
+  see("colours of cells", await showsCells(canvas, field, views.colours.match(/.{6}/g)));
+  see("legend of colours", figure.querySelector(".colour-words").textContent);
+  see("ticks of colours", figure.querySelectorAll(".colour-ticks span").length);
+  await chooseIn(figure, ".view-quantity", 2);
+  see("materials in a section", [0, 0.47].map((right) => colourAt(canvas, right, right)).join(" "));
+  see("legend of materials", figure.querySelector(".legend").textContent);
+  await chooseIn(figure, ".view-field", 1);
+  see("view of another test", figure.querySelector("figcaption").firstChild.textContent);
+}
+
+/// The page of a study in three dimensions.
+async function lookAtSpace() {
+  see("title", document.querySelector("h1").textContent);
+  const views = [...document.querySelectorAll(".rotatable")];
+  see("views", views.length);
+  see("views cannot be drawn", !at("no-views").hidden);
+  see("pictures beside the views", document.querySelectorAll(".picture img").length);
+  if (views.length === 0) return;
+  await lookAtParticles(views[0]);
+  await lookAtFieldView(views[1]);
+}
+
 function lookAtPage() {
+  if (JSON.parse(at("data").textContent).views !== undefined) return lookAtSpace();
   if (at("task-table") !== null) return lookAtSweep();
   return at("material") === null ? look() : lookAtInterphase();
 }
@@ -259,5 +362,7 @@ addEventListener("load", async () => {
   const list = document.createElement("pre");
   list.id = "seen";
   list.textContent = `\n${seen.join("\n")}\n`;
+  // For those who do not wait for the page's end (browser-test).
+  for (const line of seen) console.info(`seen:${line}`);
   document.body.append(list);
 });

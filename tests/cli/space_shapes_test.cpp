@@ -17,6 +17,7 @@
 #include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
 
+#include "report/embedded_pictures.hpp"
 #include "study_directory.hpp"
 
 namespace breccia::shapes_in_space {
@@ -186,6 +187,66 @@ TEST(SpaceImages, LayersAreExact) {
   EXPECT_NEAR(stage["microstructure"]["interface_per_volume_1_per_m"].get<double>(), 2.0 / 80e-6, 1e-6);
   EXPECT_THAT(study.results(), AllOf(Contains("A/cut-x.svg"), Contains("A/cut-y.svg"), Contains("A/microstructure.svg"),
                                      Contains("A/labels.npy")));
+}
+
+/// The bytes of a NumPy array of 8 x 8 x 8, indexed [z][y][x] with the top row first, which is one where a function of
+/// the voxel is true.
+template <class IsGlass>
+std::string numpy_array(const IsGlass& is_glass) {
+  std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (8, 8, 8), }";
+  header.resize(117, ' ');
+  header += '\n';
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\x01', '\x00', static_cast<char>(header.size()), '\x00'};
+  bytes += header;
+  for (int z = 0; z < 8; ++z) {
+    for (int y = 7; y >= 0; --y) {
+      for (int x = 0; x < 8; ++x) bytes += static_cast<char>(is_glass(x, y, z) ? 1 : 0);
+    }
+  }
+  return bytes;
+}
+
+// Layers are stiff along themselves and soft across: the load that does not shear them tells their normal.
+TEST(SpaceImages, LayersHaveTheNormalOfTheirFile) {
+  const double harmonic = 1.0 / (0.25 / 30e9 + 0.75 / 100e6), mean = 0.25 * 30e9 + 0.75 * 100e6;
+  StudyDirectory study(deck_of(stack("layers.npy"), "loads = [\"shear\", \"shear-yz\", \"shear-zx\"]\n"));
+  study.write("layers.npy", numpy_array([](int x, int /*y*/, int /*z*/) { return x < 2; }));
+  ASSERT_EQ(study.breccia("run").exit_code, 0);
+  EXPECT_NEAR(modulus(study, "shear-yz") / mean, 1.0, 1e-6);
+  for (const auto* load : {"shear", "shear-zx"}) EXPECT_NEAR(modulus(study, load) / harmonic, 1.0, 1e-6) << load;
+  study.write("layers.npy", numpy_array([](int /*x*/, int y, int /*z*/) { return y < 2; }));
+  ASSERT_EQ(study.breccia("run", {"--overwrite"}).exit_code, 0);
+  EXPECT_NEAR(modulus(study, "shear-zx") / mean, 1.0, 1e-6);
+  for (const auto* load : {"shear", "shear-yz"}) EXPECT_NEAR(modulus(study, load) / harmonic, 1.0, 1e-6) << load;
+}
+
+// A body without any symmetry: its three middle planes, and the labels of its points.
+TEST(SpaceImages, PicturesShowTheMiddlePlanes) {
+  const auto is_glass = [](int x, int y, int z) { return x + 2 * y < 9 && (z > 2 || x == 4) && (x + z) % 3 != 0; };
+  StudyDirectory study(deck_of(stack("body.npy")));
+  study.write("body.npy", numpy_array(is_glass));
+  const auto pack = study.breccia("pack");
+  ASSERT_EQ(pack.exit_code, 0) << pack.errors;
+  const auto shown = [&](const std::string& file, int across, int up) {
+    const auto pictures = test::embedded_pictures(read_text(study.result("A/" + file)));
+    const auto& plane = pictures.at(0);
+    // The pixel in the middle of a voxel.
+    const auto pixel = [&](int voxel, std::size_t axis) {
+      return (2 * static_cast<std::size_t>(voxel) + 1) * plane.extents[axis] / 16;
+    };
+    return plane.values[pixel(up, 1) * plane.extents[0] + pixel(across, 0)];
+  };
+  const auto points = read_raster(study.result("A/labels.vti"), "phase");
+  ASSERT_THAT(points.extents, ElementsAre(8, 8, 8));
+  for (int a = 0; a < 8; ++a) {
+    for (int b = 0; b < 8; ++b) {
+      EXPECT_EQ(shown("microstructure.svg", a, b), is_glass(a, b, 4)) << "seen along z " << a << " " << b;
+      EXPECT_EQ(shown("cut-x.svg", a, b), is_glass(4, a, b)) << "seen along x " << a << " " << b;
+      EXPECT_EQ(shown("cut-y.svg", a, b), is_glass(b, 4, a)) << "seen along y " << a << " " << b;
+      EXPECT_EQ(points.values[static_cast<std::size_t>(64 * 3 + 8 * a + b)], is_glass(b, a, 3)) << a << " " << b;
+    }
+  }
 }
 
 TEST(SpaceImages, ExtrudedAlongZHaveTheModuliOfThePlane) {

@@ -99,6 +99,9 @@ TEST_F(DeckInSpace, HasGrains) {
   EXPECT_NEAR(read.grains()->sites_in_space[1].position[2], 0.6e-3, 1e-18);
   EXPECT_NEAR(read.grains()->sites_in_space[1].weight, 1e-8, 1e-20);
   EXPECT_EQ(stage(one_size, R"(method = "laguerre", film = "5 um", seed = 3)").seed(), 3U);
+  directory.write("shares.csv", "x_mm,y_mm,z_mm,film_share\n0.25,0.25,0.25,0.5\n0.75,0.7,0.6,2\n");
+  EXPECT_THAT(stage(", fraction = 0.9", R"(method = "laguerre", sites = "shares.csv")").grains()->film_shares,
+              ElementsAre(0.5, 2.0));
 
   directory.write("flat.csv", "x_mm,y_mm,weight_mm2\n0.25,0.25,0\n");
   EXPECT_THAT(mistakes(", fraction = 0.9", R"(method = "laguerre", sites = "flat.csv")"),
@@ -206,14 +209,18 @@ TEST_F(DeckInSpace, HasEllipsoidsAtRandom) {
               HasSubstr("\"lubachevsky-stillinger\" packs spheres alone"));
 }
 
+TEST_F(DeckInSpace, PointsFromAPictureOfParticlesToImages) {
+  directory.write("stack.TIFF", "pixels");
+  EXPECT_THAT(mistakes("", R"(method = "explicit", particles = "stack.TIFF")"),
+              AllOf(HasSubstr("stages.a.packing.particles: expected a CSV file with columns x_m, y_m, z_m, diameter_m"),
+                    HasSubstr("stack.TIFF; an image is a packing without a filler")));
+}
+
 TEST_F(DeckInSpace, RefusesWhatIsFlat) {
   EXPECT_THAT(mistakes(one_size, R"(method = "hexagons")"),
               AllOf(HasSubstr("\"lubachevsky-stillinger\""), HasSubstr("\"random-sequential\"")));
   EXPECT_THAT(mistakes(one_size, R"(method = "laguerre", film = "10 um")", "model = \"films\"\n"),
               HasSubstr("three dimensions: expected model \"cells\""));
-  EXPECT_THAT(
-      mistakes(one_size, R"(method = "regular", lattice = "sc")", "method = \"dynamic\"\nfields = [\"1 ms\"]\n"),
-      HasSubstr("three dimensions: expected no times of fields without method \"quasistatic\""));
 }
 
 TEST_F(DeckInSpace, HasBothMethods) {
@@ -221,8 +228,8 @@ TEST_F(DeckInSpace, HasBothMethods) {
                                           "method = [\"quasistatic\", \"dynamic\"]\nfields = [\"1 ms\"]\n"));
   EXPECT_EQ(study.tests.methods, (std::vector{Method::quasistatic, Method::dynamic}));
   EXPECT_THAT(mistakes(one_size, R"(method = "regular", lattice = "sc")",
-                       "method = \"dynamic\"\nfields = [\"1 ms\"]\n[tests.dynamic]\ncourant = 2\n"),
-              AllOf(HasSubstr("three dimensions: expected no times of fields"), HasSubstr("courant")));
+                       "method = \"dynamic\"\nfields = [\"1 ms\", \"1 us\"]\n[tests.dynamic]\ncourant = 2\n"),
+              AllOf(HasSubstr("fields: expected rising times"), HasSubstr("courant")));
 }
 
 TEST_F(DeckInSpace, HasLoadsOfItsOwn) {

@@ -1,18 +1,27 @@
 #include "solver/symmetric_factors.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
 
+#include "messages.hpp"
+#include "scoped_variable.hpp"
 #include "solver/elimination_order.hpp"
+#include "temporary_directory.hpp"
 
 namespace breccia::films {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -113,6 +122,53 @@ TEST(SymmetricFactors, InFilesAreThoseInMemoryButForRounding) {
   const auto load = right_side(matrix);
   const auto expected = in_memory.solve(load);
   EXPECT_LT((in_files.solve(load) - expected).norm(), 1e-14 * expected.norm());
+}
+
+TEST(SymmetricFactors, LeaveNoFiles) {
+  const test::TemporaryDirectory directory;
+  const test::ScopedVariable temporary("TMPDIR", directory.path().string());
+  {
+    SymmetricFactors factors(0.0);
+    const auto matrix = grid_matrix(1.0);
+    factors.factorise(matrix);
+    factors.factorise(matrix);
+    EXPECT_FALSE(std::filesystem::is_empty(directory.path()));
+    static_cast<void>(factors.solve(right_side(matrix)));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+  const auto leave_in_a_hurry = [] {
+    SymmetricFactors factors(0.0);
+    factors.factorise(grid_matrix(1.0));
+    throw Interrupted("stop");
+  };
+  EXPECT_THROW(leave_in_a_hurry(), Interrupted);
+  EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
+}
+
+TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
+  const auto refusal = [](const std::filesystem::path& place) {
+    const test::ScopedVariable temporary("TMPDIR", place.string());
+    SymmetricFactors factors(0.0);
+    return test::message_of<InputError>([&] { factors.factorise(grid_matrix(1.0)); });
+  };
+  const test::TemporaryDirectory directory;
+  EXPECT_THAT(refusal(directory.path() / "missing"), HasSubstr("the environment variable TMPDIR names none"));
+  EXPECT_THAT(refusal("/proc"), AllOf(HasSubstr("the directory /proc/breccia-factors-"), HasSubstr("cannot be made")));
+  // Names of up to 255 characters are those of MUMPS; 23 of them are that of the new directory.
+  auto place = directory.path();
+  while (place.string().size() + 100 < 233) place /= std::string(99, 'a');
+  const auto longest = place / std::string(231 - place.string().size(), 'b');
+  const auto longer = place / std::string(232 - place.string().size(), 'c');
+  std::filesystem::create_directories(longest);
+  std::filesystem::create_directories(longer);
+  EXPECT_THAT(refusal(longer), HasSubstr("has 256 characters: expected at most 255"));
+  const test::ScopedVariable temporary("TMPDIR", longest.string());
+  SymmetricFactors factors(0.0);
+  const auto matrix = grid_matrix(1.0);
+  factors.factorise(matrix);
+  EXPECT_FALSE(std::filesystem::is_empty(longest));
+  const auto load = right_side(matrix);
+  EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * factors.solve(load) - load).norm(), 1e-12 * load.norm());
 }
 
 TEST(SymmetricFactors, OfASingularMatrixAreRefused) {

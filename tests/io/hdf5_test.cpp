@@ -39,6 +39,23 @@ TEST_F(Hdf5, RoundTripOfDatasets) {
   EXPECT_THAT(reader.names("/history"), ElementsAre("steps", "stress"));
 }
 
+TEST_F(Hdf5, ReadsSomeOfADataset) {
+  const Numbers numbers{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0};
+  Hdf5Writer writer(path);
+  writer.write_compressed("/rows", numbers, {4, 2});
+  writer.write("/line", numbers);
+  writer.commit();
+  const Hdf5Reader reader(path);
+  EXPECT_THAT(reader.read_numbers("/rows", 1, 2), ElementsAre(3.0, 4.0, 5.0, 6.0));
+  EXPECT_THAT(reader.read_numbers("/line", 6, 2), ElementsAre(7.0, 8.0));
+  EXPECT_THAT(reader.read_numbers("/line", 8, 0), IsEmpty());
+  for (const std::size_t first : {3U, 7U}) {
+    EXPECT_THAT(test::message_of<FileError>([&] { static_cast<void>(reader.read_numbers("/rows", first, 2)); }),
+                HasSubstr("cannot find so many values in dataset /rows"));
+  }
+  EXPECT_THROW(static_cast<void>(reader.read_numbers("/columns", 0, 1)), FileError);
+}
+
 TEST_F(Hdf5, RoundTripOfAttributes) {
   Hdf5Writer writer(path);
   writer.create_group("/a/b");

@@ -121,6 +121,15 @@ TEST(Tessellation, SharesOfTheFilms) {
   sites.wall_film = WallFilm::none;
   EXPECT_NEAR(volume(Tessellation<2>(sites).grain(1, 0.5)), (1.8 - 0.25) * 4.0, 1e-14);
 
+  // Two slabs of 2.4 and 1.6 in a periodic cube of 4.
+  LaguerreSites<3> slabs = {4.0, Walls::periodic, {{{1.0, 2.0, 2.0}, 0.8}, {{3.0, 2.0, 2.0}, 0.0}}};
+  slabs.film_shares = {0.5, 1.5};
+  const Tessellation<3> in_space(slabs);
+  EXPECT_THAT(cell_volumes(in_space), ::testing::ElementsAre(DoubleNear(38.4, 1e-13), DoubleNear(25.6, 1e-13)));
+  EXPECT_NEAR(volume(in_space.grain(0, 0.5)), 1.9 * 3.75 * 3.75, 1e-13);
+  EXPECT_NEAR(volume(in_space.grain(1, 0.5)), 1.1 * 3.25 * 3.25, 1e-13);
+  EXPECT_NEAR(film_thickness(in_space, grain_fraction(in_space, 0.5)), 0.5, 1e-12);
+
   sites.film_shares = {0.5, 0.0};
   expect_error<InputError>([&] { Tessellation<2> refused(sites); }, "site 2: the share 0 of the films is not positive");
   sites.film_shares = {1.0};

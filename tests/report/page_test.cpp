@@ -32,5 +32,15 @@ TEST(ReportPage, TextCannotLeaveItsPlace) {
   EXPECT_THAT(page, HasSubstr(R"({"deck_text":"\u003c/script>\u003cscript>d"}</script>)"));
 }
 
+TEST(ReportPage, HasViewsOfThreeDimensionsOnlyWhereTheyAreAskedFor) {
+  const auto page = study_page("T", "{}"), with_views = study_page_with_views("T", R"({"views":{}})");
+  constexpr auto licence = "Three.js Authors";
+  for (const auto& one : {page, sweep_page("T", "{}")}) {
+    EXPECT_THAT(one, AllOf(Not(HasSubstr(licence)), Not(HasSubstr("rotatableView")), Not(HasSubstr("<!--VIEWS-->"))));
+  }
+  EXPECT_THAT(with_views, AllOf(HasSubstr(licence), HasSubstr("rotatableView"), HasSubstr(R"({"views":{}})")));
+  EXPECT_THAT(with_views, testing::EndsWith("</html>\n"));
+}
+
 }  // namespace
 }  // namespace breccia

@@ -1,6 +1,10 @@
 #include "breccia/results/volume_field_files.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,6 +13,7 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/field_files.hpp"
 
+#include "report/embedded_pictures.hpp"
 #include "study/two_stages.hpp"
 #include "temporary_directory.hpp"
 
@@ -95,6 +100,45 @@ TEST_F(VolumeFieldFiles, ShowTheMiddlePlanes) {
               HasSubstr(">Equivalent shear strain over mean dilatation; it goes from 0.333 to 0.333<"));
   EXPECT_THAT(picture(write(Load::bulk, Boundary::traction).stress_picture),
               HasSubstr(">Mean stress over that applied; it goes from "));
+}
+
+// Every cell has a stress of its own, so that a cut through other cells, or one that is turned, has other colours.
+TEST(VolumeFieldPictures, ShowTheCellsAboveTheMiddlePlanes) {
+  constexpr int cells = 4;
+  Discretisation<3> discretisation{{{cells, cells, cells}, 1e-3}};
+  auto fields = zero_cell_fields(discretisation);
+  const auto stress_of = [](int x, int y, int z) { return 1e3 * (1 + x + 5 * y + 23 * z); };
+  discretisation.grid().for_each_cell([&](const Index<3>& cell) {
+    fields.stress[discretisation.grid().cell_index(cell)][5] = stress_of(cell[0], cell[1], cell[2]);
+  });
+  const test::TemporaryDirectory directory;
+  const auto study = test::two_stages();
+  static_cast<void>(write_volume_fields(directory.path(), study, study.stages[0],
+                                        {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)},
+                                        discretisation, {{1.0, fields}}));
+  // Seen along z, along x and along y; across and up follow in the cycle x, y, z.
+  std::array<std::vector<double>, 3> cuts;
+  for (int up = 0; up < cells; ++up) {
+    for (int across = 0; across < cells; ++across) {
+      cuts[0].push_back(stress_of(across, up, 2));
+      cuts[1].push_back(stress_of(2, across, up));
+      cuts[2].push_back(stress_of(up, 2, across));
+    }
+  }
+  std::vector<double> all;
+  for (const auto& cut : cuts) all.insert(all.end(), cut.begin(), cut.end());
+  std::ranges::sort(all);
+  // The 1st and the 99th percentile of 48 values.
+  const double from = all[0], to = all[46];
+  const auto pictures = test::embedded_pictures(read_text(directory.path() / "fields-stress.svg"));
+  ASSERT_EQ(pictures.size(), 4U) << "the last one is the colour bar";
+  for (std::size_t cut = 0; cut < 3; ++cut) {
+    EXPECT_THAT(pictures[cut].extents, ElementsAre(4, 4));
+    for (std::size_t place = 0; place < cuts[cut].size(); ++place) {
+      const double colour = 255.0 * std::min(1.0, (cuts[cut][place] - from) / (to - from));
+      EXPECT_NEAR(pictures[cut].values.at(place), colour, 0.51) << "cut " << cut << ", place " << place;
+    }
+  }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ using PointFields = LatticeFields<dim>;
 template <int dim>
 using CellFields = LatticeFields<dim>;
 
-/// Fields at a time after the load was applied.
+/// Fields at a time after the load was applied: of the points of a square, of the cells of a cube.
 template <int dim>
 struct TimedFields {
   double time = 0.0;  ///< [s]
@@ -47,5 +47,35 @@ template <int dim>
 /// phase is that of most, the first of equals. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
+
+/// The zero fields that belong to a time: of the points of a square, of the cells of a cube.
+template <int dim>
+[[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation);
+
+/// Where the values of a point (Grid::point_index) stand in such fields.
+template <int dim>
+[[nodiscard]] std::size_t place_in_timed_fields(const Grid<dim>& grid, std::size_t point) {
+  if constexpr (dim == 2) {
+    return point;
+  } else {
+    Index<dim> cell{};
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const auto points = 2 * static_cast<std::size_t>(grid.cells[axis]);
+      cell[axis] = static_cast<int>(point % points / 2);
+      point /= points;
+    }
+    return grid.cell_index(cell);
+  }
+}
+
+/// Puts the values of a point into their place in such fields, or adds its share to the mean of its cell.
+template <int dim, std::size_t components>
+void put_in_timed_fields(const std::array<double, components>& of_point, std::array<double, components>& values) {
+  if constexpr (dim == 2) {
+    values = of_point;
+  } else {
+    for (std::size_t i = 0; i < components; ++i) values[i] += of_point[i] / Discretisation<dim>::points_per_cell;
+  }
+}
 
 }  // namespace breccia

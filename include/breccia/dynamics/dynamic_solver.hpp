@@ -67,7 +67,8 @@ class DynamicSolver {
   [[nodiscard]] virtual Vector<dim> momentum() const = 0;  ///< [kg m/s per unit load], in 2D per unit thickness
   /// Only for elastic materials. Throws InputError otherwise.
   [[nodiscard]] virtual Energy energy() const = 0;
-  [[nodiscard]] virtual PointFields<dim> fields() const = 0;
+  /// Of the points of a square, of the cells of a cube (zero_timed_fields).
+  [[nodiscard]] virtual LatticeFields<dim> fields() const = 0;
   [[nodiscard]] virtual Footprint footprint() const = 0;
 
   /// Saves all that changes during a run in a group such as "/solver". Every process must call it.

@@ -87,6 +87,8 @@ class Hdf5Reader {
   [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
   [[nodiscard]] Hdf5Shape shape(const std::string& name) const;
   [[nodiscard]] std::vector<double> read_numbers(const std::string& name) const;
+  /// Reads `count` values of a dataset along its first index, from `first` on, each with all that belongs to it.
+  [[nodiscard]] std::vector<double> read_numbers(const std::string& name, std::size_t first, std::size_t count) const;
   [[nodiscard]] std::vector<std::int64_t> read_integers(const std::string& name) const;
   [[nodiscard]] Hdf5Attribute read_attribute(const std::string& object, const std::string& attribute) const;
 

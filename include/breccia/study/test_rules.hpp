@@ -29,8 +29,8 @@ std::vector<std::string> mistakes_of_field_times(const std::vector<double>& fiel
 /// What the stage is computed with: films where the tests ask for them and it has grains, cells otherwise.
 Model model_of(const Tests& tests, const Stage& stage);
 
-/// Whether tests of the stage save fields: those of cells in two dimensions and of thin films do, at the times that the
-/// tests have for them.
+/// Whether tests of the stage save fields: those of cells and of thin films do, at the times that the tests have for
+/// them.
 bool has_fields(const Tests& tests, const Stage& stage);
 
 /// Whether one of the methods takes standard volumetric strains, which mixed cells do not have.

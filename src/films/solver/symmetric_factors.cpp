@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <string>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -33,17 +32,6 @@ enum Information { status = 1, detail = 2, megabytes = 17 };
 // What the status may be.
 constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, no_files = -90;
 
-std::string directory_of_files() {
-  std::error_code error;
-  const auto directory = std::filesystem::temp_directory_path(error);
-  if (error) {
-    throw InputError(
-        "films: the factors of the matrix are kept in files, and there is no directory for temporary files: the "
-        "environment variable TMPDIR names none");
-  }
-  return directory.string();
-}
-
 int& control(DMUMPS_STRUC_C& mumps, Control number) {
   return mumps.icntl[number - 1];
 }
@@ -69,8 +57,8 @@ void require_success(const DMUMPS_STRUC_C& mumps) {
   if (found == no_files) {
     throw NumericalError(
         fmt::format("films: the factors of the matrix cannot be kept in files in {}: it may be full; the environment "
-                    "variable TMPDIR names another directory",
-                    directory_of_files()));
+                    "variable TMPDIR names another place",
+                    std::string_view(mumps.ooc_tmpdir)));
   }
   throw NumericalError(
       fmt::format("films: the matrix cannot be factorised (MUMPS: {}, {}); memory may have run out, fewer grains take "
@@ -142,8 +130,9 @@ void SymmetricFactors::analyse() {
     const auto set_text = [](auto& text, const std::string& value) {
       std::ranges::copy_n(value.c_str(), static_cast<std::ptrdiff_t>(std::min(value.size() + 1, sizeof text)), text);
     };
-    set_text(mumps.ooc_tmpdir, directory_of_files());
-    set_text(mumps.ooc_prefix, "breccia-factors");
+    directory_.emplace();
+    set_text(mumps.ooc_tmpdir, directory_->path().string());
+    set_text(mumps.ooc_prefix, "factors");
   }
   mumps_ = std::move(begun);
 }

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <dmumps_c.h>
 
+#include "solver/factor_directory.hpp"
+
 namespace breccia::films {
 
 /// The sparse factors L D L^T of one symmetric matrix after the other, all with the same pattern, by MUMPS (Amestoy,
 /// Duff, L'Excellent and Koster 2001) in the order of elimination_order(). Factors that take more memory than they may
-/// are kept in files in the directory for temporary files until the end. Each process works alone.
+/// are kept in files (FactorDirectory) until the end. Each process works alone.
 class SymmetricFactors {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
@@ -20,7 +23,7 @@ class SymmetricFactors {
   explicit SymmetricFactors(double memory) : memory_(memory) {}
 
   /// Factorises a matrix of which the lower triangle is given. Throws NumericalError when that fails, and InputError
-  /// when files are needed and there is no directory for temporary files.
+  /// when files are needed and there is no place for them.
   void factorise(Sparse lower_triangle);
   /// Solves by the factors, with a step of refinement. Throws NumericalError when the residual is large all the same.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_side);
@@ -40,7 +43,8 @@ class SymmetricFactors {
 
   double memory_;
   Sparse matrix_;
-  std::vector<int> rows_, columns_;  ///< of the entries, from 1
+  std::optional<FactorDirectory> directory_;  ///< of the files, which end before it
+  std::vector<int> rows_, columns_;           ///< of the entries, from 1
   std::unique_ptr<DMUMPS_STRUC_C, End> mumps_;
   double residual_ = 0.0;
 };

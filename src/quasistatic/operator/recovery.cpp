@@ -111,32 +111,6 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   return stresses;
 }
 
-/// The fields of a square are those of its points, the fields of a cube means over its cells.
-template <int dim>
-LatticeFields<dim> fields_to_recover(const Discretisation<dim>& discretisation) {
-  if constexpr (dim == 2) {
-    return zero_fields(discretisation);
-  } else {
-    return zero_cell_fields(discretisation);
-  }
-}
-
-/// Where the values of a point stand in these fields.
-template <int dim>
-std::size_t place_of_point(const Grid<dim>& grid, const Index<dim>& cell, int point) {
-  return dim == 2 ? grid.point_index(cell, point) : grid.cell_index(cell);
-}
-
-/// Puts the values of a point into their place, or adds its share to the mean of its cell.
-template <int dim, std::size_t components>
-void put(const std::array<double, components>& of_point, std::array<double, components>& values) {
-  if constexpr (dim == 2) {
-    values = of_point;
-  } else {
-    for (std::size_t i = 0; i < components; ++i) values[i] += of_point[i] / CellShape<dim>::points;
-  }
-}
-
 }  // namespace
 
 template <int dim>
@@ -152,14 +126,14 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     by_material.push_back(
         {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
   }
-  auto fields = fields_to_recover(discretisation);
+  auto fields = zero_timed_fields(discretisation);
   if (parallel::rank() != 0) return fields;
   for (int p = 0; p < Shape::points; ++p) {
     const auto weights = Shape::weights(p);
     const auto strain_matrix = Shape::strain_matrix(p, volumetric);
     const auto volume = Shape::volumetric_strain_matrix(p, volumetric);
     grid.for_each_cell([&](const Index<dim>& cell) {
-      const auto place = place_of_point(grid, cell, p);
+      const auto place = place_in_timed_fields(grid, grid.point_index(cell, p));
       const auto u = moved.of_cell(cell);
       Vector<dim> of_point{};
       for (std::size_t node = 0; node < weights.size(); ++node) {
@@ -167,17 +141,17 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
           of_point[i] += grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
         }
       }
-      put<dim>(of_point, fields.displacement[place]);
+      put_in_timed_fields<dim>(of_point, fields.displacement[place]);
       const typename Shape::StrainVector strain = strain_matrix * u;
       typename decltype(LatticeFields<dim>::strain)::value_type tensor{};
       for (std::size_t i = 0; i < tensor.size(); ++i) {
         tensor[i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
       }
-      put<dim>(tensor, fields.strain[place]);
+      put_in_timed_fields<dim>(tensor, fields.strain[place]);
       if (elastic_operator.mixed_cell(cell) != nullptr) return;
       const auto& [bulk, shear] = by_material[discretisation.cell(cell)[static_cast<std::size_t>(p)]];
-      put<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
-               fields.stress[place]);
+      put_in_timed_fields<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
+                               fields.stress[place]);
     });
   }
   const auto point_deviators = Shape::point_deviators();
@@ -187,7 +161,8 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     if (mixed == nullptr) return;
     const auto stresses = mixed_stress<dim>(cell, *mixed, first_strain, by_material, point_deviators);
     for (int p = 0; p < Shape::points; ++p) {
-      put<dim>(stresses[static_cast<std::size_t>(p)], fields.stress[place_of_point(grid, cell, p)]);
+      put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
+                               fields.stress[place_in_timed_fields(grid, grid.point_index(cell, p))]);
     }
     first_strain += static_cast<std::size_t>(mixed->unknowns());
   });

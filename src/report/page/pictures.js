@@ -5,6 +5,7 @@ import {element} from "./elements.js";
 import {fileName, save} from "./files.js";
 import {boundNames, methodNames, wordsOnStage} from "./names.js";
 import {display, percentOfWhole} from "./numbers.js";
+import {colourOf, phasesOf} from "./phase_colours.js";
 import {own} from "./records.js";
 
 /// Shows the microstructure of each stage.
@@ -19,17 +20,8 @@ export function showPictures() {
   document.getElementById("microstructures").hidden = place.childElementCount === 0;
 }
 
-/// The colours of phases in the pictures (report/microstructure_picture.hpp), from the first filler on.
-const phaseColours = ["#5b7f95", "#b5652b", "#6b8e4e", "#8a6bac", "#c9a227", "#a8444f", "#3f8f8b", "#7a7a7a"];
-
-/// The materials of the phases in a picture: those of the fillers, then those of their coatings, each once.
-function phasesOf(fillers) {
-  const coatings = fillers.flatMap(({coating}) => (coating === null ? [] : [coating.material]));
-  return [...new Set([...fillers.map(({material}) => material), ...coatings])];
-}
-
 /// The legend of a microstructure: the colours of its materials, and the sizes of its particles.
-function legendOf({matrix, filler, fillers = [], microstructure}) {
+export function legendOf({matrix, filler, fillers = [], microstructure}) {
   const entry = (kind, text) => element("li", {}, element("span", {className: `swatch ${kind}`}), text);
   const sizesOf = ({smallest_diameter_m: smallest, largest_diameter_m: largest}) =>
     [...new Set([smallest, largest].filter(Number.isFinite).map((size) => display(size, "m")))];
@@ -42,7 +34,7 @@ function legendOf({matrix, filler, fillers = [], microstructure}) {
   } else {
     const coloured = (material, text) => {
       const place = entry("filler", text);
-      place.firstChild.style.background = phaseColours[phases.indexOf(material) % phaseColours.length];
+      place.firstChild.style.background = colourOf(material, phases);
       return place;
     };
     for (const one of fillers) {
@@ -84,7 +76,7 @@ export function showFields() {
   document.getElementById("fields").hidden = place.childElementCount === 0;
 }
 
-function wordsOnField({test, time_s}) {
+export function wordsOnField({test, time_s}) {
   return `${boundNames[test.boundary]}, ${methodNames[test.method]}, ${display(time_s, "s")}`;
 }
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+
+namespace breccia::films {
+
+/// A new directory, for the files of factors, in that for temporary files. It is removed, with all that is in it, at
+/// the end: also when a signal has asked the calculation to stop.
+class FactorDirectory {
+ public:
+  /// Throws InputError where the environment variable TMPDIR names no directory in which one can be made, or one whose
+  /// name is too long for MUMPS.
+  FactorDirectory();
+  ~FactorDirectory();
+  FactorDirectory(const FactorDirectory&) = delete;
+  FactorDirectory& operator=(const FactorDirectory&) = delete;
+  FactorDirectory(FactorDirectory&&) = delete;
+  FactorDirectory& operator=(FactorDirectory&&) = delete;
+
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+
+  /// So many characters may the name have.
+  static constexpr std::size_t longest_name = 255;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace breccia::films

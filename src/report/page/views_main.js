@@ -1,0 +1,102 @@
+/// Rotatable views of the stages of three dimensions, beside their pictures.
+
+import {data, study} from "./data.js";
+import {element} from "./elements.js";
+import {wordsOnStage} from "./names.js";
+import {shortNumber} from "./numbers.js";
+import {particleModel} from "./particle_model.js";
+import {channelsOf, colourOf, coloursOfPhases, phasesOf} from "./phase_colours.js";
+import {legendOf, wordsOnField} from "./pictures.js";
+import {own} from "./records.js";
+import {drawsViews, rotatableView} from "./rotatable_view.js";
+import {volumeModel} from "./volume_model.js";
+
+const coloursOfFields = data.views.colours.match(/.{6}/g);
+
+/// The fillers as the particles show them.
+function drawnFillers({fillers}) {
+  const phases = phasesOf(fillers);
+  return fillers.map(({material, coating}) => ({
+    colour: colourOf(material, phases),
+    coatingColour: colourOf(coating === null ? material : coating.material, phases),
+    coatingThickness: coating === null ? 0 : coating.thickness_m,
+  }));
+}
+
+function phaseModel(stage, volume) {
+  return volumeModel(volume, coloursOfPhases(stage.fillers).map(channelsOf));
+}
+
+function showMicrostructure(stage, {microstructure}) {
+  if (microstructure === null) return;
+  const {particles, phases} = microstructure;
+  const isPart = particles !== undefined && particles.count < particles.listed;
+  const note = isPart ? `, the ${particles.count} largest of them shown` : "";
+  document.getElementById("microstructure-views").append(rotatableView({
+    name: `${stage.name} microstructure view`,
+    caption: `${stage.name}: ${wordsOnStage(stage)}${note}`,
+    side: stage.box_m,
+    build: () => particles === undefined ? phaseModel(stage, phases)
+      : particleModel(particles, stage.box_m, drawnFillers(stage)),
+    below: legendOf(stage),
+  }).figure);
+}
+
+/// The colours of a quantity with the values that they stand for.
+function colourBar({words, unit_size: unit, scale, from, to}) {
+  const valueAt = (share) => scale === "logarithmic" ? from * Math.pow(to / from, share) : from + (to - from) * share;
+  const stops = coloursOfFields.filter((_, i) => i % 15 === 0).map((colour) => `#${colour}`);
+  const ticks = [0, 0.25, 0.5, 0.75, 1];
+  return element("div", {className: "colour-bar"},
+    element("div", {className: "colour-words"}, words),
+    element("div", {className: "colour-scale", style: `background: linear-gradient(to right, ${stops.join(", ")})`}),
+    element("div", {className: "colour-ticks"},
+      ...ticks.map((share) => element("span", {}, shortNumber(valueAt(share) / unit)))));
+}
+
+/// The quantities of a field that a reader can choose.
+const quantities = {stress: "stress", strain: "strain", material: "materials"};
+
+function showFields(stage, views) {
+  const fields = stage.tests.flatMap((test) => (test.fields ?? []).map((field) => ({test, ...field})))
+    .filter(({file}) => own(views.fields, file) !== undefined);
+  if (fields.length === 0) return;
+  const bar = element("div", {});
+  const choose = (label, className, texts) => element("select", {ariaLabel: label, className, onchange: () => show()},
+    ...texts.map((text) => element("option", {}, text)));
+  const field = choose(`Test and time of the view of ${stage.name}`, "view-field", fields.map(wordsOnField));
+  const quantity = choose(`Quantity of the view of ${stage.name}`, "view-quantity", Object.values(quantities));
+  field.selectedIndex = Math.max(0, fields.findIndex(({file}) => file === "fields.vtkhdf"));
+  const captionOf = () => `${stage.name}, ${quantity.value}: ${wordsOnField(fields[field.selectedIndex])}`;
+  const build = () => {
+    const one = views.fields[fields[field.selectedIndex].file];
+    const name = Object.keys(quantities)[quantity.selectedIndex];
+    const cells = [one.cells, one.cells, one.cells];
+    if (name === "material") return phaseModel(stage, {cells, values: one.material.values});
+    return volumeModel({cells, values: one[name].values}, coloursOfFields.map(channelsOf));
+  };
+  const showLegend = () => {
+    const shown = views.fields[fields[field.selectedIndex].file][Object.keys(quantities)[quantity.selectedIndex]];
+    bar.replaceChildren(...(shown.words === undefined ? legendOf(stage) : [colourBar(shown)]));
+  };
+  const view = rotatableView({name: `${stage.name} field view`, caption: captionOf(), side: stage.box_m, build,
+    choices: [quantity, field], below: [bar]});
+  const show = () => {
+    showLegend();
+    view.show(() => build(), captionOf());
+  };
+  showLegend();
+  document.getElementById("field-views").append(view.figure);
+}
+
+if (drawsViews()) {
+  for (const stage of study.stages) {
+    const views = own(data.views.stages, stage.name);
+    if (views === undefined) continue;
+    showMicrostructure(stage, views);
+    showFields(stage, views);
+  }
+  for (const note of document.querySelectorAll(".views-note")) note.hidden = false;
+} else {
+  document.getElementById("no-views").hidden = false;
+}

@@ -1,0 +1,106 @@
+#include "field_view.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/hdf5.hpp"
+#include "breccia/report/volume_colours.hpp"
+
+#include "page_bytes.hpp"
+#include "volume_quantities.hpp"
+
+namespace breccia {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Cubic blocks of the cells of a cube; the last ones along an axis may have fewer.
+struct CellBlocks {
+  std::size_t cells = 0;  ///< of the cube along an axis
+  std::size_t side = 1;   ///< cells along the side of a block
+
+  [[nodiscard]] std::size_t along() const { return (cells + side - 1) / side; }
+  [[nodiscard]] std::size_t count() const { return along() * along() * along(); }
+  /// The block of a cell in a layer of cells, which are numbered with x fastest.
+  [[nodiscard]] std::size_t block_of(std::size_t layer, std::size_t cell) const {
+    return (layer / side * along() + cell / cells / side) * along() + cell % cells / side;
+  }
+};
+
+CellBlocks blocks_of(const std::filesystem::path& path, const Hdf5Reader& file, std::size_t most_along) {
+  const auto shape = file.shape("/VTKHDF/CellData/material");
+  const auto count = shape.size() == 1 ? shape.front() : 0;
+  const auto cells = static_cast<std::size_t>(std::lround(std::cbrt(static_cast<double>(count))));
+  if (cells == 0 || cells * cells * cells != count) {
+    throw FileError(fmt::format("{}: {} cells do not fill a cube", path.string(), count));
+  }
+  return {.cells = cells, .side = (cells + most_along - 1) / most_along};
+}
+
+/// Means of a tensor over the blocks, in the order xx, yy, zz, yz, zx, xy. The file is read layer by layer, since all
+/// of it may be larger than the memory.
+std::vector<CellTensor> block_means(const Hdf5Reader& file, const std::string& name, const CellBlocks& blocks) {
+  constexpr std::array<std::size_t, 6> from_vtk = {0, 1, 2, 4, 5, 3};
+  std::vector<CellTensor> means(blocks.count());
+  std::vector<double> cells(blocks.count(), 0.0);
+  const auto in_layer = blocks.cells * blocks.cells;
+  for (std::size_t layer = 0; layer < blocks.cells; ++layer) {
+    const auto values = file.read_numbers("/VTKHDF/CellData/" + name, layer * in_layer, in_layer);
+    if (values.size() != in_layer * from_vtk.size()) {
+      throw FileError(fmt::format("{}: expected {} components", name, from_vtk.size()));
+    }
+    for (std::size_t cell = 0; cell < in_layer; ++cell) {
+      const auto block = blocks.block_of(layer, cell);
+      cells[block] += 1.0;
+      for (std::size_t i = 0; i < from_vtk.size(); ++i) means[block][i] += values[from_vtk.size() * cell + from_vtk[i]];
+    }
+  }
+  for (std::size_t block = 0; block < means.size(); ++block) {
+    for (double& component : means[block]) component /= cells[block];
+  }
+  return means;
+}
+
+/// The phase of the first cell of each block.
+std::vector<std::uint8_t> phases_of_blocks(const Hdf5Reader& file, const CellBlocks& blocks) {
+  std::vector<std::uint8_t> phases;
+  phases.reserve(blocks.count());
+  const auto all = file.read_integers("/VTKHDF/CellData/material");
+  for (std::size_t z = 0; z < blocks.cells; z += blocks.side) {
+    for (std::size_t y = 0; y < blocks.cells; y += blocks.side) {
+      for (std::size_t x = 0; x < blocks.cells; x += blocks.side) {
+        phases.push_back(static_cast<std::uint8_t>(all[(z * blocks.cells + y) * blocks.cells + x]));
+      }
+    }
+  }
+  return phases;
+}
+
+Json json_of(const VolumeQuantity& quantity) {
+  const auto [from, to, colours] = volume_colours(quantity.scale, quantity.values);
+  return {{"words", quantity.words},
+          {"unit_size", quantity.unit_size},
+          {"scale", quantity.scale == ColourScale::logarithmic ? "logarithmic" : "linear"},
+          {"from", from},
+          {"to", to},
+          {"values", bytes_for_page(colours)}};
+}
+
+}  // namespace
+
+Json field_view(const std::filesystem::path& file, Load load, Boundary boundary, std::size_t most_along) {
+  const Hdf5Reader fields(file);
+  const auto blocks = blocks_of(file, fields, most_along);
+  return {{"cells", blocks.along()},
+          {"stress", json_of(stress_in_cells(block_means(fields, "stress_Pa", blocks), load, boundary))},
+          {"strain", json_of(strain_in_cells(block_means(fields, "strain", blocks), load))},
+          {"material", {{"values", bytes_for_page(phases_of_blocks(fields, blocks))}}}};
+}
+
+}  // namespace breccia

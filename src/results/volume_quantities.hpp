@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "breccia/report/field_picture.hpp"
+#include "breccia/study/test_id.hpp"
+
+namespace breccia {
+
+/// What is drawn of a field of cells in a cube.
+struct VolumeQuantity {
+  std::string words;       ///< with the unit of the labels
+  double unit_size = 1.0;  ///< unit of the labels in the unit of the values
+  ColourScale scale = ColourScale::linear;
+  std::vector<double> values;  ///< by cell
+};
+
+/// Components of a symmetric tensor: xx, yy, zz, yz, zx, xy.
+using CellTensor = std::array<double, 6>;
+
+/// The stress component of a load [Pa], relative to the applied strain or stress.
+VolumeQuantity stress_in_cells(std::span<const CellTensor> stress, Load load, Boundary boundary);
+
+/// The equivalent shear strain, sqrt(2 e : e) of the deviator e, over the mean shear strain or dilatation of the load.
+VolumeQuantity strain_in_cells(std::span<const CellTensor> strain, Load load);
+
+}  // namespace breccia

@@ -1,0 +1,222 @@
+// What the page draws of stages in three dimensions, from files of results.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <zlib.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/base64.hpp"
+#include "breccia/io/npy.hpp"
+#include "breccia/results/study_report.hpp"
+#include "breccia/results/volume_field_files.hpp"
+
+#include "messages.hpp"
+#include "study/two_stages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The bytes of a text of the page: base64 of a stream of zlib.
+std::vector<std::uint8_t> unpacked(const json& text, std::size_t most = 100000) {
+  const auto stream = decode_base64(text.get<std::string>()).value();
+  std::vector<std::uint8_t> bytes(most);
+  auto size = static_cast<uLongf>(most);
+  EXPECT_EQ(uncompress(bytes.data(), &size, reinterpret_cast<const Bytef*>(stream.data()), stream.size()), Z_OK);
+  bytes.resize(size);
+  return bytes;
+}
+
+/// The numbers of a column.
+std::vector<double> numbers(const json& column) {
+  const auto bytes = unpacked(column.at("values"));
+  const double from = column.at("from"), to = column.at("to");
+  std::vector<double> values;
+  for (std::size_t i = 0; i < bytes.size(); i += 2)
+    values.push_back(from + (to - from) * (bytes[i] + 256 * bytes[i + 1]) / 65535.0);
+  return values;
+}
+
+class SpaceViews : public testing::Test {
+ protected:
+  SpaceViews() { std::filesystem::create_directory(directory.path() / "A"); }
+  /// Writes a study.json with one stage and its tests.
+  void write_study(int dimensions, const std::string& tests = "") const {
+    directory.write("study.json", fmt::format(R"({{"title": "t", "hash": "", "stages": [{{"name": "A", "dimensions": {},
+                                                 "tests": [{}]}}]}})",
+                                              dimensions, tests));
+  }
+  [[nodiscard]] json data() const { return json::parse(study_page_data(directory.path()).json); }
+  [[nodiscard]] json view() const { return data().at("views").at("stages").at("A"); }
+  [[nodiscard]] std::string refusal() const {
+    return test::message_of<FileError>([&] { static_cast<void>(study_page_data(directory.path())); });
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(SpaceViews, OfTwoDimensionsThereAreNone) {
+  write_study(2);
+  directory.write("A/microstructure.csv", "x_m,y_m,diameter_m\n1,2,3\n");
+  EXPECT_FALSE(study_page_data(directory.path()).has_views);
+  EXPECT_FALSE(data().contains("views"));
+}
+
+TEST_F(SpaceViews, OfSpheresHoldTheirTable) {
+  write_study(3);
+  directory.write(
+      "A/microstructure.csv",
+      "# spheres\nx_m,y_m,z_m,diameter_m,filler\n0,0.5,0.1,0.02,0\n1,0.5,0.3,0.04,1\n0.25,0.5,0.2,0.03,1\n");
+  EXPECT_TRUE(study_page_data(directory.path()).has_views);
+  EXPECT_EQ(data().at("views").at("colours").get<std::string>().size(), 6 * 256U);
+  const auto particles = view().at("microstructure").at("particles");
+  EXPECT_EQ(particles.at("count"), 3);
+  EXPECT_EQ(particles.at("listed"), 3);
+  // In 65535 steps from the smallest to the largest number.
+  using testing::DoubleNear;
+  EXPECT_THAT(numbers(particles.at("columns").at("x_m")), ElementsAre(0.0, 1.0, DoubleNear(0.25, 1e-5)));
+  EXPECT_THAT(numbers(particles.at("columns").at("y_m")), ElementsAre(0.5, 0.5, 0.5));
+  EXPECT_THAT(numbers(particles.at("columns").at("z_m")), ElementsAre(0.1, 0.3, DoubleNear(0.2, 1e-5)));
+  EXPECT_THAT(numbers(particles.at("columns").at("diameter_m")), ElementsAre(0.02, 0.04, DoubleNear(0.03, 1e-5)));
+  EXPECT_THAT(numbers(particles.at("columns").at("filler")), ElementsAre(0.0, 1.0, 1.0));
+}
+
+TEST_F(SpaceViews, ShowTheLargestOfVeryManySpheres) {
+  write_study(3);
+  std::string table = "x_m,y_m,z_m,diameter_m\n";
+  constexpr std::size_t listed = 200003;
+  for (std::size_t i = 0; i < listed; ++i) table += fmt::format("{},0,0,{}\n", i, i < 3 ? 1 : 2);
+  directory.write("A/microstructure.csv", table);
+  const auto particles = view().at("microstructure").at("particles");
+  EXPECT_EQ(particles.at("count"), 200000);
+  EXPECT_EQ(particles.at("listed"), listed);
+  EXPECT_EQ(particles.at("columns").at("x_m").at("from"), 3.0) << "the first three are the smallest";
+}
+
+// Labels of 130 points along x: every second one is shown, of 2 along y and z the first one.
+TEST_F(SpaceViews, OfVoxelsHoldTheirPhases) {
+  write_study(3);
+  std::vector<std::uint16_t> labels;
+  for (int z = 0; z < 4; ++z) {
+    for (int y = 0; y < 2; ++y) {
+      for (int x = 0; x < 130; ++x) labels.push_back(static_cast<std::uint16_t>(x % 2 == 1 ? 9 : x / 2 + 70 * (z / 2)));
+    }
+  }
+  write_npy(directory.path() / "A" / "labels.npy", std::array<std::size_t, 3>{130, 2, 4}, labels);
+  const auto phases = view().at("microstructure").at("phases");
+  EXPECT_EQ(phases.at("cells"), json({65, 1, 2}));
+  std::vector<std::uint8_t> expected;
+  for (int place = 0; place < 130; ++place) expected.push_back(static_cast<std::uint8_t>(place + (place < 65 ? 0 : 5)));
+  EXPECT_EQ(unpacked(phases.at("values")), expected);
+}
+
+TEST_F(SpaceViews, WithoutFilesAreEmpty) {
+  write_study(3, R"({"load": "shear", "boundary": "traction", "cells": 2, "fields": [{"file": "fields.vtkhdf"}]})");
+  EXPECT_TRUE(view().at("microstructure").is_null());
+  EXPECT_TRUE(view().at("fields").empty());
+  directory.write("study.json", R"({"title": "t", "hash": "", "stages": [{"name": ")" + std::string(300, 'a') +
+                                    R"(", "dimensions": 3, "tests": []}]})");
+  EXPECT_TRUE(data().at("views").at("stages").begin()->at("microstructure").is_null()) << "no file has such a name";
+}
+
+TEST_F(SpaceViews, RefuseWhatIsNotOfBreccia) {
+  const auto test_with = [](const std::string& load, const std::string& file) {
+    return fmt::format(R"({{"load": "{}", "boundary": "traction", "cells": 2, "fields": [{{"file": "{}"}}]}})", load,
+                       file);
+  };
+  write_study(3, test_with("shear", "../fields.vtkhdf"));
+  EXPECT_THAT(refusal(), HasSubstr("\"../fields.vtkhdf\" is not a name that `breccia run` gives"));
+  directory.write("A/fields.vtkhdf", "text");
+  write_study(3, test_with("shear", "fields.vtkhdf"));
+  EXPECT_THAT(refusal(), HasSubstr("fields.vtkhdf: cannot open it"));
+  write_study(3, test_with("pull", "fields.vtkhdf"));
+  EXPECT_THAT(refusal(), HasSubstr("\"pull\" is no load that `breccia run` gives"));
+  write_study(3);
+  directory.write("A/microstructure.csv", "x_m,y_m,z_m,diameter_m\n1,1,inf,1\n");
+  EXPECT_THAT(refusal(), HasSubstr("is not finite"));
+  directory.write("A/microstructure.csv", "x_m,y_m,z_m\n1,1,1\n");
+  EXPECT_THAT(refusal(), HasSubstr("axis_1_m"));
+}
+
+/// Fields of a cube of cells, whose shear stress xy and strain xy follow functions of the place of a cell.
+template <class Stress, class Strain>
+void write_field(const std::filesystem::path& folder, int cells, const Stress& stress, const Strain& strain) {
+  Discretisation<3> discretisation{{{cells, cells, cells}, 1e-3}};
+  auto fields = zero_cell_fields(discretisation);
+  discretisation.grid().for_each_cell([&](const Index<3>& cell) {
+    const auto at = discretisation.grid().cell_index(cell);
+    fields.stress[at][5] = stress(cell);
+    fields.strain[at][5] = strain(cell);
+    fields.phase[at] = static_cast<PhaseIndex>(cell[0] == 1 ? 1 : 0);
+  });
+  const auto study = test::two_stages();
+  static_cast<void>(write_volume_fields(folder, study, study.stages[0],
+                                        {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(cells)},
+                                        discretisation, {{1e-3, fields}}));
+}
+
+TEST_F(SpaceViews, OfFieldsHoldTheirColours) {
+  write_study(3, R"({"load": "shear", "boundary": "displacement", "cells": 3, "fields": [{"file": "fields.vtkhdf"}]})");
+  // Stress rises along z from 1 to 3 MPa, strain along y from 0.5 to 2.
+  write_field(
+      directory.path() / "A", 3, [](const Index<3>& cell) { return 1e6 * (cell[2] + 1); },
+      [](const Index<3>& cell) {
+        return std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(cell[1])];
+      });
+  const auto field = view().at("fields").at("fields.vtkhdf");
+  EXPECT_EQ(field.at("cells"), 3);
+  const auto& stress = field.at("stress");
+  EXPECT_EQ(stress.at("words"), "Shear stress over mean shear strain in MPa");
+  EXPECT_EQ(stress.at("unit_size"), 1e6);
+  EXPECT_EQ(stress.at("scale"), "linear");
+  EXPECT_EQ(stress.at("from"), 1e6);
+  EXPECT_EQ(stress.at("to"), 3e6);
+  const auto& strain = field.at("strain");
+  EXPECT_EQ(strain.at("scale"), "logarithmic");
+  // The equivalent shear strain of pure shear is twice its component, on a mean angle of twice 3.5 / 3.
+  EXPECT_NEAR(strain.at("from").get<double>(), 1.0, 1e-6);
+  EXPECT_NEAR(strain.at("to").get<double>(), 4.0, 1e-6);
+  EXPECT_NEAR(strain.at("unit_size").get<double>(), 7.0 / 3.0, 1e-6);
+  const auto stresses = unpacked(stress.at("values")), strains = unpacked(strain.at("values")),
+             phases = unpacked(field.at("material").at("values"));
+  constexpr std::array<int, 3> thirds = {0, 128, 255};
+  for (std::size_t cell = 0; cell < 27; ++cell) {
+    EXPECT_EQ(stresses.at(cell), thirds[cell / 9]);
+    EXPECT_NEAR(strains.at(cell), thirds[cell / 3 % 3], 1.0);
+    EXPECT_EQ(phases.at(cell), cell % 3 == 1 ? 1 : 0);
+  }
+}
+
+// Blocks of two cells along each axis, one at the ends.
+TEST_F(SpaceViews, OfManyCellsHoldMeans) {
+  write_study(3,
+              R"({"load": "shear", "boundary": "displacement", "cells": 65, "fields": [{"file": "fields.vtkhdf"}]})");
+  write_field(
+      directory.path() / "A", 65, [](const Index<3>& cell) { return cell[0] == 64 ? 66.0 : 1.0 + cell[0]; },
+      [](const Index<3>& cell) { return cell[1] % 2 == 0 ? 1.0 : 3.0; });
+  const auto field = view().at("fields").at("fields.vtkhdf");
+  EXPECT_EQ(field.at("cells"), 33);
+  const auto stress = field.at("stress");
+  EXPECT_EQ(stress.at("from"), 1.5);
+  EXPECT_EQ(stress.at("to"), 66.0);
+  const auto strains = unpacked(field.at("strain").at("values"));
+  ASSERT_EQ(strains.size(), 33U * 33U * 33U);
+  EXPECT_EQ(strains[0], strains[31 * 33]) << "the mean of 1 and 3";
+  EXPECT_LT(strains[32 * 33], strains[0]) << "the last layer alone";
+}
+
+}  // namespace
+}  // namespace breccia
