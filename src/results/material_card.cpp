@@ -106,6 +106,10 @@ void refuse_settings(const StoredComposite& composite, const CardSettings& setti
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
 }
 
+std::string terms_in_words(const PronySeries& series) {
+  return series.is_elastic() ? "an elastic modulus" : display_count(series.terms().size(), "term");
+}
+
 std::string percent(double share) {
   return fmt::format("{:.2g} %", 100.0 * share);
 }
@@ -138,11 +142,11 @@ std::vector<std::string> origin_of(const StoredComposite& composite, const CardS
                   BRECCIA_VERSION),
       fmt::format("Units: {}", units),
       fmt::format("From {} to {} s: G(t) within {} of the results, by {}", card.times.begin, card.times.end,
-                  percent(card.shear_deviation), display_count(card.shear.terms().size(), "term"))};
+                  percent(card.shear_deviation), terms_in_words(card.shear))};
   lines.push_back(bulk.origin);
   if (card.bulk_deviation) {
     lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation),
-                                display_count(card.bulk.terms().size(), "term"));
+                                terms_in_words(card.bulk));
   }
   if (composite.dimensions == 2) {
     lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");

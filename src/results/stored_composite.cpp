@@ -218,7 +218,7 @@ class Chooser {
     }
     const bool has_plain = std::ranges::find(loads, Load::shear) != loads.end();
     if (!choice_.shear_load && has_plain) choice_.shear_load = Load::shear;
-    choose(loads, choice_.shear_load, "load of shear");
+    choose(loads, choice_.shear_load, "shear load");
   }
 
   template <class Enum>
@@ -230,7 +230,7 @@ class Chooser {
     } else if (!chosen && known.size() == 1) {
       chosen = known.front();
     } else if (!chosen) {
-      mistakes_.push_back(fmt::format("{}: stage {} has results of several; choose a {}: {}", place_, choice_.stage,
+      mistakes_.push_back(fmt::format("{}: stage {} has results of several {}s; choose one: {}", place_, choice_.stage,
                                       what, fmt::join(names, ", ")));
     }
   }

@@ -157,14 +157,14 @@ times = ["10 us", "10 s"]
 TEST_F(Export, SaysWhatThereIsToChooseFrom) {
   const auto open = export_card("abaqus");
   EXPECT_EQ(open.exit_code, 2);
-  EXPECT_THAT(open.errors, HasSubstr("choose a boundary condition: displacement, traction"));
+  EXPECT_THAT(open.errors, HasSubstr("several boundary conditions; choose one: displacement, traction"));
   const auto stage = export_card("abaqus", {"--stage", "coarsse"});
   EXPECT_EQ(stage.exit_code, 2);
   EXPECT_THAT(stage.errors, HasSubstr("did you mean \"coarse\"?"));
   const auto both = export_card("abaqus", {"--load", "shear-yz"});
   EXPECT_EQ(both.exit_code, 2);
-  EXPECT_THAT(both.errors, HasSubstr("choose a boundary condition"));
-  EXPECT_THAT(both.errors, HasSubstr("not tested under the load of shear shear-yz"));
+  EXPECT_THAT(both.errors, HasSubstr("several boundary conditions"));
+  EXPECT_THAT(both.errors, HasSubstr("not tested under the shear load shear-yz"));
 }
 
 TEST_F(Export, ReportsAllMistakesOfItsOptionsAtOnce) {

@@ -66,7 +66,9 @@ TEST_P(Card, IsReadBackWithinTheTolerance) {
     EXPECT_LT(of_bulk, tolerance + of_format) << name;
     EXPECT_NEAR(of_shear, card.shear_deviation, 0.1 * card.shear_deviation + of_format);
     EXPECT_NEAR(read.density, 1800.0, 1e-9);
-    if (!read.name.empty()) EXPECT_EQ(read.name, "HB_1");
+    if (format != CardFormat::ansys) {
+      EXPECT_EQ(read.name, "HB_1");
+    }
   }
 }
 

@@ -22,9 +22,13 @@ std::string comments_of(const MaterialCard& card, std::string_view sign) {
 }
 
 std::string number(double value) {
-  auto text = fmt::format("{}", value);
+  auto text = fmt::format("{:.12g}", value);
   if (text.find_first_of(".en") == std::string::npos) text += ".0";
   return text;
+}
+
+std::string exact_number(double value) {
+  return fmt::format("{}", value);
 }
 
 }  // namespace breccia::cards

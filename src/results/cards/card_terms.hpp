@@ -21,7 +21,10 @@ std::vector<CardTerm> terms_of(const MaterialCard& card);
 /// The lines that say where the card is from, each behind the sign of a comment.
 std::string comments_of(const MaterialCard& card, std::string_view sign);
 
-/// A number with the digits that are read back as the same double, and with a decimal point or an exponent.
+/// A number with twelve digits, and with a decimal point or an exponent.
 std::string number(double value);
+
+/// A number with all digits that are read back as the same double.
+std::string exact_number(double value);
 
 }  // namespace breccia::cards

@@ -15,7 +15,8 @@
 namespace breccia::cards {
 namespace {
 
-/// A branch has both moduli above zero, since its stiffness is inverted: of one that relaxes in shear alone the bulk
+/// All digits are written, since the first spring is the difference of the instantaneous stiffness and the branches. A
+/// branch has both moduli above zero, since its stiffness is inverted: of one that relaxes in shear alone the bulk
 /// modulus is this share of its shear modulus, and the reverse.
 constexpr double least_share = 1e-5;
 
@@ -33,16 +34,16 @@ std::string moose_card(const MaterialCard& card) {
     const double bulk = std::max(term.bulk, least_share * term.shear);
     shear_of_all += shear;
     bulk_of_all += bulk;
-    moduli.push_back(number(youngs_modulus(bulk, shear)));
-    ratios.push_back(number(poisson_ratio(bulk, shear)));
-    times.push_back(number(term.relaxation_time));
+    moduli.push_back(exact_number(youngs_modulus(bulk, shear)));
+    ratios.push_back(exact_number(poisson_ratio(bulk, shear)));
+    times.push_back(exact_number(term.relaxation_time));
   }
   auto text = comments_of(card, "#");
   text += fmt::format("[Materials]\n  [{}]\n", card.name);
   text += moduli.empty() ? "    type = ComputeIsotropicElasticityTensor\n    youngs_modulus = "
                          : "    type = GeneralizedMaxwellModel\n    young_modulus = ";
-  text += fmt::format("{}\n    poisson_ratio = {}\n", number(youngs_modulus(bulk_of_all, shear_of_all)),
-                      number(poisson_ratio(bulk_of_all, shear_of_all)));
+  text += fmt::format("{}\n    poisson_ratio = {}\n", exact_number(youngs_modulus(bulk_of_all, shear_of_all)),
+                      exact_number(poisson_ratio(bulk_of_all, shear_of_all)));
   if (!moduli.empty()) {
     text += fmt::format("    creep_modulus = {}\n    creep_viscosity = {}\n    creep_ratio = {}\n", list(moduli),
                         list(times), list(ratios));
