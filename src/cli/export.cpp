@@ -68,7 +68,8 @@ std::vector<std::string> names_of_words() {
 double read_share(const std::string& option, const std::string& text) {
   const auto share = parse_percentage(text);
   if (share && *share > 0.0 && *share < 1.0) return *share;
-  throw InputError(fmt::format("{}: expected a share above 0 % and below 100 %, such as \"1 %\", got \"{}\"", option, text));
+  throw InputError(
+      fmt::format("{}: expected a share above 0 % and below 100 %, such as \"1 %\", got \"{}\"", option, text));
 }
 
 double read_poisson(const std::string& text) {
@@ -115,7 +116,8 @@ ExportRequest read_request(const ExportArguments& arguments) {
     };
     settings.times = TimeWindow{time(arguments.times[0]), time(arguments.times[1])};
     if (settings.times->begin < settings.times->end) return;
-    throw InputError(fmt::format("--times: expected two rising times, got {} and {}", arguments.times[0], arguments.times[1]));
+    throw InputError(
+        fmt::format("--times: expected two rising times, got {} and {}", arguments.times[0], arguments.times[1]));
   });
   options.read([&] {
     if (arguments.bulk.empty()) return;

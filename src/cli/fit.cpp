@@ -31,16 +31,19 @@ const std::map<std::string, ModulusKind> modulus_kinds = {
     {"shear", ModulusKind::shear}, {"young", ModulusKind::young}, {"bulk", ModulusKind::bulk}};
 
 /// The words for the quantities of `--columns`.
-const std::map<std::string, Quantity> quantities_of_columns = {
-    {"time", Quantity::time},           {"frequency", Quantity::angular_frequency}, {"temperature", Quantity::temperature},
-    {"storage", Quantity::storage_modulus}, {"loss", Quantity::loss_modulus},       {"modulus", Quantity::modulus},
-    {"compliance", Quantity::compliance}};
+const std::map<std::string, Quantity> quantities_of_columns = {{"time", Quantity::time},
+                                                               {"frequency", Quantity::angular_frequency},
+                                                               {"temperature", Quantity::temperature},
+                                                               {"storage", Quantity::storage_modulus},
+                                                               {"loss", Quantity::loss_modulus},
+                                                               {"modulus", Quantity::modulus},
+                                                               {"compliance", Quantity::compliance}};
 
 struct FitArguments {
   std::filesystem::path file;
   std::vector<std::string> columns;  ///< QUANTITY=NAME
-  std::string modulus;  ///< kind of modulus; empty: from the names of the columns
-  std::string to;       ///< kind of curve to write; empty: the kind of the data
+  std::string modulus;               ///< kind of modulus; empty: from the names of the columns
+  std::string to;                    ///< kind of curve to write; empty: the kind of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -60,7 +63,8 @@ std::vector<ColumnChoice> column_choices(const FitArguments& arguments) {
     const auto word = text.substr(0, sign);
     const auto known = quantities_of_columns.find(word);
     if (sign == std::string::npos || sign + 1 == text.size()) {
-      mistakes.push_back(fmt::format("--columns: expected QUANTITY=NAME, such as storage=\"E1 [MPa]\", got \"{}\"", text));
+      mistakes.push_back(
+          fmt::format("--columns: expected QUANTITY=NAME, such as storage=\"E1 [MPa]\", got \"{}\"", text));
     } else if (known == quantities_of_columns.end()) {
       mistakes.push_back(fmt::format("--columns: unknown quantity \"{}\"{}", word, suggestion(word, words)));
     } else if (std::ranges::find(choices, known->second, &ColumnChoice::quantity) != choices.end()) {

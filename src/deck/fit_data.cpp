@@ -114,10 +114,10 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
   if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is read
   if (measured.empty()) return ModulusKind::unspecified;
   if (measured.size() == 1 && measured.front() != ModulusKind::other) return measured.front();
-  throw InputError(fmt::format(
-      "{}: expected one modulus, of shear, Young's or of bulk, got {}: of several one has to be "
-      "chosen; one that is none of these is fitted when its column is called modulus_Pa",
-      table.path().string(), table.list_of_names()));
+  throw InputError(
+      fmt::format("{}: expected one modulus, of shear, Young's or of bulk, got {}: of several one has to be "
+                  "chosen; one that is none of these is fitted when its column is called modulus_Pa",
+                  table.path().string(), table.list_of_names()));
 }
 
 [[noreturn]] void refuse_columns(const MeasuredTable& table) {

@@ -8,9 +8,10 @@
 
 namespace breccia {
 
-/// A Prony series fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance, dynamic
-/// moduli, or those of several temperatures as a master curve at the reference temperature [K], which is that of one of
-/// them to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit does not converge.
+/// A Prony series fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,
+/// dynamic moduli, or those of several temperatures as a master curve at the reference temperature [K], which is that
+/// of one of them to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit does not
+/// converge.
 PronySeries fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
                            std::optional<double> reference_temperature);
 

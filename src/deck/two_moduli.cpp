@@ -49,13 +49,14 @@ BulkAndShear bulk_and_shear(const TwoModuli& given) {
   if (!young || !shear) throw InputError("expected two of bulk, shear, Young's modulus and Poisson's ratio");
   if (!young->is_elastic() || !shear->is_elastic()) {
     throw InputError(
-        "Young's modulus and the shear modulus of a solid that relaxes do not determine its bulk modulus well: give the "
+        "Young's modulus and the shear modulus of a solid that relaxes do not determine its bulk modulus well: give "
+        "the "
         "bulk modulus or Poisson's ratio with one of them");
   }
   const double modulus = young->equilibrium(), of_shear = shear->equilibrium();
   if (!(modulus < 3.0 * of_shear)) {
-    throw InputError(fmt::format("expected Young's modulus below three times the shear modulus, got {:.4g} and {:.4g} Pa",
-                                 modulus, of_shear));
+    throw InputError(fmt::format(
+        "expected Young's modulus below three times the shear modulus, got {:.4g} and {:.4g} Pa", modulus, of_shear));
   }
   return {PronySeries(modulus * of_shear / (3.0 * (3.0 * of_shear - modulus))), *shear};
 }

@@ -20,9 +20,9 @@ struct BulkAndShear {
   PronySeries shear;
 };
 
-/// The bulk and the shear modulus that two of the constants determine, exactly (theory, Eqs. 1a and 1b). Throws
-/// InputError where they are not of a solid (both moduli above zero), and for a relaxing Young's modulus with a relaxing
-/// bulk modulus or with a shear modulus, of which the third is an ill-conditioned difference.
+/// The bulk and the shear modulus that two of the constants determine, exactly (theory, Eq. 23c). Throws
+/// InputError where they are not of a solid (both moduli above zero), and for a relaxing Young's modulus with a
+/// relaxing bulk modulus or with a shear modulus, of which the third is an ill-conditioned difference.
 BulkAndShear bulk_and_shear(const TwoModuli& given);
 
 }  // namespace breccia

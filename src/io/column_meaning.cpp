@@ -234,12 +234,13 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const C
   auto meaning = meaning_of(name);
   const auto chosen = std::ranges::find_if(choices, [&](const auto& choice) { return is_choice_of(choice, name); });
   if (chosen == choices.end()) {
-    const bool is_taken = meaning && std::ranges::find(choices, meaning->quantity, &ColumnChoice::quantity) != choices.end();
+    const bool is_taken =
+        meaning && std::ranges::find(choices, meaning->quantity, &ColumnChoice::quantity) != choices.end();
     return is_taken ? std::nullopt : meaning;
   }
   if (meaning && meaning->quantity == chosen->quantity && chosen->name == name) return meaning;
-  ColumnMeaning of_choice{chosen->quantity, meaning ? meaning->kind : ModulusKind::unspecified,
-                          chosen->quantity == angular_frequency, {}};
+  ColumnMeaning of_choice{
+      chosen->quantity, meaning ? meaning->kind : ModulusKind::unspecified, chosen->quantity == angular_frequency, {}};
   if (const auto parts = split_at_bracket(chosen->name)) {
     of_choice.unit = std::string(parts->unit);
   } else if (const auto sign = name.find('/'); sign != std::string_view::npos) {

@@ -67,8 +67,9 @@ std::string description_of(const MeasuredTable& table) {
   auto ignored = table.names();
   for (const auto& column : table.columns()) {
     const auto [least, most] = std::ranges::minmax(column.written.empty() ? std::vector{0.0} : column.written);
-    text += fmt::format("\n  {:<26} {} [{}], {} to {}", fmt::format("{}{}", words_of(column.quantity), words_of(column.kind)),
-                        shown_value(column.name), column.unit, three_digits(least), three_digits(most));
+    text += fmt::format("\n  {:<26} {} [{}], {} to {}",
+                        fmt::format("{}{}", words_of(column.quantity), words_of(column.kind)), shown_value(column.name),
+                        column.unit, three_digits(least), three_digits(most));
     std::erase(ignored, column.name);
   }
   std::erase(ignored, "");

@@ -13,7 +13,7 @@ namespace breccia::detail {
 /// The layout of a table in a file.
 struct TableLayout {
   char separator = ',';
-  CsvRecord header;               ///< the first row that names two known columns, or else such a comment, or the first row
+  CsvRecord header;  ///< the first row that names two known columns, or else such a comment, or the first row
   std::size_t known_columns = 0;  ///< number of known columns in the header
   bool has_decimal_commas = false;
 };

@@ -98,8 +98,8 @@ std::string from_latin1(std::string_view text) {
 
 void refuse_binary(const std::filesystem::path& path, std::string_view text) {
   if (text.starts_with("PK\x03\x04")) {
-    throw InputError(fmt::format("{}: expected text, got a workbook of a spreadsheet or an archive; save its table as CSV",
-                                 path.string()));
+    throw InputError(fmt::format(
+        "{}: expected text, got a workbook of a spreadsheet or an archive; save its table as CSV", path.string()));
   }
   if (is_utf16(text)) throw InputError(fmt::format("{}: saved as UTF-16; save it as UTF-8", path.string()));
   if (text.find('\0') != std::string_view::npos) {

@@ -59,10 +59,8 @@ class EngineeringTable {
   }
   void write(const std::filesystem::path& file) const {
     if (columns_.empty()) return;
-    std::vector<CsvColumn> table = {{"stage", tests_.stages},
-                                    {"boundary", tests_.boundaries},
-                                    {"method", tests_.methods},
-                                    {"cells", tests_.cells}};
+    std::vector<CsvColumn> table = {
+        {"stage", tests_.stages}, {"boundary", tests_.boundaries}, {"method", tests_.methods}, {"cells", tests_.cells}};
     for (const auto& [name, values] : columns_) table.push_back({name, values});
     write_csv(file, table);
   }

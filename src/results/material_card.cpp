@@ -84,8 +84,8 @@ void refuse_settings(const StoredComposite& composite, const CardSettings& setti
     mistakes.push_back(fmt::format("tolerance: expected a share above 0 and below 1, got {}", settings.tolerance));
   }
   if (settings.times && !(settings.times->begin > 0.0 && settings.times->begin < settings.times->end)) {
-    mistakes.push_back(fmt::format("times: expected two rising times, got {} s and {} s", settings.times->begin,
-                                   settings.times->end));
+    mistakes.push_back(
+        fmt::format("times: expected two rising times, got {} s and {} s", settings.times->begin, settings.times->end));
   }
   if (settings.bulk && settings.poisson) {
     mistakes.emplace_back("bulk modulus and Poisson's ratio: expected one of them");
@@ -94,8 +94,7 @@ void refuse_settings(const StoredComposite& composite, const CardSettings& setti
     mistakes.push_back(fmt::format("bulk modulus: expected one above zero, got {} Pa", *settings.bulk));
   }
   if (settings.poisson && !(*settings.poisson > -1.0 && *settings.poisson < 0.5)) {
-    mistakes.push_back(
-        fmt::format("Poisson's ratio: expected one above -1 and below 0.5, got {}", *settings.poisson));
+    mistakes.push_back(fmt::format("Poisson's ratio: expected one above -1 and below 0.5, got {}", *settings.poisson));
   }
   if (!composite.dilatational && !settings.bulk && !settings.poisson) {
     mistakes.push_back(
@@ -145,8 +144,7 @@ std::vector<std::string> origin_of(const StoredComposite& composite, const CardS
                   percent(card.shear_deviation), terms_in_words(card.shear))};
   lines.push_back(bulk.origin);
   if (card.bulk_deviation) {
-    lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation),
-                                terms_in_words(card.bulk));
+    lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation), terms_in_words(card.bulk));
   }
   if (composite.dimensions == 2) {
     lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");

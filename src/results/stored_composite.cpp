@@ -48,8 +48,8 @@ std::vector<StoredSeries> read_series_of_tests(const fs::path& file) {
       throw FileError(fmt::format("{}: not a load and a boundary condition of `breccia run`", table.place(row)));
     }
     const auto& stage = table.text("stage")[row];
-    const bool is_next = !all.empty() && all.back().stage == stage && all.back().load == *load &&
-                         all.back().boundary == *boundary;
+    const bool is_next =
+        !all.empty() && all.back().stage == stage && all.back().load == *load && all.back().boundary == *boundary;
     if (!is_next) all.push_back({stage, *load, *boundary});
     if (std::isinf(times[row])) {
       all.back().equilibrium = moduli[row];
@@ -64,7 +64,7 @@ std::vector<StoredSeries> read_series_of_tests(const fs::path& file) {
 struct StageOfStudy {
   std::string matrix;
   int dimensions = 2;
-  std::vector<std::string> materials;                     ///< of the fillers and coatings
+  std::vector<std::string> materials;                                ///< of the fillers and coatings
   std::optional<std::pair<std::string, double>> density_ratio = {};  ///< of a material to the density of the whole [-]
 };
 
@@ -128,8 +128,8 @@ bool is_elastic(const Material& material) {
 void add_materials(const fs::path& directory, const StudyOnDisk& study, StoredComposite& composite) {
   const auto stored = read_stored_materials(directory).materials;
   const auto find = [&](const std::string& name) {
-    const auto found =
-        std::ranges::find(stored, name, [](const StoredMaterial& one) -> const std::string& { return one.material.name; });
+    const auto found = std::ranges::find(
+        stored, name, [](const StoredMaterial& one) -> const std::string& { return one.material.name; });
     if (found == stored.end()) {
       throw FileError(fmt::format("{}: no material \"{}\"", (directory / "study.json").string(), name));
     }
@@ -137,10 +137,11 @@ void add_materials(const fs::path& directory, const StudyOnDisk& study, StoredCo
   };
   const auto& stage = study.stages.at(composite.stage);
   const auto binder = find(binder_of_chain(study, composite.stage));
-  composite.density = stage.density_ratio ? find(stage.density_ratio->first).material.density / stage.density_ratio->second
-                                          : binder.material.density;
-  const bool relaxes_by_binder_alone = std::ranges::all_of(
-      stage.materials, [&](const std::string& name) { return is_elastic(find(name).material); });
+  composite.density = stage.density_ratio
+                          ? find(stage.density_ratio->first).material.density / stage.density_ratio->second
+                          : binder.material.density;
+  const bool relaxes_by_binder_alone =
+      std::ranges::all_of(stage.materials, [&](const std::string& name) { return is_elastic(find(name).material); });
   if (relaxes_by_binder_alone) composite.shift = binder.shift;
 }
 

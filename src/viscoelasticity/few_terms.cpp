@@ -61,8 +61,7 @@ double FewTerms::worst_deviation() const {
   return deviations.empty() ? 0.0 : *std::ranges::max_element(deviations);
 }
 
-FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window,
-                        const FewTermsOptions& options) {
+FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window, const FewTermsOptions& options) {
   if (!(window.begin > 0.0 && window.begin < window.end)) {
     throw InputError(fmt::format("terms: expected two rising times, got {} s and {} s", window.begin, window.end));
   }
@@ -79,15 +78,15 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
     if (!(least > 0.0)) throw InputError(fmt::format("terms: expected a positive modulus, got {} Pa", least));
   }
 
-  constexpr std::array times_per_decade = {0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2, 1.35,
-                                           1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0};
+  constexpr std::array times_per_decade = {0.3,  0.4, 0.5,  0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2,
+                                           1.35, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0};
   FewTerms best;
   for (const double density : times_per_decade) {
     FewTerms found;
     for (std::size_t i = 0; i < series.size(); ++i) {
       const auto elastic = as_elastic(at_checked[i], options.tolerance);
-      found.series.push_back(
-          elastic ? *elastic : fit_relaxation(fitted, at_fitted[i], {.times_per_decade = density}).series);
+      found.series.push_back(elastic ? *elastic
+                                     : fit_relaxation(fitted, at_fitted[i], {.times_per_decade = density}).series);
       found.deviations.push_back(largest_deviation(found.series.back(), checked, at_checked[i]));
     }
     const bool is_few = found.relaxation_times() <= options.most_terms;

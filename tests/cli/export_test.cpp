@@ -115,8 +115,8 @@ TEST_F(Export, TakesTheBulkModulusFromTheBulkTest) {
 }
 
 TEST_F(Export, WritesToAFileAndNotOverOne) {
-  const auto written = export_card("abaqus", {"--boundary", "traction", "--stage", "fine", "--bulk", "5 GPa", "--output",
-                                              "card.inp", "--units", "mm-t-s"});
+  const auto written = export_card("abaqus", {"--boundary", "traction", "--stage", "fine", "--bulk", "5 GPa",
+                                              "--output", "card.inp", "--units", "mm-t-s"});
   ASSERT_EQ(written.exit_code, 0) << written.errors;
   EXPECT_THAT(written.output, HasSubstr("fine: G(t) within"));
   EXPECT_THAT(written.output, HasSubstr("The card is in card.inp"));
@@ -129,11 +129,14 @@ TEST_F(Export, WritesToAFileAndNotOverOne) {
   const auto again = export_card("abaqus", {"--boundary", "traction", "--bulk", "5 GPa", "--output", "card.inp"});
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.errors, HasSubstr("--overwrite"));
-  EXPECT_EQ(export_card("csv", {"--boundary", "traction", "--bulk", "5 GPa", "--output", "card.inp", "--overwrite"}).exit_code, 0);
+  EXPECT_EQ(export_card("csv", {"--boundary", "traction", "--bulk", "5 GPa", "--output", "card.inp", "--overwrite"})
+                .exit_code,
+            0);
 }
 
 TEST_F(Export, CsvServesAsTheMaterialOfADeck) {
-  ASSERT_EQ(export_card("csv", {"--boundary", "displacement", "--poisson", "0.3", "--output", "terms.csv"}).exit_code, 0);
+  ASSERT_EQ(export_card("csv", {"--boundary", "displacement", "--poisson", "0.3", "--output", "terms.csv"}).exit_code,
+            0);
   const StudyDirectory next(R"([materials.composite]
 density = "1.6 g/cm^3"
 bulk    = { prony = "terms.csv" }
@@ -168,10 +171,11 @@ TEST_F(Export, SaysWhatThereIsToChooseFrom) {
 }
 
 TEST_F(Export, ReportsAllMistakesOfItsOptionsAtOnce) {
-  const auto outcome = export_card("abaqus", {"--tolerance", "one", "--times", "1 s", "1 us", "--bulk", "3 mm", "--poisson",
-                                              "0.7", "--output", "out"});
+  const auto outcome = export_card("abaqus", {"--tolerance", "one", "--times", "1 s", "1 us", "--bulk", "3 mm",
+                                              "--poisson", "0.7", "--output", "out"});
   EXPECT_EQ(outcome.exit_code, 2);
-  for (const auto* option : {"--tolerance: ", "--times: ", "--bulk: ", "--poisson: ", "--bulk and --poisson: ", "--output: "}) {
+  for (const auto* option :
+       {"--tolerance: ", "--times: ", "--bulk: ", "--poisson: ", "--bulk and --poisson: ", "--output: "}) {
     EXPECT_THAT(outcome.errors, HasSubstr(option));
   }
   EXPECT_EQ(outcome.output, "");
@@ -193,7 +197,8 @@ TEST_F(Export, RefusesUnknownFormatsAndDirectories) {
 }
 
 TEST_F(Export, RefusesMoreTermsThanLsDynaTakes) {
-  const auto outcome = export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.0001 %"});
+  const auto outcome =
+      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.0001 %"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.errors, HasSubstr("LS-DYNA takes at most 17 terms"));
 }

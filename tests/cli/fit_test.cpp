@@ -262,7 +262,7 @@ TEST_F(Fit, RefusesBadOptions) {
     const auto outcome = run(arguments);
     EXPECT_NE(outcome.exit_code, 0) << message;
     EXPECT_THAT(outcome.errors, HasSubstr(message));
-    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(outcome.output, ::testing::Not(HasSubstr("Results are in")));
   }
 }
 

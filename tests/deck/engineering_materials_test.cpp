@@ -98,14 +98,16 @@ TEST_F(EngineeringMaterials, RefusesWhatIsNoSolid) {
        "with Young's modulus the bulk modulus is elastic"},
       {"bulk = \"1 GPa\"", "shear: missing"},
       {"bulk = \"3 GPa\"\nshear = { measured = \"none.csv\" }", "none.csv"},
-      {"bulk = \"3 GPa\"\nshear = { measured = \"a.csv\", terms = [] }", "expected exactly one of prony, terms, measured"},
+      {"bulk = \"3 GPa\"\nshear = { measured = \"a.csv\", terms = [] }",
+       "expected exactly one of prony, terms, measured"},
   };
   for (const auto& [lines, message] : cases) EXPECT_THAT(mistakes(lines), HasSubstr(message)) << lines;
 }
 
 TEST_F(EngineeringMaterials, AMeasuredModulusOfAnotherKindIsRefused) {
   directory.write("E.csv", "time_s,youngs_modulus_Pa\n1,3\n2,2\n3,1\n");
-  EXPECT_THAT(mistakes("bulk = \"3 GPa\"\nshear = { measured = \"E.csv\" }"), HasSubstr("expected a column of the shear modulus"));
+  EXPECT_THAT(mistakes("bulk = \"3 GPa\"\nshear = { measured = \"E.csv\" }"),
+              HasSubstr("expected a column of the shear modulus"));
   EXPECT_NO_THROW(static_cast<void>(material("bulk = \"3 GPa\"\nyoung = { measured = \"E.csv\" }")));
 }
 

@@ -122,7 +122,8 @@ ParsedCard parse_ansys(const std::string& text) {
     std::vector<std::pair<double, double>> shares;
     const auto& of_table = constants[label];
     require(of_table.size() == 2 * pairs[label], "as many pairs as TB announces");
-    for (int i = 1; i < static_cast<int>(of_table.size()); i += 2) shares.emplace_back(of_table.at(i), of_table.at(i + 1));
+    for (int i = 1; i < static_cast<int>(of_table.size()); i += 2)
+      shares.emplace_back(of_table.at(i), of_table.at(i + 1));
     return from_shares(instantaneous, shares);
   };
   card.shear = series("SHEAR", shear_of(young, poisson));

@@ -144,7 +144,8 @@ TEST(MaterialCard, TakesTheBulkModulusOfPlaneStrainFromTwoTests) {
 TEST(MaterialCard, RefusesWhatItDoesNotKnow) {
   auto composite = composite_of_cards();
   composite.dilatational.reset();
-  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }), HasSubstr("was not tested in bulk"));
+  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }),
+              HasSubstr("was not tested in bulk"));
   const auto mistakes = message_of<InputError>([&] {
     static_cast<void>(material_card(composite, {.tolerance = 0.0, .times = TimeWindow{2.0, 1.0}, .poisson = 0.5}));
   });
@@ -164,7 +165,8 @@ TEST(MaterialCard, RefusesABulkModulusThatRises) {
   auto composite = composite_of_cards();
   composite.dimensions = 2;
   composite.dilatational = PronySeries(8e9);  // so K(t) = 8 GPa - G(t)/3, which rises by 11 %
-  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }), HasSubstr("only relaxes"));
+  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }),
+              HasSubstr("only relaxes"));
   EXPECT_NO_THROW(static_cast<void>(material_card(composite, {.tolerance = 0.2})));
 }
 

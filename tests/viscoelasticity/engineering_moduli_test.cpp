@@ -30,8 +30,9 @@ TEST(EngineeringModuli, OfASolidOfConstantPoissonsRatio) {
   for (double t = 1e-12; t < 1e9; t *= 7.0) {
     EXPECT_NEAR(solid.youngs_modulus(t) / (2.0 * (1.0 + poisson) * binder.at(t)), 1.0, 1e-9) << t;
     EXPECT_NEAR(solid.poisson_ratio(t), poisson, 1e-9);
-    EXPECT_NEAR(std::abs(solid.complex_youngs_modulus(1.0 / t) /
-                         (2.0 * (1.0 + poisson) * binder.complex_modulus(1.0 / t))), 1.0, 1e-12);
+    EXPECT_NEAR(
+        std::abs(solid.complex_youngs_modulus(1.0 / t) / (2.0 * (1.0 + poisson) * binder.complex_modulus(1.0 / t))),
+        1.0, 1e-12);
   }
 }
 

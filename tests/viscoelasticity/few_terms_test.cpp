@@ -58,7 +58,8 @@ TEST(FewTerms, AModulusThatHardlyChangesIsElastic) {
 
 TEST(FewTerms, OfADifferenceAreNotNegative) {
   // 5 + exp(-t / 1) - 0.5 exp(-t / 0.1) would rise at first; with a slower decay it only falls.
-  const auto difference = PronySeries::difference(PronySeries(5.0, {{1.0, 1.0}, {0.5, 2.0}}), PronySeries(0.0, {{0.4, 0.2}}));
+  const auto difference =
+      PronySeries::difference(PronySeries(5.0, {{1.0, 1.0}, {0.5, 2.0}}), PronySeries(0.0, {{0.4, 0.2}}));
   const std::vector<PronySeries> given = {difference};
   const auto few = with_few_terms(given, {1e-2, 1e1});
   EXPECT_LE(few.worst_deviation(), 0.01);

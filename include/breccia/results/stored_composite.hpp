@@ -27,11 +27,11 @@ struct StoredComposite {
   Boundary boundary = Boundary::displacement;
   Load shear_load = Load::shear;
   int dimensions = 2;
-  double density = 0.0;                    ///< of the stage with all that is in its matrix [kg/m^3]
-  PronySeries shear;                       ///< G(t) [Pa]
+  double density = 0.0;                     ///< of the stage with all that is in its matrix [kg/m^3]
+  PronySeries shear;                        ///< G(t) [Pa]
   std::optional<PronySeries> dilatational;  ///< of the bulk test: K(t), in plane strain K(t) + G(t)/3 [Pa]
-  std::optional<TemperatureShift> shift;   ///< of the binder, where nothing else of the composite relaxes
-  TimeWindow times;                        ///< of the study [s]
+  std::optional<TemperatureShift> shift;    ///< of the binder, where nothing else of the composite relaxes
+  TimeWindow times;                         ///< of the study [s]
 
   /// K(t) [Pa], where there was a bulk test; in plane strain a difference, whose terms may be negative.
   [[nodiscard]] std::optional<PronySeries> bulk() const;

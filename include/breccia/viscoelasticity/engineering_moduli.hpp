@@ -7,7 +7,7 @@
 namespace breccia {
 
 /// Young's modulus and Poisson's ratio of a linear viscoelastic solid in uniaxial tests, from its shear and bulk moduli
-/// by the correspondence principle (theory, Eqs. 40 and 41). The bulk modulus may be a difference of series
+/// by the correspondence principle (theory, Eqs. 23a and 23b). The bulk modulus may be a difference of series
 /// (PronySeries::difference), as of a composite in plane strain.
 class EngineeringModuli {
  public:

@@ -12,7 +12,7 @@ namespace breccia {
 
 /// How few terms with_few_terms() may take.
 struct FewTermsOptions {
-  double tolerance = 0.01;                                             ///< largest relative deviation wanted [-]
+  double tolerance = 0.01;                                           ///< largest relative deviation wanted [-]
   std::size_t most_terms = std::numeric_limits<std::size_t>::max();  ///< different relaxation times of all series
 };
 

@@ -18,8 +18,8 @@ std::string abaqus_card(const MaterialCard& card) {
   if (terms.empty()) return text;
   text += "*Viscoelastic, time=PRONY\n";
   for (const auto& term : terms) {
-    text += fmt::format("{}, {}, {}\n", number(term.shear / shear), number(term.bulk / bulk),
-                        number(term.relaxation_time));
+    text +=
+        fmt::format("{}, {}, {}\n", number(term.shear / shear), number(term.bulk / bulk), number(term.relaxation_time));
   }
   if (!card.shift) return text;
   return text + fmt::format("*Trs, definition=WLF\n{}, {}, {}\n", number(card.shift->reference_temperature),

@@ -8,8 +8,10 @@ namespace breccia::cards {
 
 std::vector<CardTerm> terms_of(const MaterialCard& card) {
   std::map<double, CardTerm> by_time;
-  for (const auto& [time, modulus] : card.shear.terms()) by_time.insert({time, {time, 0.0, 0.0}}).first->second.shear = modulus;
-  for (const auto& [time, modulus] : card.bulk.terms()) by_time.insert({time, {time, 0.0, 0.0}}).first->second.bulk = modulus;
+  for (const auto& [time, modulus] : card.shear.terms())
+    by_time.insert({time, {time, 0.0, 0.0}}).first->second.shear = modulus;
+  for (const auto& [time, modulus] : card.bulk.terms())
+    by_time.insert({time, {time, 0.0, 0.0}}).first->second.bulk = modulus;
   std::vector<CardTerm> terms;
   for (const auto& [time, term] : by_time) terms.push_back(term);
   return terms;

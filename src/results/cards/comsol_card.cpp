@@ -18,7 +18,8 @@ std::string comsol_card(const MaterialCard& card) {
   // The table of branches that is loaded is that of shear; branches of the volume are entered by hand.
   int branch = 0;
   for (const auto& term : card.bulk.terms()) {
-    text += fmt::format("% volumetric branch {}: {} {}\n", ++branch, number(term.modulus), number(term.relaxation_time));
+    text +=
+        fmt::format("% volumetric branch {}: {} {}\n", ++branch, number(term.modulus), number(term.relaxation_time));
   }
   branch = 0;
   for (const auto& term : card.shear.terms()) {

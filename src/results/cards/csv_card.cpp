@@ -14,8 +14,8 @@ std::string csv_card(const MaterialCard& card) {
     text += fmt::format("# Williams-Landel-Ferry: T_ref {} K, c1 {}, c2 {} K\n",
                         number(card.shift->reference_temperature), number(card.shift->c1), number(card.shift->c2));
   }
-  text += fmt::format("relaxation_time_s,shear_modulus_{0},bulk_modulus_{0},shear_share,bulk_share\n",
-                      card.pressure_unit);
+  text +=
+      fmt::format("relaxation_time_s,shear_modulus_{0},bulk_modulus_{0},shear_share,bulk_share\n", card.pressure_unit);
   const auto row = [&](const std::string& time, double of_shear, double of_bulk) {
     return fmt::format("{},{},{},{},{}\n", time, number(of_shear), number(of_bulk), number(of_shear / shear),
                        number(of_bulk / bulk));

@@ -48,7 +48,8 @@ std::string moose_card(const MaterialCard& card) {
     text += fmt::format("    creep_modulus = {}\n    creep_viscosity = {}\n    creep_ratio = {}\n", list(moduli),
                         list(times), list(ratios));
   }
-  text += fmt::format("  []\n  [{}-density]\n    type = GenericConstantMaterial\n    prop_names = density\n", card.name);
+  text +=
+      fmt::format("  []\n  [{}-density]\n    type = GenericConstantMaterial\n    prop_names = density\n", card.name);
   text += fmt::format("    prop_values = {}\n  []\n  [{}-stress]\n", number(card.density), card.name);
   if (moduli.empty()) return text + "    type = ComputeLinearElasticStress\n  []\n[]\n";
   return text + fmt::format(
