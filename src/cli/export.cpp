@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "breccia/io/percentage.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/results/isochronal.hpp"
 #include "breccia/results/material_card.hpp"
 #include "breccia/results/stored_composite.hpp"
 
@@ -34,7 +36,10 @@ struct ExportArguments {
   std::string bulk;     ///< empty: from the bulk test
   std::string poisson;  ///< empty: from the bulk test
   std::string units = "m-kg-s";
-  fs::path output;  ///< empty: standard output
+  std::string frequency = "1 Hz";         ///< of the format `dma`
+  std::vector<std::string> temperatures;  ///< of the format `dma`; empty: all that are covered
+  std::string step = "2 K";               ///< between the temperatures
+  fs::path output;                        ///< empty: standard output
   bool overwrite = false;
 };
 
@@ -94,18 +99,49 @@ void refuse_existing(const ExportArguments& arguments) {
   throw InputError(fmt::format("{}: the file exists; replace it (--overwrite) or choose another name", name));
 }
 
+/// The name of the format that is no card: dynamic moduli against temperature.
+constexpr auto isochronal_format = "dma";
+
 struct ExportRequest {
   CompositeChoice choice;
   CardSettings settings;
+  double angular_frequency = 0.0;  ///< [rad/s]
+  std::optional<TemperatureRange> temperatures = {};
+  double temperature_step = 0.0;  ///< [K]
 };
+
+/// The options of the format `dma`.
+void read_isochronal_options(const ExportArguments& arguments, OptionReader& options, ExportRequest& request) {
+  options.read([&] {
+    request.angular_frequency =
+        2.0 * std::numbers::pi *
+        option_quantity("--frequency", arguments.frequency, Dimension::frequency, Range::positive());
+  });
+  options.read([&] {
+    if (arguments.temperatures.empty()) return;
+    const auto temperature = [](const std::string& text) {
+      return option_quantity("--temperatures", text, Dimension::temperature, Range::not_negative());
+    };
+    request.temperatures =
+        TemperatureRange{temperature(arguments.temperatures[0]), temperature(arguments.temperatures[1])};
+    if (request.temperatures->begin < request.temperatures->end) return;
+    throw InputError(fmt::format("--temperatures: expected two rising temperatures, got {} and {}",
+                                 arguments.temperatures[0], arguments.temperatures[1]));
+  });
+  options.read([&] {
+    request.temperature_step =
+        option_quantity("--step", arguments.step, Dimension::temperature_difference, Range::positive());
+  });
+}
 
 ExportRequest read_request(const ExportArguments& arguments) {
   ExportRequest request;
-  auto& [choice, settings] = request;
+  auto& choice = request.choice;
+  auto& settings = request.settings;
   choice.stage = arguments.stage;
   if (!arguments.boundary.empty()) choice.boundary = value_named<Boundary>(arguments.boundary);
   if (!arguments.load.empty()) choice.shear_load = value_named<Load>(arguments.load);
-  settings.format = value_named<CardFormat>(arguments.format).value();
+  settings.format = value_named<CardFormat>(arguments.format).value_or(CardFormat::csv);
   settings.units = value_named<CardUnits>(arguments.units).value();
   OptionReader options;
   options.read([&] { settings.tolerance = read_share("--tolerance", arguments.tolerance); });
@@ -130,6 +166,7 @@ ExportRequest read_request(const ExportArguments& arguments) {
     if (arguments.bulk.empty() || arguments.poisson.empty()) return;
     throw InputError("--bulk and --poisson: expected one of them");
   });
+  read_isochronal_options(arguments, options, request);
   options.read([&] { refuse_existing(arguments); });
   options.refuse();
   return request;
@@ -145,30 +182,54 @@ std::string in_words(const MaterialCard& card) {
   return fmt::format("{}, from {} to {}", text, display_time(card.times.begin), display_time(card.times.end));
 }
 
-void export_card(const ExportArguments& arguments) {
+/// Text of what was asked for, and a line about it.
+struct ExportedText {
+  std::string text;
+  std::string summary;
+};
+
+ExportedText exported(const ExportArguments& arguments) {
   const auto request = read_request(arguments);
   const auto composite = read_stored_composite(arguments.results, request.choice);
+  if (arguments.format == isochronal_format) {
+    const auto samples =
+        isochronal_curve(composite, request.angular_frequency, request.temperatures, request.temperature_step);
+    return {table_of(samples, composite, request.angular_frequency),
+            fmt::format("{}: {} at {}", composite.stage, display_count(samples.size(), "temperature"),
+                        arguments.frequency)};
+  }
   const auto card = material_card(composite, request.settings);
-  const auto text = text_of(card, request.settings);
+  return {text_of(card, request.settings), in_words(card)};
+}
+
+void write_exported(const ExportArguments& arguments) {
+  const auto [text, summary] = exported(arguments);
   if (arguments.output.empty()) {
     fmt::print("{}", text);
     return;
   }
   write_text(arguments.output, text);
-  fmt::print("{}\nThe card is in {}\n", in_words(card), arguments.output.string());
+  fmt::print("{}\nThe {} is in {}\n", summary, arguments.format == isochronal_format ? "table" : "card",
+             arguments.output.string());
 }
 
 }  // namespace
 
 void add_export(CLI::App& application) {
   auto* command = application.add_subcommand(
-      "export", "write the moduli of a composite as a material card of a finite element program");
+      "export",
+      "write the moduli of a composite as a material card of a finite element program, or against temperature");
   auto arguments = std::make_shared<ExportArguments>();
+  auto formats = names_of_words<CardFormat>();
+  formats.emplace_back(isochronal_format);
   command->add_option("DIR", arguments->results, "the results of `breccia run`")->required()->type_name("");
-  command->add_option("--format", arguments->format, "the program that the card is for, or a table")
+  command
+      ->add_option(
+          "--format", arguments->format,
+          "the program that the card is for; csv: a table of its terms; dma: dynamic moduli against temperature")
       ->required()
-      ->check(CLI::IsMember(names_of_words<CardFormat>()).description(""))
-      ->type_name(fmt::format("{}", fmt::join(names_of_words<CardFormat>(), "|")));
+      ->check(CLI::IsMember(formats).description(""))
+      ->type_name(fmt::format("{}", fmt::join(formats, "|")));
   command->add_option("--stage", arguments->stage, "the stage (default: the last one)")->type_name("NAME");
   command->add_option("--boundary", arguments->boundary, "the boundary condition, if the stage has several")
       ->check(CLI::IsMember(names_of_words<Boundary>()).description(""))
@@ -193,10 +254,19 @@ void add_export(CLI::App& application) {
   command->add_option("--units", arguments->units, "units of the card (default: m-kg-s)")
       ->check(CLI::IsMember(names_of_words<CardUnits>()).description(""))
       ->type_name(fmt::format("{}", fmt::join(names_of_words<CardUnits>(), "|")));
-  command->add_option("--output", arguments->output, "the file of the card (default: standard output)")
-      ->type_name("FILE");
+  command->add_option("--frequency", arguments->frequency, "of the format dma (default: \"1 Hz\")")
+      ->type_name("FREQUENCY");
+  command
+      ->add_option(
+          "--temperatures", arguments->temperatures,
+          R"(first and last temperature of the format dma, such as "-40 degC" "60 degC" (default: all that the times of the run cover))")
+      ->expected(2)
+      ->type_name("BEGIN END");
+  command->add_option("--step", arguments->step, "between the temperatures (default: \"2 K\")")
+      ->type_name("DIFFERENCE");
+  command->add_option("--output", arguments->output, "the file (default: standard output)")->type_name("FILE");
   command->add_flag("--overwrite", arguments->overwrite, "replace that file");
-  command->callback([arguments] { export_card(*arguments); });
+  command->callback([arguments] { write_exported(*arguments); });
 }
 
 }  // namespace breccia::cli

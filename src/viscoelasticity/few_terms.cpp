@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/viscoelasticity/fit.hpp"
+
+#include "non_negative_least_squares.hpp"
 
 namespace breccia {
 namespace {
@@ -36,6 +39,40 @@ double largest_deviation(const PronySeries& series, const std::vector<double>& t
     largest = std::max(largest, std::abs(series.at(times[i]) / expected[i] - 1.0));
   }
   return largest;
+}
+
+/// Relaxation times at a spacing [1/decade], from a third of the first to three times the last time of a window. An
+/// offset between 0 and 1 moves them by that share of the spacing.
+std::vector<double> relaxation_times_at(const TimeWindow& window, double per_decade, double offset) {
+  constexpr double beyond = 3.0;
+  const double first = std::log10(window.begin / beyond), last = std::log10(window.end * beyond);
+  std::vector<double> times;
+  for (int i = 0; first + (i + offset) / per_decade <= last; ++i) {
+    times.push_back(std::pow(10.0, first + (i + offset) / per_decade));
+  }
+  return times;
+}
+
+/// The non-negative series of these relaxation times with the least squares of the relative deviations (theory, Eq.
+/// 24).
+PronySeries fitted_series(const std::vector<double>& relaxation_times, const std::vector<double>& times,
+                          const std::vector<double>& moduli) {
+  const auto rows = static_cast<Eigen::Index>(times.size());
+  const auto terms = static_cast<Eigen::Index>(relaxation_times.size());
+  Eigen::MatrixXd relative(rows, terms + 1);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    for (Eigen::Index k = 0; k < terms; ++k) {
+      relative(i, k) = std::exp(-times[at] / relaxation_times[static_cast<std::size_t>(k)]) / moduli[at];
+    }
+    relative(i, terms) = 1.0 / moduli[at];
+  }
+  const Eigen::VectorXd strengths = non_negative_least_squares(relative, Eigen::VectorXd::Ones(rows));
+  std::vector<MaxwellTerm> used;
+  for (Eigen::Index k = 0; k < terms; ++k) {
+    if (strengths[k] > 0.0) used.push_back({relaxation_times[static_cast<std::size_t>(k)], strengths[k]});
+  }
+  return {strengths[terms], std::move(used)};
 }
 
 /// The constant in the middle of moduli that change by less than a tolerance; nothing for others.
@@ -80,18 +117,21 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
 
   constexpr std::array times_per_decade = {0.3,  0.4, 0.5,  0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2,
                                            1.35, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0};
+  constexpr std::array offsets = {0.0, 0.25, 0.5, 0.75};
   FewTerms best;
   for (const double density : times_per_decade) {
-    FewTerms found;
-    for (std::size_t i = 0; i < series.size(); ++i) {
-      const auto elastic = as_elastic(at_checked[i], options.tolerance);
-      found.series.push_back(elastic ? *elastic
-                                     : fit_relaxation(fitted, at_fitted[i], {.times_per_decade = density}).series);
-      found.deviations.push_back(largest_deviation(found.series.back(), checked, at_checked[i]));
+    for (const double offset : offsets) {
+      const auto relaxation_times = relaxation_times_at(window, density, offset);
+      FewTerms found;
+      for (std::size_t i = 0; i < series.size(); ++i) {
+        const auto elastic = as_elastic(at_checked[i], options.tolerance);
+        found.series.push_back(elastic ? *elastic : fitted_series(relaxation_times, fitted, at_fitted[i]));
+        found.deviations.push_back(largest_deviation(found.series.back(), checked, at_checked[i]));
+      }
+      const bool is_first = best.series.empty();
+      const bool is_few = found.relaxation_times() <= options.most_terms;
+      if (is_first || (is_few && found.worst_deviation() < best.worst_deviation())) best = std::move(found);
     }
-    const bool is_few = found.relaxation_times() <= options.most_terms;
-    const bool is_better = best.series.empty() || found.worst_deviation() < best.worst_deviation();
-    if (is_better && (is_few || best.series.empty())) best = std::move(found);
     if (best.worst_deviation() <= options.tolerance) break;
   }
   return best;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 
 #include "results/card_parsers.hpp"
@@ -179,6 +180,42 @@ TEST_F(Export, ReportsAllMistakesOfItsOptionsAtOnce) {
     EXPECT_THAT(outcome.errors, HasSubstr(option));
   }
   EXPECT_EQ(outcome.output, "");
+}
+
+/// At the temperature of the study the moduli are those of dynamic.csv; at another one those of a run there.
+TEST_F(Export, DynamicModuliAgainstTemperature) {
+  const auto outcome = export_card("dma", {"--boundary", "displacement", "--frequency", "10 Hz", "--temperatures",
+                                           "10 degC", "30 degC", "--step", "20 K", "--output", "dma.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("2 temperatures at 10 Hz"));
+  const auto table = read_csv(study->path() / "dma.csv");
+  EXPECT_THAT(table.numbers("temperature_degC"),
+              ::testing::ElementsAre(::testing::DoubleNear(10.0, 1e-9), ::testing::DoubleNear(30.0, 1e-9)));
+  EXPECT_NEAR(table.numbers("log10_shift_factor")[1], 0.0, 1e-12);
+  const StudyDirectory cold(composite_deck);
+  const auto run = cold.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=10 degC"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto there =
+      run_breccia(cold.path(), {"export", "out", "--format", "dma", "--boundary", "displacement", "--frequency",
+                                "10 Hz", "--temperatures", "10 degC", "12 degC", "--output", "dma.csv"});
+  ASSERT_EQ(there.exit_code, 0) << there.errors;
+  const auto expected = read_csv(cold.path() / "dma.csv");
+  for (const auto* column : {"shear_storage_modulus_Pa", "shear_loss_modulus_Pa", "youngs_storage_modulus_Pa",
+                             "youngs_loss_modulus_Pa", "poisson_ratio_real"}) {
+    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 1e-3) << column;
+  }
+}
+
+TEST_F(Export, RefusesTemperaturesThatTheRunDoesNotCover) {
+  const auto outcome = export_card("dma", {"--boundary", "displacement", "--temperatures", "-80 degC", "30 degC"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, ::testing::ContainsRegex("the times of the study, 1e-05 to 10 s, cover .* degC"));
+  const auto options =
+      export_card("dma", {"--frequency", "1 m", "--temperatures", "30 degC", "20 degC", "--step", "0 K"});
+  EXPECT_EQ(options.exit_code, 2);
+  for (const auto* option : {"--frequency: ", "--temperatures: ", "--step: "}) {
+    EXPECT_THAT(options.errors, HasSubstr(option));
+  }
 }
 
 TEST_F(Export, RefusesUnknownFormatsAndDirectories) {

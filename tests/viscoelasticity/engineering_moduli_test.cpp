@@ -27,7 +27,7 @@ TEST(EngineeringModuli, OfAnElasticSolid) {
 TEST(EngineeringModuli, OfASolidOfConstantPoissonsRatio) {
   const double poisson = 0.3;
   const EngineeringModuli solid(binder, binder.scaled(2.0 * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson))));
-  for (double t = 1e-12; t < 1e9; t *= 7.0) {
+  for (double t = 1e-12; t < 1e7; t *= 7.0) {
     EXPECT_NEAR(solid.youngs_modulus(t) / (2.0 * (1.0 + poisson) * binder.at(t)), 1.0, 1e-9) << t;
     EXPECT_NEAR(solid.poisson_ratio(t), poisson, 1e-9);
     EXPECT_NEAR(
