@@ -125,6 +125,11 @@ void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSetti
         "give the bulk modulus or Poisson's ratio",
         terms.relaxation_times(), percent(settings.tolerance), percent(terms.deviations[1])));
   }
+  if (most_terms(settings.format) == std::numeric_limits<std::size_t>::max()) {
+    throw InputError(
+        fmt::format("G(t) and K(t): series of ten terms a decade follow them within {}, not {}: allow that",
+                    percent(worst), percent(settings.tolerance)));
+  }
   throw InputError(
       fmt::format("{} takes at most {}, with which the moduli deviate by {}, not {}: a wider tolerance, or fewer "
                   "decades of time, take fewer",

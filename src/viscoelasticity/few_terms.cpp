@@ -82,6 +82,13 @@ std::optional<PronySeries> as_elastic(const std::vector<double>& moduli, double 
   return PronySeries(std::sqrt(least * most));
 }
 
+/// By how much the deviations of all series exceed the tolerance.
+double excess_of(const FewTerms& terms, double tolerance) {
+  double excess = 0.0;
+  for (const double deviation : terms.deviations) excess += std::max(0.0, deviation - tolerance);
+  return excess;
+}
+
 }  // namespace
 
 std::size_t FewTerms::relaxation_times() const {
@@ -130,9 +137,10 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
       }
       const bool is_first = best.series.empty();
       const bool is_few = found.relaxation_times() <= options.most_terms;
-      if (is_first || (is_few && found.worst_deviation() < best.worst_deviation())) best = std::move(found);
+      const bool is_better = is_first || excess_of(found, options.tolerance) < excess_of(best, options.tolerance);
+      if (is_better && (is_first || is_few)) best = std::move(found);
     }
-    if (best.worst_deviation() <= options.tolerance) break;
+    if (excess_of(best, options.tolerance) == 0.0) break;
   }
   return best;
 }

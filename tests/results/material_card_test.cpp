@@ -88,7 +88,7 @@ TEST_P(Card, HasTheShiftOfTheBinderOrSaysThatItHasNot) {
   const auto& law = composite.shift->law;
   for (const double temperature : {260.0, 292.15, 330.0}) {
     EXPECT_NEAR(std::log10(read.shift->shift_factor(temperature)),
-                std::log10(law.shift_factor(temperature) / law.shift_factor(310.0)), 1e-12);
+                std::log10(law.shift_factor(temperature) / law.shift_factor(310.0)), 1e-10);  // of twelve digits
   }
 }
 
@@ -164,10 +164,10 @@ TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
 TEST(MaterialCard, RefusesABulkModulusThatRises) {
   auto composite = composite_of_cards();
   composite.dimensions = 2;
-  composite.dilatational = PronySeries(8e9);  // so K(t) = 8 GPa - G(t)/3, which rises by 11 %
+  composite.dilatational = PronySeries(8e9);  // so K(t) = 8 GPa - G(t)/3, which rises by 3 %
   EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }),
               HasSubstr("only relaxes"));
-  EXPECT_NO_THROW(static_cast<void>(material_card(composite, {.tolerance = 0.2})));
+  EXPECT_NO_THROW(static_cast<void>(material_card(composite, {.tolerance = 0.05})));
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ struct FewTerms {
 /// that follow them in a window of time: with the widest spacing of common relaxation times, at the best of four
 /// offsets, at which all deviate by at most the tolerance, at 40 times a decade (theory, Eq. 33b). A modulus that does
 /// not change by more than half of the tolerance in the window becomes elastic. Where no spacing meets the tolerance
-/// with the terms allowed, the one with the least deviation is returned: ask worst_deviation(). Throws InputError for a
-/// window of no length, a tolerance that is not positive, and a modulus that is not positive in the window.
+/// with the terms allowed, the one whose deviations exceed it least is returned: ask worst_deviation(). Throws
+/// InputError for a window of no length, a tolerance that is not positive, and a modulus that is not positive in the
+/// window.
 FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window,
                         const FewTermsOptions& options = {});
 
