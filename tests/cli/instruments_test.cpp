@@ -37,7 +37,7 @@ class Instruments : public ::testing::Test {
     for (double frequency = 0.1; frequency < 10.1; frequency *= 1.3) {
       const double omega = 2.0 * std::numbers::pi * frequency;
       const auto expected = factor * solid.complex_modulus(omega);
-      EXPECT_LT(std::abs(fitted.complex_modulus(omega) - expected) / std::abs(expected), 0.005) << frequency << " Hz";
+      EXPECT_LT(std::abs(fitted.complex_modulus(omega) - expected) / std::abs(expected), 0.01) << frequency << " Hz";
     }
   }
 
@@ -49,7 +49,7 @@ TEST_F(Instruments, ARheometerWithUnitsInARowOfTheirOwn) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("27 rows, UTF-8, commas between columns, names in line 7, units below"));
   EXPECT_THAT(outcome.output, HasSubstr("storage modulus (shear)    \"Storage modulus G'\" [MPa], "));
-  EXPECT_THAT(outcome.output, HasSubstr("temperature                \"Temperature\" [°C], 0 to 40"));
+  EXPECT_THAT(outcome.output, HasSubstr("temperature                \"Temperature\" [°C], 10 to 30"));
   EXPECT_THAT(outcome.output, HasSubstr(R"(not read                   "Tan(delta)", "Oscillation torque", "Step time")"));
   EXPECT_LT(outcome.output.find("not read"), outcome.output.find("deviation from the data"));
   expect_the_solid();

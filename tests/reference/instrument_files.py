@@ -46,7 +46,7 @@ def comma(number, digits=6):
 text = "Filename,binder 7\nInstrument name,Rheometer\nSample,binder\n\n[step]\nFrequency sweep - 1\n"
 text += "Storage modulus G',Loss modulus G'',Tan(delta),Frequency,Temperature,Oscillation torque,Step time\n"
 text += "MPa,MPa,,Hz,°C,µN.m,s\n"
-for i, (celsius, frequency, storage, loss) in enumerate(rows([0, 20, 40])):
+for i, (celsius, frequency, storage, loss) in enumerate(rows([10, 20, 30])):
     text += f"{storage / 1e6:.7g},{loss / 1e6:.7g},{loss / storage:.5g},{frequency:.6g},{celsius:.2f},{12.5 + i},{8.0 * i}\n"
 write("rheometer.csv", text, "utf-8-sig", "\r\n")
 
