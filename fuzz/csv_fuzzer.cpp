@@ -1,9 +1,11 @@
 // A CSV file, and everything that is read from one: Prony series, sizes, discs, measurements, data to fit.
 
+#include "breccia/deck/fit_data.hpp"
 #include "breccia/deck/read_study.hpp"
 #include "breccia/io/csv.hpp"
+#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/io/table_description.hpp"
 
-#include "cli/fit_data.hpp"
 #include "input_folder.hpp"
 #include "refusal.hpp"
 #include "study_reading.hpp"
@@ -29,7 +31,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const fuzz::InputFolder folder;
   const auto text = fuzz::text_of(data, size);
   const auto file = folder.written("input.csv", text);
-  fuzz::allow_refusal([&] { static_cast<void>(cli::read_fit_data(file)); });
+  fuzz::allow_refusal([&] {
+    const auto table = read_measured_table(file);
+    static_cast<void>(description_of(table));
+    static_cast<void>(fit_data_in(table));
+  });
   if (has(text, "stage")) fuzz::allow_refusal([&] { static_cast<void>(read_csv(file, {"stage", "load", "cells"})); });
   fuzz::allow_refusal([&] { fuzz::look_through(read_study(folder.path() / deck_for(text))); });
   return 0;

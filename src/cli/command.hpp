@@ -62,6 +62,7 @@ void warn_of_missing_plots(const std::string& addition);
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
 void add_examples(CLI::App& application);
+void add_export(CLI::App& application);
 void add_fit(CLI::App& application);
 void add_help(CLI::App& application);
 void add_new(CLI::App& application);

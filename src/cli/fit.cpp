@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 #include <utility>
@@ -7,13 +8,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/io/nearest_name.hpp"
+#include "breccia/io/table_description.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"
-#include "fit_data.hpp"
 #include "fit_results.hpp"
 #include "quantities.hpp"
 
@@ -26,10 +30,20 @@ const std::map<std::string, CurveKind> kinds = {
 const std::map<std::string, ModulusKind> modulus_kinds = {
     {"shear", ModulusKind::shear}, {"young", ModulusKind::young}, {"bulk", ModulusKind::bulk}};
 
+/// The words for the quantities of `--columns`.
+const std::map<std::string, Quantity> quantities_of_columns = {{"time", Quantity::time},
+                                                               {"frequency", Quantity::angular_frequency},
+                                                               {"temperature", Quantity::temperature},
+                                                               {"storage", Quantity::storage_modulus},
+                                                               {"loss", Quantity::loss_modulus},
+                                                               {"modulus", Quantity::modulus},
+                                                               {"compliance", Quantity::compliance}};
+
 struct FitArguments {
   std::filesystem::path file;
-  std::string modulus;  ///< kind of modulus; empty: from the names of the columns
-  std::string to;       ///< kind of curve to write; empty: the kind of the data
+  std::vector<std::string> columns;  ///< QUANTITY=NAME
+  std::string modulus;               ///< kind of modulus; empty: from the names of the columns
+  std::string to;                    ///< kind of curve to write; empty: the kind of the data
   double times_per_decade = FitOptions{}.times_per_decade;
   std::string ramp;
   std::string reference_temperature;
@@ -37,6 +51,31 @@ struct FitArguments {
   bool overwrite = false;
   bool quiet = false;
 };
+
+/// The columns that the user has chosen. Throws InputError with every choice that is none.
+std::vector<ColumnChoice> column_choices(const FitArguments& arguments) {
+  std::vector<std::string> words;
+  for (const auto& [word, quantity] : quantities_of_columns) words.push_back(word);
+  std::vector<ColumnChoice> choices;
+  std::vector<std::string> mistakes;
+  for (const auto& text : arguments.columns) {
+    const auto sign = text.find('=');
+    const auto word = text.substr(0, sign);
+    const auto known = quantities_of_columns.find(word);
+    if (sign == std::string::npos || sign + 1 == text.size()) {
+      mistakes.push_back(
+          fmt::format("--columns: expected QUANTITY=NAME, such as storage=\"E1 [MPa]\", got \"{}\"", text));
+    } else if (known == quantities_of_columns.end()) {
+      mistakes.push_back(fmt::format("--columns: unknown quantity \"{}\"{}", word, suggestion(word, words)));
+    } else if (std::ranges::find(choices, known->second, &ColumnChoice::quantity) != choices.end()) {
+      mistakes.push_back(fmt::format("--columns: {} is given twice", word));
+    } else {
+      choices.push_back({known->second, text.substr(sign + 1)});
+    }
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  return choices;
+}
 
 /// The reference temperature: that of the sweep which the user has selected.
 double reference_temperature(const FitArguments& arguments, const std::vector<FrequencySweep>& sweeps) {
@@ -212,14 +251,21 @@ std::string options_of(const FitArguments& arguments, const FitResult& result) {
                                     std::pair("--reference-temperature", arguments.reference_temperature)}) {
     if (!value.empty()) options.push_back(fmt::format("{} {}", name, value));
   }
+  for (const auto& choice : arguments.columns) options.push_back(fmt::format("--columns {}", choice));
   return fmt::format("{}", fmt::join(options, " "));
 }
 
 void fit(const FitArguments& arguments) {
   warn_of_missing_plots("");
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
-  const auto [data, modulus_kind] = read_fit_data(arguments.file, given);
-  auto result = std::visit(Fitter(arguments), data);
+  const Fitter fitter(arguments);
+  const auto table_of_data = read_measured_table(arguments.file, column_choices(arguments));
+  const auto [data, modulus_kind] = fit_data_in(table_of_data, given);
+  if (!arguments.quiet) {
+    fmt::print("{}\n\n", description_of(table_of_data));
+    std::fflush(stdout);  // before the fit, which may take long or fail
+  }
+  auto result = std::visit(fitter, data);
   result.kind = modulus_kind;
   const auto kind = arguments.to.empty() ? result.measured : kinds.at(arguments.to);
   const auto directory = arguments.directory.empty() ? default_directory(arguments.file) : arguments.directory;
@@ -241,6 +287,13 @@ void add_fit(CLI::App& application) {
   command->add_option("FILE", arguments->file, "measured data or a Prony series, a CSV file")
       ->required()
       ->type_name("");
+  command
+      ->add_option("--columns", arguments->columns,
+                   "which column of the file is which, where the names of the columns do not say it: time, frequency, "
+                   "temperature, storage, loss, modulus or compliance, as in storage=\"E1 [MPa]\"; may be repeated")
+      ->expected(1)
+      ->take_all()
+      ->type_name("QUANTITY=NAME");
   command->add_option("--to", arguments->to, "kind of curve to write (default: that of the data)")
       ->check(CLI::IsMember(kinds).description(""))
       ->type_name("relaxation|creep|dynamic");

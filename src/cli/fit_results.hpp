@@ -6,12 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "breccia/deck/fit_data.hpp"
 #include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
-
-#include "fit_data.hpp"
 
 namespace breccia::cli {
 

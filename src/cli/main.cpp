@@ -52,6 +52,7 @@ void add_commands(CLI::App& application) {
   cli::add_pack(application);
   cli::add_stages(application);
   cli::add_fit(application);
+  cli::add_export(application);
   cli::add_bench(application);
   cli::add_examples(application);
   cli::add_help(application);

@@ -223,4 +223,32 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   return meaning_by_words(text);
 }
 
+bool is_choice_of(const ColumnChoice& choice, std::string_view name) {
+  if (name.empty()) return false;
+  if (choice.name == name) return true;
+  const auto parts = split_at_bracket(choice.name);
+  return parts && parts->stem == name;
+}
+
+std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const ColumnChoice> choices) {
+  auto meaning = meaning_of(name);
+  const auto chosen = std::ranges::find_if(choices, [&](const auto& choice) { return is_choice_of(choice, name); });
+  if (chosen == choices.end()) {
+    const bool is_taken =
+        meaning && std::ranges::find(choices, meaning->quantity, &ColumnChoice::quantity) != choices.end();
+    return is_taken ? std::nullopt : meaning;
+  }
+  if (meaning && meaning->quantity == chosen->quantity && chosen->name == name) return meaning;
+  ColumnMeaning of_choice{
+      chosen->quantity, meaning ? meaning->kind : ModulusKind::unspecified, chosen->quantity == angular_frequency, {}};
+  if (const auto parts = split_at_bracket(chosen->name)) {
+    of_choice.unit = std::string(parts->unit);
+  } else if (const auto sign = name.find('/'); sign != std::string_view::npos) {
+    of_choice.unit = std::string(trimmed(name.substr(sign + 1)));
+  } else if (meaning) {
+    of_choice.unit = meaning->unit;
+  }
+  return of_choice;
+}
+
 }  // namespace breccia::detail

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
-#include "breccia/io/measured_table.hpp"
+#include "breccia/io/column_choice.hpp"
+#include "breccia/io/modulus_kind.hpp"
+#include "breccia/io/quantity.hpp"
 
 namespace breccia::detail {
 
@@ -19,5 +22,12 @@ struct ColumnMeaning {
 /// The meaning of a name such as `shear_modulus_MPa`, `Storage modulus G' [MPa]`, `Temp (°C)` or `time / s`; nothing
 /// for an unknown name.
 std::optional<ColumnMeaning> meaning_of(std::string_view name);
+
+/// The same where a user has chosen the columns of some quantities: a chosen column has that quantity, and no other
+/// column has it.
+std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const ColumnChoice> choices);
+
+/// Whether a choice means the column of this name.
+bool is_choice_of(const ColumnChoice& choice, std::string_view name);
 
 }  // namespace breccia::detail

@@ -22,7 +22,7 @@ class CsvReader {
   }
 
   CsvTable read() {
-    const auto text = detail::read_table_text(table_.path_);
+    const auto text = detail::read_table_text(table_.path_).text;
     detail::CsvRecords records(text);
     const auto header = records.next();
     if (!header) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));

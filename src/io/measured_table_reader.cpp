@@ -22,12 +22,15 @@ namespace breccia {
 /// Reads one file row by row and collects its mistakes.
 class MeasuredTableReader {
  public:
-  explicit MeasuredTableReader(const std::filesystem::path& path) : mistakes_(path) { table_.path_ = path; }
+  MeasuredTableReader(const std::filesystem::path& path, std::span<const ColumnChoice> choices)
+      : choices_(choices), mistakes_(path) {
+    table_.path_ = path;
+  }
 
   MeasuredTable read() {
-    const auto text = detail::read_table_text(table_.path_);
+    const auto [text, encoding] = detail::read_table_text(table_.path_);
     try {
-      layout_ = detail::layout_of(text);
+      layout_ = detail::layout_of(text, choices_);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", table_.path_.string(), error.what()));
     }
@@ -39,7 +42,9 @@ class MeasuredTableReader {
     while (record && record->line <= layout_.header.line) record = records.next();
     read_meanings();
     find_labels();
+    table_.reading_ = {name_of(encoding), layout_.separator, layout_.has_decimal_commas, layout_.header.line};
     if (record && is_row_of_units(record->fields)) {
+      table_.reading_.has_row_of_units = true;
       add_units(record->fields);
       record = records.next();
     }
@@ -53,11 +58,22 @@ class MeasuredTableReader {
  private:
   [[nodiscard]] std::string place(std::size_t line) const { return fmt::format("{}:{}", table_.path_.string(), line); }
 
-  /// Reports a file without names of columns or without separators.
+  static std::string name_of(detail::TextEncoding encoding) {
+    if (encoding == detail::TextEncoding::utf16) return "UTF-16";
+    return encoding == detail::TextEncoding::latin1 ? "Latin-1" : "UTF-8";
+  }
+
+  /// Reports a file without names of columns, without separators or without a chosen column.
   void refuse_header() {
     if (table_.names_.size() == 1) {
       mistakes_.add(place(layout_.header.line), "expected columns, separated by commas, semicolons or tabs",
                     shown_value(table_.names_.front()));
+    }
+    mistakes_.refuse();
+    for (const auto& choice : choices_) {
+      const auto is_it = [&](const std::string& name) { return detail::is_choice_of(choice, name); };
+      if (std::ranges::any_of(table_.names_, is_it)) continue;
+      mistakes_.add("", fmt::format("no column {}; it has {}", shown_value(choice.name), table_.list_of_names()));
     }
     mistakes_.refuse();
     if (layout_.known_columns > 0) return;
@@ -70,7 +86,7 @@ class MeasuredTableReader {
   }
 
   void read_meanings() {
-    for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name));
+    for (const auto& name : table_.names_) meanings_.push_back(detail::meaning_of(name, choices_));
     const auto is_of = [](Quantity quantity) {
       return [quantity](const auto& meaning) { return meaning && meaning->quantity == quantity; };
     };
@@ -141,7 +157,7 @@ class MeasuredTableReader {
       if (earlier != table_.columns_.end()) {
         mistakes_.add("", fmt::format("{} says the same as {}", shown_value(name), shown_value(earlier->name)));
       }
-      table_.columns_.push_back({quantity, kind, name, {}, {}});
+      table_.columns_.push_back({quantity, kind, name, unit, {}, {}});
     }
   }
 
@@ -185,6 +201,7 @@ class MeasuredTableReader {
   };
 
   MeasuredTable table_;
+  std::span<const ColumnChoice> choices_;
   FileMistakes mistakes_;
   detail::TableLayout layout_;
   std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< meaning of each name
@@ -193,8 +210,8 @@ class MeasuredTableReader {
   std::vector<std::string> first_labels_;                       ///< labels of the first row
 };
 
-MeasuredTable read_measured_table(const std::filesystem::path& path) {
-  return MeasuredTableReader(path).read();
+MeasuredTable read_measured_table(const std::filesystem::path& path, std::span<const ColumnChoice> choices) {
+  return MeasuredTableReader(path, choices).read();
 }
 
 }  // namespace breccia

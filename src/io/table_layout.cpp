@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,17 +13,39 @@
 #include "breccia/error.hpp"
 
 #include "column_meaning.hpp"
+#include "trimmed.hpp"
 
 namespace breccia::detail {
 
 namespace {
 
-std::size_t known_columns_of(const CsvRecord& record) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(record.fields, [](const auto& field) { return meaning_of(field).has_value(); }));
+using Choices = std::span<const ColumnChoice>;
+
+std::size_t known_columns_of(const CsvRecord& record, Choices choices) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      record.fields, [choices](const auto& field) { return meaning_of(field, choices).has_value(); }));
 }
 
-TableLayout layout_with(std::string_view text, char separator) {
+/// The first of the comments at the top of a text that names two known columns, as in `##Temp./°C;E'/MPa`.
+std::optional<TableLayout> layout_in_comment(std::string_view text, char separator, Choices choices) {
+  constexpr std::size_t fewest = 2;
+  constexpr std::size_t longest_preamble = 200;
+  for (std::size_t line = 1; line <= longest_preamble && !text.empty(); ++line) {
+    const auto end = text.find('\n');
+    auto comment = trimmed(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (!comment.starts_with('#')) continue;
+    comment.remove_prefix(std::min(comment.find_first_not_of('#'), comment.size()));
+    auto record = CsvRecords(comment, separator).next();
+    if (!record) continue;
+    record->line = line;
+    const auto known = known_columns_of(*record, choices);
+    if (known >= fewest) return TableLayout{separator, *std::move(record), known, false};
+  }
+  return std::nullopt;
+}
+
+TableLayout layout_with(std::string_view text, char separator, Choices choices) {
   constexpr std::size_t fewest = 2;
   constexpr std::size_t longest_preamble = 200;
   TableLayout first{separator, {}, 0, false};
@@ -30,11 +53,11 @@ TableLayout layout_with(std::string_view text, char separator) {
   for (std::size_t i = 0; i < longest_preamble; ++i) {
     auto record = records.next();
     if (!record) break;
-    const auto known = known_columns_of(*record);
+    const auto known = known_columns_of(*record, choices);
     if (known >= fewest) return {separator, *std::move(record), known, false};
     if (i == 0) first = {separator, *std::move(record), known, false};
   }
-  return first;
+  return layout_in_comment(text, separator, choices).value_or(std::move(first));
 }
 
 /// The digits and commas of a number, without its sign and exponent; nothing if the value is not a number with commas.
@@ -67,18 +90,18 @@ bool may_have_thousands(std::string_view digits) {
 }
 
 /// For each column whether it is read: the columns with known names, or all columns if no name is known.
-std::vector<bool> columns_read(const TableLayout& layout) {
+std::vector<bool> columns_read(const TableLayout& layout, Choices choices) {
   std::vector<bool> are_read;
   for (const auto& name : layout.header.fields) {
-    are_read.push_back(layout.known_columns == 0 || meaning_of(name).has_value());
+    are_read.push_back(layout.known_columns == 0 || meaning_of(name, choices).has_value());
   }
   return are_read;
 }
 
 /// Whether the numbers in the columns that are read have commas and no points. Throws InputError if the commas could
 /// also separate thousands.
-bool has_decimal_commas(std::string_view text, const TableLayout& layout) {
-  const auto are_read = columns_read(layout);
+bool has_decimal_commas(std::string_view text, const TableLayout& layout, Choices choices) {
+  const auto are_read = columns_read(layout, choices);
   CsvRecords records(text, layout.separator);
   bool has_comma = false, has_thousands = true;
   std::string example;
@@ -105,16 +128,16 @@ bool has_decimal_commas(std::string_view text, const TableLayout& layout) {
 
 }  // namespace
 
-TableLayout layout_of(std::string_view text) {
-  auto best = layout_with(text, ',');
+TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choices) {
+  auto best = layout_with(text, ',', choices);
   for (const char separator : {';', '\t'}) {
-    auto other = layout_with(text, separator);
+    auto other = layout_with(text, separator, choices);
     const auto merit = [](const TableLayout& layout) {
       return std::tuple(layout.known_columns, layout.header.fields.size());
     };
     if (merit(other) > merit(best)) best = std::move(other);
   }
-  if (best.separator != ',') best.has_decimal_commas = has_decimal_commas(text, best);
+  if (best.separator != ',') best.has_decimal_commas = has_decimal_commas(text, best, choices);
   return best;
 }
 

@@ -6,14 +6,23 @@
 
 namespace breccia::detail {
 
+/// How the characters of a table are stored.
+enum class TextEncoding { utf8, latin1, utf16 };
+
+/// A table as UTF-8 text without a byte order mark, whose lines end with a line feed.
+struct TableText {
+  std::string text;
+  TextEncoding encoding = TextEncoding::utf8;  ///< of the file
+};
+
 /// Throws InputError if a file is not a text of bytes but UTF-16, a picture or the binary format of a spreadsheet.
 void refuse_binary(const std::filesystem::path& path, std::string_view text);
 
 /// Throws InputError, with line and column, at the first byte that is not UTF-8.
 void require_utf8(const std::filesystem::path& path, std::string_view text);
 
-/// The text of a file as UTF-8 without a byte order mark. A file that is not UTF-8 is read as Latin-1, in which some
-/// instruments write "°". Throws FileError, and InputError as refuse_binary().
-std::string read_table_text(const std::filesystem::path& path);
+/// The text of a table. A file that is not UTF-8 is read as Latin-1, in which some instruments write "°", or, with a
+/// byte order mark or zero bytes, as UTF-16. Throws FileError, and InputError as refuse_binary() for other files.
+TableText read_table_text(const std::filesystem::path& path);
 
 }  // namespace breccia::detail

@@ -1,6 +1,5 @@
 #include "breccia/results/curves.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,6 +10,9 @@
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/csv.hpp"
 
+#include "best_tests.hpp"
+#include "dynamic_curves.hpp"
+#include "engineering_curves.hpp"
 #include "test_columns.hpp"
 
 namespace breccia {
@@ -67,19 +69,14 @@ void write_series(const std::filesystem::path& file, const StudyResult& result) 
   TestColumns tests;
   std::vector<double> times, moduli;
   for (const auto& stage : result.stages) {
-    for (const auto& test : stage.tests) {
-      const bool is_best = std::ranges::none_of(stage.tests, [&](const TestResult& other) {
-        return other.id.load == test.id.load && other.id.boundary == test.id.boundary &&
-               is_preferred(other.id, test.id);
-      });
-      if (!is_best) continue;
+    for (const auto* test : best_tests(stage)) {
       const auto add = [&](double time, double modulus) {
-        tests.add(stage.name, test.id);
+        tests.add(stage.name, test->id);
         times.push_back(time);
         moduli.push_back(modulus);
       };
-      add(std::numeric_limits<double>::infinity(), test.series.equilibrium());
-      for (const auto& [time, modulus] : test.series.terms()) add(time, modulus);
+      add(std::numeric_limits<double>::infinity(), test->series.equilibrium());
+      for (const auto& [time, modulus] : test->series.terms()) add(time, modulus);
     }
   }
   write_csv(file, {{"stage", tests.stages},
@@ -133,6 +130,8 @@ void write_curves(const std::filesystem::path& directory, const StudyResult& res
       "compliance_1_per_Pa", [](const CreepSample& sample) { return sample.compliance; });
   write_extrapolations(directory / "extrapolation.csv", result);
   write_series(directory / "prony.csv", result);
+  write_dynamic_curves(directory / "dynamic.csv", result);
+  write_engineering_curves(directory, result);
   write_quality(directory / "quality.csv", result);
 }
 

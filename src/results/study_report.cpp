@@ -166,6 +166,7 @@ Json data_of(const fs::path& directory, Json study) {
        histories = Json::object();
   auto names = curve_files();
   names.emplace_back("comparison.csv");
+  std::erase(names, "dynamic.csv");  // the page computes dynamic moduli from the series
   for (const auto& name : names) {
     auto table = table_for_page(directory / name, text_columns_of_tests());
     if (!table.empty()) tables[name] = std::move(table);

@@ -8,7 +8,8 @@
 namespace breccia {
 
 std::vector<std::string> curve_files() {
-  return {"curves.csv", "compliance.csv", "extrapolation.csv", "prony.csv", "quality.csv"};
+  return {"curves.csv",        "compliance.csv",          "dynamic.csv", "engineering.csv",
+          "extrapolation.csv", "engineering_dynamic.csv", "prony.csv",   "quality.csv"};
 }
 
 std::vector<std::string> files_of_a_study() {

@@ -98,14 +98,16 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
   const auto resumed = run_study(study, results, {.resume = true}, observer);
   EXPECT_THAT(tested, ElementsAre("fine", "fine", "coarse")) << "those that were done are told again";
   EXPECT_TRUE(resumed.seconds);
-  for (const auto* table : {"curves.csv", "prony.csv", "quality.csv"}) {
+  for (const auto* table : {"curves.csv", "dynamic.csv", "engineering.csv", "prony.csv", "quality.csv"}) {
     EXPECT_EQ(read_text(results / table), read_text(whole / table)) << table;
   }
   EXPECT_TRUE(time_of_complete_run(study, results));
   EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                   "microstructure.svg", "response.h5"))
       << "without checkpoints";
-  EXPECT_THAT(files(), UnorderedElementsAre("study.json", "report.html", "curves.csv", "prony.csv", "quality.csv"));
+  EXPECT_THAT(files(),
+              UnorderedElementsAre("study.json", "report.html", "curves.csv", "dynamic.csv", "engineering.csv",
+                                   "engineering_dynamic.csv", "prony.csv", "quality.csv"));
 }
 
 TEST_F(InterruptedRun, LeavesEarlierResultsAsTheyWere) {

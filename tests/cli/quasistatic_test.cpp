@@ -75,10 +75,22 @@ class Quasistatic : public ::testing::Test {
 };
 
 TEST_F(Quasistatic, LeavesTheseFiles) {
-  std::vector<std::string> expected = {
-      "A/bulk_modulus.svg", "A/labels.npy",  "A/labels.vti",   "A/microstructure.csv", "A/microstructure.svg",
-      "A/modulus.svg",      "A/response.h5", "compliance.csv", "curves.csv",           "prony.csv",
-      "quality.csv",        "report.html",   "study.json"};
+  std::vector<std::string> expected = {"A/bulk_modulus.svg",
+                                       "A/labels.npy",
+                                       "A/labels.vti",
+                                       "A/microstructure.csv",
+                                       "A/microstructure.svg",
+                                       "A/modulus.svg",
+                                       "A/response.h5",
+                                       "compliance.csv",
+                                       "curves.csv",
+                                       "dynamic.csv",
+                                       "engineering.csv",
+                                       "engineering_dynamic.csv",
+                                       "prony.csv",
+                                       "quality.csv",
+                                       "report.html",
+                                       "study.json"};
   for (const auto* fields : {"A/fields", "A/fields-traction-quasistatic", "A/fields-periodic-quasistatic"}) {
     for (const auto* ending : {".vtkhdf", "-stress.svg", "-strain.svg"}) {
       expected.push_back(std::string(fields) + ending);

@@ -67,10 +67,23 @@ class Results : public ::testing::Test {
 
 TEST_F(Results, AreTheseFiles) {
   const auto tests = provenance()["stages"][0]["tests"];
-  std::vector<std::string> expected{
-      "A/labels.npy",    "A/labels.vti",         "A/bulk_modulus.svg",   "A/fields-strain.svg", "A/fields-stress.svg",
-      "A/fields.vtkhdf", "A/microstructure.csv", "A/microstructure.svg", "A/modulus.svg",       "curves.csv",
-      "prony.csv",       "quality.csv",          "report.html",          "study.json"};
+  std::vector<std::string> expected{"A/labels.npy",
+                                    "A/labels.vti",
+                                    "A/bulk_modulus.svg",
+                                    "A/fields-strain.svg",
+                                    "A/fields-stress.svg",
+                                    "A/fields.vtkhdf",
+                                    "A/microstructure.csv",
+                                    "A/microstructure.svg",
+                                    "A/modulus.svg",
+                                    "curves.csv",
+                                    "dynamic.csv",
+                                    "engineering.csv",
+                                    "engineering_dynamic.csv",
+                                    "prony.csv",
+                                    "quality.csv",
+                                    "report.html",
+                                    "study.json"};
   for (const auto& test : tests) {
     for (std::size_t i = 1; i <= test["time_domains"].size(); ++i) {
       expected.push_back("A/" + test["load"].get<std::string>() + "-displacement-dynamic-24-" + std::to_string(i) +

@@ -94,14 +94,34 @@ TEST_F(Csv, BytesThatCannotBePrintedAreEscaped) {
             "table.csv:2: a: expected a number, got \"" + std::string(60, 'x') + "...\"");
 }
 
-TEST_F(Csv, RefusesBinaryFilesAndUtf16) {
+TEST_F(Csv, RefusesBinaryFiles) {
   using namespace std::string_literals;
   EXPECT_EQ(mistakes("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s),
             "table.csv: expected text, got a binary file, such as a picture");
+  EXPECT_EQ(mistakes("PK\x03\x04\x14\0"s),
+            "table.csv: expected text, got a workbook of a spreadsheet or an archive; save its table as CSV");
+}
+
+TEST_F(Csv, ReadsUtf16OfBothByteOrders) {
+  using namespace std::string_literals;
   for (const auto& text : {"\xff\xfe"
-                           "a\0\n\0"s,
-                           "\xfe\xff\0a\0\n"s, "a\0,\0b\0\n\0"s}) {
-    EXPECT_EQ(mistakes(text), "table.csv: saved as UTF-16; save it as UTF-8");
+                           "a\0\n\0"
+                           "1\0\n\0"s,
+                           "\xfe\xff\0a\0\n\0"
+                           "1\0\n"s,
+                           "a\0\n\0"
+                           "1\0\n\0"s}) {
+    EXPECT_THAT(read(text).numbers("a"), ElementsAre(1.0));
+  }
+  // U+00B0, U+20AC and U+1D70F as one and as two units.
+  const auto table = read(
+      "\xff\xfe\xb0\0\xac\x20\x35\xd8\x0f\xdf\n\0"
+      "2\0\n\0"s);
+  EXPECT_THAT(table.names(), ElementsAre("\u00b0\u20ac\U0001d70f"));
+  for (const auto& text : {"\xff\xfe"
+                           "a\0\n"s,
+                           "\xff\xfe\x35\xd8\n\0"s, "\xff\xfe\x0f\xdf\n\0"s}) {
+    EXPECT_EQ(mistakes(text), "table.csv: UTF-16 with half a character; save it as UTF-8");
   }
 }
 

@@ -127,6 +127,47 @@ TEST_F(WriteCurves, LeavesTheDistanceOfTheBounds) {
   EXPECT_EQ(table.text("grid_half_band_Pa")[3], "") << "one grid";
 }
 
+/// One Maxwell element beside a spring: M' = M_inf + M x^2 / (1 + x^2), M'' = M x / (1 + x^2), x = omega tau.
+TEST_F(WriteCurves, LeavesTheDynamicModuliOfTheBestTests) {
+  auto coarse = test_with(on_12_cells, {{1.0, 5.0}});
+  coarse.series = PronySeries(1.0);
+  auto fine = test_with({.grid = TestGrid(24)}, {{0.5, 5.0}, {2.0, 4.0}});
+  fine.series = PronySeries(3.0, {{1.0, 2.0}});
+  write_curves(directory.path(), {{stage_with("A", {coarse, fine})}, {}});
+  const auto table = read("dynamic.csv");
+  EXPECT_THAT(table.text("cells"), Each("24"));
+  EXPECT_THAT(table.numbers("angular_frequency_rad_per_s"), ElementsAre(0.5, 2.0));
+  EXPECT_THAT(table.numbers("storage_modulus_Pa"), ElementsAre(DoubleNear(3.4, 1e-12), DoubleNear(4.6, 1e-12)));
+  EXPECT_THAT(table.numbers("loss_modulus_Pa"), ElementsAre(DoubleNear(0.8, 1e-12), DoubleNear(0.8, 1e-12)));
+  EXPECT_THAT(table.numbers("loss_tangent"), ElementsAre(DoubleNear(0.8 / 3.4, 1e-12), DoubleNear(0.8 / 4.6, 1e-12)));
+  EXPECT_FALSE(has("engineering.csv")) << "no bulk test";
+}
+
+/// An elastic composite with G = 3 and K = 5: E = 9 K G / (3 K + G) = 7.5, nu = (3 K - 2 G) / (6 K + 2 G) = 1/4.
+TEST_F(WriteCurves, LeavesTheEngineeringModuliWhereTheLoadsAllowIt) {
+  const auto test = [](Load load, double modulus) {
+    auto one = test_with({.load = load, .grid = TestGrid(12)}, {{1.0, modulus}, {10.0, modulus}});
+    one.series = PronySeries(modulus);
+    return one;
+  };
+  for (const int dimensions : {2, 3}) {
+    auto stage = stage_with("A", {test(Load::shear, 3.0), test(Load::bulk, dimensions == 2 ? 6.0 : 5.0)});
+    stage.dimensions = dimensions;
+    write_curves(directory.path(), {{stage}, {}});
+    const auto table = read("engineering.csv", {"stage", "boundary", "method", "cells"});
+    EXPECT_THAT(table.numbers("time_s"), ElementsAre(1.0, 10.0));
+    EXPECT_THAT(table.numbers("shear_modulus_Pa"), Each(3.0));
+    EXPECT_THAT(table.numbers("bulk_modulus_Pa"), Each(DoubleNear(5.0, 1e-12)));
+    EXPECT_THAT(table.numbers("youngs_modulus_Pa"), Each(DoubleNear(7.5, 1e-9)));
+    EXPECT_THAT(table.numbers("poisson_ratio"), Each(DoubleNear(0.25, 1e-9)));
+    const auto dynamic = read("engineering_dynamic.csv", {"stage", "boundary", "method", "cells"});
+    EXPECT_THAT(dynamic.numbers("angular_frequency_rad_per_s"), ElementsAre(0.1, 1.0));
+    EXPECT_THAT(dynamic.numbers("youngs_storage_modulus_Pa"), Each(DoubleNear(7.5, 1e-12)));
+    EXPECT_THAT(dynamic.numbers("youngs_loss_modulus_Pa"), Each(DoubleNear(0.0, 1e-12)));
+    EXPECT_THAT(dynamic.numbers("poisson_ratio_real"), Each(DoubleNear(0.25, 1e-12)));
+  }
+}
+
 TEST_F(WriteCurves, FailsWhereThereIsNoDirectory) {
   const StudyResult result{{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}})})}, {}};
   EXPECT_THROW(write_curves(directory.path() / "nowhere", result), FileError);

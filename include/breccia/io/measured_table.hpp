@@ -7,44 +7,27 @@
 #include <vector>
 
 #include "breccia/io/modulus_kind.hpp"
+#include "breccia/io/quantity.hpp"
 
 namespace breccia {
-
-/// The quantity in a column of a file, with the unit of its values.
-enum class Quantity {
-  time,                        ///< [s]
-  relaxation_time,             ///< [s]
-  modulus,                     ///< [Pa]
-  compliance,                  ///< [1/Pa]
-  storage_modulus,             ///< [Pa]
-  loss_modulus,                ///< [Pa]
-  angular_frequency,           ///< [rad/s]
-  temperature,                 ///< [K]
-  diameter,                    ///< [m]
-  x,                           ///< [m]
-  y,                           ///< [m]
-  z,                           ///< [m]
-  cumulative_volume_fraction,  ///< from 0 to 1
-  weight,                      ///< of a site of a tessellation [m^2]
-  film_share,                  ///< of the films around the grain of a site [-]
-  filler,                      ///< number of the filler of a particle; known beside sizes or corners alone
-  axis_1,                      ///< whole first axis of an ellipse [m]
-  axis_2,                      ///< whole second axis of an ellipse [m]
-  angle,                       ///< from the x axis to the first axis of an ellipse [rad]
-  particle,                    ///< number of the particle that a corner belongs to
-  axis_3,                      ///< whole third axis of an ellipsoid [m]
-  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, seen along z [rad]
-  elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
-  roll,                        ///< of an ellipsoid about its first axis [rad]
-};
 
 /// A column of a file.
 struct MeasuredColumn {
   Quantity quantity;
   ModulusKind kind;             ///< kind of a modulus or compliance
   std::string name;             ///< name of the column in the file
+  std::string unit;             ///< of the numbers in the file, as it stands there
   std::vector<double> values;   ///< in the unit of the quantity
   std::vector<double> written;  ///< the numbers in the file
+};
+
+/// How the text of a table was taken.
+struct TableReading {
+  std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
+  char separator = ',';  ///< of columns
+  bool has_decimal_commas = false;
+  std::size_t line_of_names = 0;  ///< from 1
+  bool has_row_of_units = false;  ///< below the names
 };
 
 /// The columns of a file that are recognised by their names. All other columns are ignored.
@@ -52,6 +35,11 @@ class MeasuredTable {
  public:
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
   [[nodiscard]] std::size_t rows() const noexcept { return lines_.size(); }
+  [[nodiscard]] const TableReading& reading() const noexcept { return reading_; }
+  /// The columns that are recognised, in the order of the file.
+  [[nodiscard]] const std::vector<MeasuredColumn>& columns() const noexcept { return columns_; }
+  /// The names of all columns in the order of the file.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
   /// The names of all columns in the order of the file, in quotes, for a message.
   [[nodiscard]] std::string list_of_names() const;
   /// Place of a row, `file:line`, for messages about it.
@@ -84,6 +72,7 @@ class MeasuredTable {
   [[nodiscard]] std::vector<std::string> unknown_units(std::initializer_list<Quantity> quantities) const;
 
   std::filesystem::path path_;
+  TableReading reading_;
   std::vector<std::string> names_;
   std::vector<std::size_t> lines_;  ///< line number of each row in the file
   std::vector<MeasuredColumn> columns_;

@@ -7,7 +7,8 @@
 namespace breccia {
 
 /// Writes the curves of all tests of all stages to a directory: `curves.csv` and `prony.csv`, and, unless they would be
-/// empty, `compliance.csv`, `extrapolation.csv` and `quality.csv`. Throws FileError.
+/// empty, `compliance.csv`, `dynamic.csv`, `engineering.csv`, `engineering_dynamic.csv`, `extrapolation.csv` and
+/// `quality.csv`. Throws FileError.
 void write_curves(const std::filesystem::path& directory, const StudyResult& result);
 
 }  // namespace breccia

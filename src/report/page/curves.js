@@ -106,10 +106,27 @@ function curvesOfProny() {
   });
 }
 
+/// Young's modulus and Poisson's ratio of the stages that were tested in shear and in bulk.
+function engineeringCurves() {
+  const curvesIn = (table, x, columns) =>
+    groupsOf(readTable(table), ["stage", "boundary", "method", "cells"]).flatMap((group) => {
+      const {stage, boundary, method} = group[0];
+      return columns.map(([quantity, column, letter = "", part = undefined]) => ({role: "stage", quantity, part, stage,
+        load: "shear", boundary, method, label: `${stage}, ${boundNames[boundary]}${letter}`,
+        x: group.map((row) => row[x]), y: group.map((row) => row[column])}));
+    });
+  return [
+    ...curvesIn("engineering.csv", "time_s", [["young", "youngs_modulus_Pa"], ["poisson", "poisson_ratio"]]),
+    ...curvesIn("engineering_dynamic.csv", "angular_frequency_rad_per_s", [
+      ["young-dynamic", "youngs_storage_modulus_Pa", ", E′", "storage"],
+      ["young-dynamic", "youngs_loss_modulus_Pa", ", E″", "loss"], ["young-loss-factor", "youngs_loss_tangent"]]),
+  ];
+}
+
 /// The curves of all kinds.
 export function allCurves() {
   const tested = [...curvesInTime("curves.csv", "modulus_Pa"),
     ...curvesInTime("compliance.csv", "compliance_1_per_Pa")];
   addBands(tested);
-  return [...tested, ...curvesOfProny(), ...measuredCurves(), ...matrixCurves()];
+  return [...tested, ...curvesOfProny(), ...engineeringCurves(), ...measuredCurves(), ...matrixCurves()];
 }

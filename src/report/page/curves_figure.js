@@ -99,7 +99,7 @@ export function curvesFigure(curves) {
 function noteOn(curves) {
   const notes = [];
   if (curves.some((curve) => curve.method === "dynamic")) notes.push("Dashed: dynamic method.");
-  if (curves.some((curve) => curve.part === "loss")) notes.push("Solid G′, dashed G″.");
+  if (curves.some((curve) => curve.part === "loss")) notes.push("Solid: storage modulus, dashed: loss modulus.");
   if (curves.some((curve) => curve.role === "matrix")) notes.push("Dotted: matrix without particles.");
   if (curves.some((curve) => curve.band !== undefined)) {
     notes.push("Shaded: where the limit of vanishing cells is expected.");

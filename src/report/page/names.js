@@ -9,9 +9,13 @@ export const methodNames = {quasistatic: "quasi-static", dynamic: "dynamic"};
 export const quantities = [
   {name: "shear", title: "Relaxation modulus G(t)", x: "time", xUnit: "s", unit: "Pa"},
   {name: "bulk", title: "Bulk modulus K(t), in plane strain K(t) + G(t)/3", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "young", title: "Young's modulus E(t)", x: "time", xUnit: "s", unit: "Pa"},
+  {name: "poisson", title: "Poisson's ratio", x: "time", xUnit: "s", unit: ""},
   {name: "compliance", title: "Creep compliance", x: "time", xUnit: "s", unit: "1/Pa"},
   {name: "dynamic", title: "Storage and loss modulus G′, G″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
   {name: "loss-factor", title: "Loss factor tan δ = G″/G′", x: "angular frequency", xUnit: "rad/s", unit: ""},
+  {name: "young-dynamic", title: "Storage and loss modulus E′, E″", x: "angular frequency", xUnit: "rad/s", unit: "Pa"},
+  {name: "young-loss-factor", title: "Loss factor tan δ = E″/E′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
 /// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the result of all grids (the

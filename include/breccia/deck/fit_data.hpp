@@ -1,14 +1,14 @@
 #pragma once
 
-#include <filesystem>
 #include <variant>
 #include <vector>
 
+#include "breccia/io/measured_table.hpp"
 #include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
-namespace breccia::cli {
+namespace breccia {
 
 /// A measured relaxation modulus, by rising time.
 struct RelaxationData {
@@ -27,7 +27,7 @@ struct DynamicData {
   std::vector<FrequencySweep> sweeps;
 };
 
-/// The data that `breccia fit` accepts; a Prony series needs no fit.
+/// The data that can be fitted; a Prony series needs no fit.
 using FitData = std::variant<RelaxationData, CreepData, DynamicData, PronySeries>;
 
 /// The data in a file, and their kind of modulus.
@@ -36,9 +36,9 @@ struct FitInput {
   ModulusKind kind = ModulusKind::unspecified;
 };
 
-/// Reads a table. The names of its columns determine the type of the data and, if possible, the kind of modulus. If
-/// they give no kind or several, `kind` is used. Throws InputError with all mistakes, for example if the file has
-/// another modulus than `kind`, and FileError.
-FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given = ModulusKind::unspecified);
+/// The data in a table. The names of its columns determine the type of the data and, if possible, the kind of modulus.
+/// If they give no kind or several, `given` is used. Throws InputError with all mistakes, for example if the table has
+/// another modulus than `given`.
+FitInput fit_data_in(const MeasuredTable& table, ModulusKind given = ModulusKind::unspecified);
 
-}  // namespace breccia::cli
+}  // namespace breccia

@@ -1,4 +1,4 @@
-#include "fit_data.hpp"
+#include "breccia/deck/fit_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,8 @@
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
 
-namespace breccia::cli {
+namespace breccia {
 namespace {
 
 /// Reports values that are not positive and finite, since the fits use their logarithms.
@@ -115,10 +114,10 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
   if (given != ModulusKind::unspecified) return given;  // a column of another kind is refused when it is read
   if (measured.empty()) return ModulusKind::unspecified;
   if (measured.size() == 1 && measured.front() != ModulusKind::other) return measured.front();
-  throw InputError(fmt::format(
-      "{}: expected one modulus, of shear, Young's or of bulk, got {}: of several choose one by --modulus; one that is "
-      "none of these is fitted when its column is called modulus_Pa",
-      table.path().string(), table.list_of_names()));
+  throw InputError(
+      fmt::format("{}: expected one modulus, of shear, Young's or of bulk, got {}: of several one has to be "
+                  "chosen; one that is none of these is fitted when its column is called modulus_Pa",
+                  table.path().string(), table.list_of_names()));
 }
 
 [[noreturn]] void refuse_columns(const MeasuredTable& table) {
@@ -150,11 +149,10 @@ void refuse_several_curves(const MeasuredTable& table, std::vector<double> times
 
 }  // namespace
 
-FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given) {
+FitInput fit_data_in(const MeasuredTable& table, ModulusKind given) {
   using enum Quantity;
-  const auto table = read_measured_table(path);
   const auto kind = kind_of(table, given);
-  if (table.has({relaxation_time, modulus})) return {series(path, kind), kind};
+  if (table.has({relaxation_time, modulus})) return {series(table.path(), kind), kind};
   if (table.has({angular_frequency, storage_modulus, loss_modulus})) return {dynamic_data(table, kind), kind};
   const bool is_relaxation = table.has({time, modulus}), is_creep = table.has({time, compliance});
   if (is_relaxation == is_creep) refuse_columns(table);
@@ -167,4 +165,4 @@ FitInput read_fit_data(const std::filesystem::path& path, ModulusKind given) {
   return {CreepData{in_order(times.values, rows), in_order(values.values, rows)}, kind};
 }
 
-}  // namespace breccia::cli
+}  // namespace breccia

@@ -1,0 +1,33 @@
+#pragma once
+
+namespace breccia {
+
+/// The quantity in a column of a file, with the unit of its values.
+enum class Quantity {
+  time,                        ///< [s]
+  relaxation_time,             ///< [s]
+  modulus,                     ///< [Pa]
+  compliance,                  ///< [1/Pa]
+  storage_modulus,             ///< [Pa]
+  loss_modulus,                ///< [Pa]
+  angular_frequency,           ///< [rad/s]
+  temperature,                 ///< [K]
+  diameter,                    ///< [m]
+  x,                           ///< [m]
+  y,                           ///< [m]
+  z,                           ///< [m]
+  cumulative_volume_fraction,  ///< from 0 to 1
+  weight,                      ///< of a site of a tessellation [m^2]
+  film_share,                  ///< of the films around the grain of a site [-]
+  filler,                      ///< number of the filler of a particle; known beside sizes or corners alone
+  axis_1,                      ///< whole first axis of an ellipse [m]
+  axis_2,                      ///< whole second axis of an ellipse [m]
+  angle,                       ///< from the x axis to the first axis of an ellipse [rad]
+  particle,                    ///< number of the particle that a corner belongs to
+  axis_3,                      ///< whole third axis of an ellipsoid [m]
+  azimuth,                     ///< from the x axis to the first axis of an ellipsoid, seen along z [rad]
+  elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
+  roll,                        ///< of an ellipsoid about its first axis [rad]
+};
+
+}  // namespace breccia

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/reduction.hpp"
+
+namespace breccia {
+
+/// How few terms with_few_terms() may take.
+struct FewTermsOptions {
+  double tolerance = 0.01;                                           ///< largest relative deviation wanted [-]
+  std::size_t most_terms = std::numeric_limits<std::size_t>::max();  ///< different relaxation times of all series
+};
+
+/// Series that stand for others in a window of time with few relaxation times, which all of them share.
+struct FewTerms {
+  std::vector<PronySeries> series;
+  std::vector<double> deviations;  ///< largest relative deviation of each series in the window [-]
+
+  /// Different relaxation times of all series.
+  [[nodiscard]] std::size_t relaxation_times() const;
+  [[nodiscard]] double worst_deviation() const;
+};
+
+/// Replaces series, some of whose terms may be negative (PronySeries::difference), by series without negative terms
+/// that follow them in a window of time: with the widest spacing of common relaxation times, at the best of four
+/// offsets, at which all deviate by at most the tolerance, at 40 times a decade (theory, Eq. 33b). A modulus that does
+/// not change by more than half of the tolerance in the window becomes elastic. Where no spacing meets the tolerance
+/// with the terms allowed, the one whose deviations exceed it least is returned: ask worst_deviation(). Throws
+/// InputError for a window of no length, a tolerance that is not positive, and a modulus that is not positive in the
+/// window.
+FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window,
+                        const FewTermsOptions& options = {});
+
+}  // namespace breccia

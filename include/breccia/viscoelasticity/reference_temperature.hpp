@@ -1,0 +1,11 @@
+#pragma once
+
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+namespace breccia {
+
+/// The same law with another reference temperature [K]: the product c1 c2 and c2 - T_ref do not change (theory, Eq.
+/// 28a; Ferry, Viscoelastic Properties of Polymers, chapter 11). Throws InputError at or below T_ref - c2.
+WilliamsLandelFerry with_reference(const WilliamsLandelFerry& law, double temperature);
+
+}  // namespace breccia

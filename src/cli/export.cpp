@@ -1,0 +1,272 @@
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/io/percentage.hpp"
+#include "breccia/io/text_file.hpp"
+#include "breccia/io/units.hpp"
+#include "breccia/results/isochronal.hpp"
+#include "breccia/results/material_card.hpp"
+#include "breccia/results/stored_composite.hpp"
+
+#include "command.hpp"
+
+namespace breccia::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExportArguments {
+  fs::path results;
+  std::string format;
+  std::string stage;     ///< empty: the last one
+  std::string boundary;  ///< empty: the only one
+  std::string load;      ///< empty: shear, or the only one of shear
+  std::string tolerance = "1 %";
+  std::vector<std::string> times;
+  std::string bulk;     ///< empty: from the bulk test
+  std::string poisson;  ///< empty: from the bulk test
+  std::string units = "m-kg-s";
+  std::string frequency = "1 Hz";         ///< of the format `dma`
+  std::vector<std::string> temperatures;  ///< of the format `dma`; empty: all that are covered
+  std::string step = "2 K";               ///< between the temperatures
+  fs::path output;                        ///< empty: standard output
+  bool overwrite = false;
+};
+
+/// Reads options one by one and collects what is wrong with each of them.
+class OptionReader {
+ public:
+  template <class Action>
+  void read(const Action& action) {
+    try {
+      action();
+    } catch (const InputError& error) {
+      mistakes_.emplace_back(error.what());
+    }
+  }
+  void refuse() const {
+    if (!mistakes_.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes_, "\n")));
+  }
+
+ private:
+  std::vector<std::string> mistakes_;
+};
+
+/// The names of an enumeration, for the check of an option and for its help.
+template <class Enum>
+std::vector<std::string> names_of_words() {
+  std::vector<std::string> names;
+  for (const auto& [word, value] : words<Enum>) names.emplace_back(word);
+  return names;
+}
+
+double read_share(const std::string& option, const std::string& text) {
+  const auto share = parse_percentage(text);
+  if (share && *share > 0.0 && *share < 1.0) return *share;
+  throw InputError(
+      fmt::format("{}: expected a share above 0 % and below 100 %, such as \"1 %\", got \"{}\"", option, text));
+}
+
+double read_poisson(const std::string& text) {
+  std::size_t end = 0;
+  double ratio = 1.0;
+  try {
+    ratio = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  if (!text.empty() && end == text.size() && ratio > -1.0 && ratio < 0.5) return ratio;
+  throw InputError(fmt::format("--poisson: expected a number above -1 and below 0.5, got \"{}\"", text));
+}
+
+void refuse_existing(const ExportArguments& arguments) {
+  if (arguments.output.empty()) return;
+  const auto name = arguments.output.string();
+  if (fs::is_directory(arguments.output)) {
+    throw InputError(fmt::format("--output: expected a file, got the directory {}", name));
+  }
+  if (arguments.overwrite || !fs::exists(fs::symlink_status(arguments.output))) return;
+  throw InputError(fmt::format("{}: the file exists; replace it (--overwrite) or choose another name", name));
+}
+
+/// The name of the format that is no card: dynamic moduli against temperature.
+constexpr auto isochronal_format = "dma";
+
+struct ExportRequest {
+  CompositeChoice choice;
+  CardSettings settings;
+  double angular_frequency = 0.0;  ///< [rad/s]
+  std::optional<TemperatureRange> temperatures = {};
+  double temperature_step = 0.0;  ///< [K]
+};
+
+/// The options of the format `dma`.
+void read_isochronal_options(const ExportArguments& arguments, OptionReader& options, ExportRequest& request) {
+  options.read([&] {
+    request.angular_frequency =
+        2.0 * std::numbers::pi *
+        option_quantity("--frequency", arguments.frequency, Dimension::frequency, Range::positive());
+  });
+  options.read([&] {
+    if (arguments.temperatures.empty()) return;
+    const auto temperature = [](const std::string& text) {
+      return option_quantity("--temperatures", text, Dimension::temperature, Range::not_negative());
+    };
+    request.temperatures =
+        TemperatureRange{temperature(arguments.temperatures[0]), temperature(arguments.temperatures[1])};
+    if (request.temperatures->begin < request.temperatures->end) return;
+    throw InputError(fmt::format("--temperatures: expected two rising temperatures, got {} and {}",
+                                 arguments.temperatures[0], arguments.temperatures[1]));
+  });
+  options.read([&] {
+    request.temperature_step =
+        option_quantity("--step", arguments.step, Dimension::temperature_difference, Range::positive());
+  });
+}
+
+ExportRequest read_request(const ExportArguments& arguments) {
+  ExportRequest request;
+  auto& choice = request.choice;
+  auto& settings = request.settings;
+  choice.stage = arguments.stage;
+  if (!arguments.boundary.empty()) choice.boundary = value_named<Boundary>(arguments.boundary);
+  if (!arguments.load.empty()) choice.shear_load = value_named<Load>(arguments.load);
+  settings.format = value_named<CardFormat>(arguments.format).value_or(CardFormat::csv);
+  settings.units = value_named<CardUnits>(arguments.units).value();
+  OptionReader options;
+  options.read([&] { settings.tolerance = read_share("--tolerance", arguments.tolerance); });
+  options.read([&] {
+    if (arguments.times.empty()) return;
+    const auto time = [](const std::string& text) {
+      return option_quantity("--times", text, Dimension::time, Range::positive());
+    };
+    settings.times = TimeWindow{time(arguments.times[0]), time(arguments.times[1])};
+    if (settings.times->begin < settings.times->end) return;
+    throw InputError(
+        fmt::format("--times: expected two rising times, got {} and {}", arguments.times[0], arguments.times[1]));
+  });
+  options.read([&] {
+    if (arguments.bulk.empty()) return;
+    settings.bulk = option_quantity("--bulk", arguments.bulk, Dimension::pressure, Range::positive());
+  });
+  options.read([&] {
+    if (!arguments.poisson.empty()) settings.poisson = read_poisson(arguments.poisson);
+  });
+  options.read([&] {
+    if (arguments.bulk.empty() || arguments.poisson.empty()) return;
+    throw InputError("--bulk and --poisson: expected one of them");
+  });
+  read_isochronal_options(arguments, options, request);
+  options.read([&] { refuse_existing(arguments); });
+  options.refuse();
+  return request;
+}
+
+std::string in_words(const MaterialCard& card) {
+  auto text = fmt::format("{}: G(t) within {:.2g} % by {}", card.name, 100.0 * card.shear_deviation,
+                          display_count(card.shear.terms().size(), "term"));
+  if (card.bulk_deviation) {
+    text += fmt::format(", K(t) within {:.2g} % by {}", 100.0 * *card.bulk_deviation,
+                        display_count(card.bulk.terms().size(), "term"));
+  }
+  return fmt::format("{}, from {} to {}", text, display_time(card.times.begin), display_time(card.times.end));
+}
+
+/// Text of what was asked for, and a line about it.
+struct ExportedText {
+  std::string text;
+  std::string summary;
+};
+
+ExportedText exported(const ExportArguments& arguments) {
+  const auto request = read_request(arguments);
+  const auto composite = read_stored_composite(arguments.results, request.choice);
+  if (arguments.format == isochronal_format) {
+    const auto samples =
+        isochronal_curve(composite, request.angular_frequency, request.temperatures, request.temperature_step);
+    return {table_of(samples, composite, request.angular_frequency),
+            fmt::format("{}: {} at {}", composite.stage, display_count(samples.size(), "temperature"),
+                        arguments.frequency)};
+  }
+  const auto card = material_card(composite, request.settings);
+  return {text_of(card, request.settings), in_words(card)};
+}
+
+void write_exported(const ExportArguments& arguments) {
+  const auto [text, summary] = exported(arguments);
+  if (arguments.output.empty()) {
+    fmt::print("{}", text);
+    return;
+  }
+  write_text(arguments.output, text);
+  fmt::print("{}\nThe {} is in {}\n", summary, arguments.format == isochronal_format ? "table" : "card",
+             arguments.output.string());
+}
+
+}  // namespace
+
+void add_export(CLI::App& application) {
+  auto* command = application.add_subcommand(
+      "export",
+      "write the moduli of a composite as a material card of a finite element program, or against temperature");
+  auto arguments = std::make_shared<ExportArguments>();
+  auto formats = names_of_words<CardFormat>();
+  formats.emplace_back(isochronal_format);
+  command->add_option("DIR", arguments->results, "the results of `breccia run`")->required()->type_name("");
+  command
+      ->add_option(
+          "--format", arguments->format,
+          "the program that the card is for; csv: a table of its terms; dma: dynamic moduli against temperature")
+      ->required()
+      ->check(CLI::IsMember(formats).description(""))
+      ->type_name(fmt::format("{}", fmt::join(formats, "|")));
+  command->add_option("--stage", arguments->stage, "the stage (default: the last one)")->type_name("NAME");
+  command->add_option("--boundary", arguments->boundary, "the boundary condition, if the stage has several")
+      ->check(CLI::IsMember(names_of_words<Boundary>()).description(""))
+      ->type_name(fmt::format("{}", fmt::join(names_of_words<Boundary>(), "|")));
+  command->add_option("--load", arguments->load, "the load of shear that gives G(t) (default: shear)")
+      ->check(CLI::IsMember(names_of_words<Load>()).description(""))
+      ->type_name("LOAD");
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "how far G(t) and K(t) may deviate, which decides on the number of terms (default: \"1 %\")")
+      ->type_name("SHARE");
+  command
+      ->add_option("--times", arguments->times,
+                   R"(first and last time at which they are to hold, such as "1 us" "1 s" (default: those of the run))")
+      ->expected(2)
+      ->type_name("BEGIN END");
+  command
+      ->add_option("--bulk", arguments->bulk,
+                   "an elastic bulk modulus, such as \"8 GPa\", in place of that of the bulk test")
+      ->type_name("MODULUS");
+  command->add_option("--poisson", arguments->poisson, "a constant Poisson's ratio, the same")->type_name("NUMBER");
+  command->add_option("--units", arguments->units, "units of the card (default: m-kg-s)")
+      ->check(CLI::IsMember(names_of_words<CardUnits>()).description(""))
+      ->type_name(fmt::format("{}", fmt::join(names_of_words<CardUnits>(), "|")));
+  command->add_option("--frequency", arguments->frequency, "of the format dma (default: \"1 Hz\")")
+      ->type_name("FREQUENCY");
+  command
+      ->add_option(
+          "--temperatures", arguments->temperatures,
+          R"(first and last temperature of the format dma, such as "-40 degC" "60 degC" (default: all that the times of the run cover))")
+      ->expected(2)
+      ->type_name("BEGIN END");
+  command->add_option("--step", arguments->step, "between the temperatures (default: \"2 K\")")
+      ->type_name("DIFFERENCE");
+  command->add_option("--output", arguments->output, "the file (default: standard output)")->type_name("FILE");
+  command->add_flag("--overwrite", arguments->overwrite, "replace that file");
+  command->callback([arguments] { write_exported(*arguments); });
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,71 @@
+#include "fitted_modulus.hpp"
+
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/deck/fit_data.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/viscoelasticity/fit.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+#include "breccia/viscoelasticity/master_curve.hpp"
+
+namespace breccia {
+namespace {
+
+struct FitModulus {
+  std::optional<double> reference_temperature;
+
+  PronySeries operator()(const RelaxationData& data) const {
+    refuse_temperature();
+    return fit_relaxation(data.times, data.moduli).series;
+  }
+  PronySeries operator()(const CreepData& data) const {
+    refuse_temperature();
+    return relaxation_modulus(fit_creep(data.times, data.compliances).compliance);
+  }
+  PronySeries operator()(const DynamicData& data) const {
+    if (data.sweeps.size() > 1) return master_curve(data.sweeps, temperature_among(data.sweeps)).fit.series;
+    refuse_temperature();
+    const auto& sweep = data.sweeps.front();
+    return fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series;
+  }
+  PronySeries operator()(const PronySeries& series) const {
+    refuse_temperature();
+    return series;
+  }
+
+ private:
+  void refuse_temperature() const {
+    if (reference_temperature) {
+      throw InputError("reference_temperature: only for dynamic moduli at several temperatures");
+    }
+  }
+  [[nodiscard]] double temperature_among(const std::vector<FrequencySweep>& sweeps) const {
+    constexpr double close = 0.5, zero_celsius = 273.15;
+    std::vector<std::string> known;
+    for (const auto& sweep : sweeps) {
+      if (reference_temperature && std::abs(sweep.temperature - *reference_temperature) <= close) {
+        return sweep.temperature;
+      }
+      known.push_back(fmt::format("{:.4g} degC", sweep.temperature - zero_celsius));
+    }
+    throw InputError(fmt::format("several temperatures: expected the reference_temperature of one of the sweeps, at {}",
+                                 fmt::join(known, ", ")));
+  }
+};
+
+}  // namespace
+
+PronySeries fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
+                           std::optional<double> reference_temperature) {
+  const auto [data, measured] = fit_data_in(read_measured_table(file), kind);
+  return std::visit(FitModulus{reference_temperature}, data);
+}
+
+}  // namespace breccia

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "breccia/io/modulus_kind.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+namespace breccia {
+
+/// A Prony series fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,
+/// dynamic moduli, or those of several temperatures as a master curve at the reference temperature [K], which is that
+/// of one of them to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit does not
+/// converge.
+PronySeries fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
+                           std::optional<double> reference_temperature);
+
+}  // namespace breccia

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/results/material_card.hpp"
+
+namespace breccia::cards {
+
+/// The card as commands of Mechanical APDL: instantaneous moduli and shares of them (docs/exports.md). Its numbers are
+/// written as they are, in the units of the card.
+std::string ansys_card(const MaterialCard& card);
+
+}  // namespace breccia::cards

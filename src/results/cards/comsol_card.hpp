@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/results/material_card.hpp"
+
+namespace breccia::cards {
+
+/// The card as the table of branches that COMSOL loads, of moduli beside the long-term ones (docs/exports.md). Its
+/// numbers are written as they are, in the units of the card.
+std::string comsol_card(const MaterialCard& card);
+
+}  // namespace breccia::cards

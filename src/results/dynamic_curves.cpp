@@ -1,0 +1,40 @@
+#include "dynamic_curves.hpp"
+
+#include <ranges>
+#include <vector>
+
+#include "breccia/io/csv.hpp"
+
+#include "best_tests.hpp"
+#include "test_columns.hpp"
+
+namespace breccia {
+
+void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& result) {
+  TestColumns tests;
+  std::vector<double> frequencies, storage, loss, loss_tangents;
+  for (const auto& stage : result.stages) {
+    for (const auto* test : best_tests(stage)) {
+      if (!(test->series.unrelaxed() > 0.0)) continue;
+      for (const auto& sample : test->modulus | std::views::reverse) {
+        const double frequency = 1.0 / sample.time;
+        const auto modulus = test->series.complex_modulus(frequency);
+        tests.add(stage.name, test->id);
+        frequencies.push_back(frequency);
+        storage.push_back(modulus.real());
+        loss.push_back(modulus.imag());
+        loss_tangents.push_back(modulus.imag() / modulus.real());
+      }
+    }
+  }
+  if (frequencies.empty()) return;
+  std::vector<CsvColumn> table;
+  tests.append_to(table);
+  table.insert(table.end(), {{"angular_frequency_rad_per_s", frequencies},
+                             {"storage_modulus_Pa", storage},
+                             {"loss_modulus_Pa", loss},
+                             {"loss_tangent", loss_tangents}});
+  write_csv(file, table);
+}
+
+}  // namespace breccia

@@ -1,0 +1,235 @@
+#include "breccia/results/material_card.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/viscoelasticity/few_terms.hpp"
+#include "breccia/viscoelasticity/reference_temperature.hpp"
+
+#include "cards/abaqus_card.hpp"
+#include "cards/ansys_card.hpp"
+#include "cards/comsol_card.hpp"
+#include "cards/csv_card.hpp"
+#include "cards/ls_dyna_card.hpp"
+#include "cards/moose_card.hpp"
+
+namespace breccia {
+namespace {
+
+/// A name that all programs accept: letters, digits and "_", the first a letter.
+std::string card_name(const std::string& stage) {
+  auto name = stage;
+  std::ranges::replace_if(
+      name, [](unsigned char letter) { return std::isalnum(letter) == 0; }, '_');
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name.front())) == 0) name = "M_" + name;
+  return name;
+}
+
+std::string program_of(CardFormat format) {
+  switch (format) {
+    case CardFormat::abaqus:
+      return "Abaqus";
+    case CardFormat::ansys:
+      return "Ansys";
+    case CardFormat::ls_dyna:
+      return "LS-DYNA";
+    case CardFormat::comsol:
+      return "COMSOL";
+    case CardFormat::moose:
+      return "MOOSE";
+    case CardFormat::csv:
+      break;
+  }
+  return "the table";
+}
+
+/// The bulk modulus of a card, and where it is from.
+struct BulkOfCard {
+  PronySeries series;
+  bool is_computed = false;  ///< by a bulk test
+  std::string origin;
+};
+
+/// The factor K / G at a constant Poisson's ratio.
+double bulk_over_shear(double poisson) {
+  return 2.0 * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
+}
+
+BulkOfCard bulk_of_card(const StoredComposite& composite, const CardSettings& settings) {
+  if (settings.bulk) {
+    return {PronySeries(*settings.bulk), false,
+            fmt::format("K is elastic, {}, as it was given", display(*settings.bulk, "Pa"))};
+  }
+  if (settings.poisson) {
+    return {composite.shear.scaled(bulk_over_shear(*settings.poisson)), false,
+            fmt::format("K(t) = {:.4g} G(t): Poisson's ratio is constant, {}, as it was given",
+                        bulk_over_shear(*settings.poisson), *settings.poisson)};
+  }
+  return {*composite.bulk(), true,
+          composite.dimensions == 3 ? "K(t) is that of the bulk test"
+                                    : "K(t) is that of the bulk test, K(t) + G(t)/3, less G(t)/3"};
+}
+
+void refuse_settings(const StoredComposite& composite, const CardSettings& settings) {
+  std::vector<std::string> mistakes;
+  if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
+    mistakes.push_back(fmt::format("tolerance: expected a share above 0 and below 1, got {}", settings.tolerance));
+  }
+  if (settings.times && !(settings.times->begin > 0.0 && settings.times->begin < settings.times->end)) {
+    mistakes.push_back(
+        fmt::format("times: expected two rising times, got {} s and {} s", settings.times->begin, settings.times->end));
+  }
+  if (settings.bulk && settings.poisson) {
+    mistakes.emplace_back("bulk modulus and Poisson's ratio: expected one of them");
+  }
+  if (settings.bulk && !(*settings.bulk > 0.0 && std::isfinite(*settings.bulk))) {
+    mistakes.push_back(fmt::format("bulk modulus: expected one above zero, got {} Pa", *settings.bulk));
+  }
+  if (settings.poisson && !(*settings.poisson > -1.0 && *settings.poisson < 0.5)) {
+    mistakes.push_back(fmt::format("Poisson's ratio: expected one above -1 and below 0.5, got {}", *settings.poisson));
+  }
+  if (!composite.dilatational && !settings.bulk && !settings.poisson) {
+    mistakes.push_back(
+        fmt::format("stage {} was not tested in bulk, so its K(t) is not known: add the load \"bulk\" to the study, or "
+                    "give a bulk modulus or a constant Poisson's ratio",
+                    composite.stage));
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+}
+
+std::string terms_in_words(const PronySeries& series) {
+  return series.is_elastic() ? "an elastic modulus" : display_count(series.terms().size(), "term");
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.2g} %", 100.0 * share);
+}
+
+/// Throws InputError where the terms are too many, or do not follow the moduli.
+void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSettings& settings) {
+  const auto worst = terms.worst_deviation();
+  if (worst <= settings.tolerance && terms.relaxation_times() <= most_terms(settings.format)) return;
+  const bool is_bulk = bulk.is_computed && terms.deviations[1] > settings.tolerance;
+  if (is_bulk && terms.deviations[0] <= settings.tolerance) {
+    throw InputError(fmt::format(
+        "K(t): no series of at most {} terms that only relaxes follows it within {}, the least deviation is {}; where "
+        "the K(t) of plane strain, a difference of two tests, rises with time there is none: allow that tolerance, or "
+        "give the bulk modulus or Poisson's ratio",
+        terms.relaxation_times(), percent(settings.tolerance), percent(terms.deviations[1])));
+  }
+  if (most_terms(settings.format) == std::numeric_limits<std::size_t>::max()) {
+    throw InputError(
+        fmt::format("G(t) and K(t): series of ten terms a decade follow them within {}, not {}: allow that",
+                    percent(worst), percent(settings.tolerance)));
+  }
+  throw InputError(
+      fmt::format("{} takes at most {}, with which the moduli deviate by {}, not {}: a wider tolerance, or fewer "
+                  "decades of time, take fewer",
+                  program_of(settings.format), display_count(most_terms(settings.format), "term"), percent(worst),
+                  percent(settings.tolerance)));
+}
+
+std::vector<std::string> origin_of(const StoredComposite& composite, const CardSettings& settings,
+                                   const MaterialCard& card, const BulkOfCard& bulk) {
+  const auto units = settings.units == CardUnits::m_kg_s ? "m, kg, s, Pa, K" : "mm, t, s, MPa, K";
+  std::vector<std::string> lines = {
+      fmt::format("{}, stage {}: {} boundary ({}), load {}; by breccia {}", composite.title, composite.stage,
+                  name_of(composite.boundary), bound_of(composite.boundary), name_of(composite.shear_load),
+                  BRECCIA_VERSION),
+      fmt::format("Units: {}", units),
+      fmt::format("From {} to {} s: G(t) within {} of the results, by {}", card.times.begin, card.times.end,
+                  percent(card.shear_deviation), terms_in_words(card.shear))};
+  lines.push_back(bulk.origin);
+  if (card.bulk_deviation) {
+    lines.back() += fmt::format(", within {}, by {}", percent(*card.bulk_deviation), terms_in_words(card.bulk));
+  }
+  if (composite.dimensions == 2) {
+    lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");
+  }
+  if (!card.shift) {
+    lines.emplace_back("Without a shift with the temperature: the moduli are those at the temperature of the study");
+    return lines;
+  }
+  lines.push_back(fmt::format("At {} K; log10 a_T = -{} (T - {}) / ({} + T - {})", card.shift->reference_temperature,
+                              card.shift->c1, card.shift->reference_temperature, card.shift->c2,
+                              card.shift->reference_temperature));
+  if (settings.format == CardFormat::ls_dyna || settings.format == CardFormat::moose) {
+    lines.push_back(fmt::format("The shift is not part of the card for {}", program_of(settings.format)));
+  }
+  return lines;
+}
+
+/// The card in other units.
+MaterialCard in_units(MaterialCard card, CardUnits units) {
+  if (units == CardUnits::m_kg_s) return card;
+  constexpr double pascals = 1e6, kilograms_per_cubic_metre = 1e12;
+  const auto converted = [](const PronySeries& series) {
+    std::vector<MaxwellTerm> terms;
+    for (const auto& [time, modulus] : series.terms()) terms.push_back({time, modulus / pascals});
+    return PronySeries(series.equilibrium() / pascals, std::move(terms));
+  };
+  card.pressure_unit = "MPa";
+  card.density /= kilograms_per_cubic_metre;
+  card.shear = converted(card.shear);
+  card.bulk = converted(card.bulk);
+  return card;
+}
+
+}  // namespace
+
+std::size_t most_terms(CardFormat format) {
+  constexpr std::size_t of_ansys = 100;
+  constexpr std::size_t of_ls_dyna = 18 - 1;  // one is the modulus at infinite time
+  if (format == CardFormat::ansys) return of_ansys;
+  return format == CardFormat::ls_dyna ? of_ls_dyna : std::numeric_limits<std::size_t>::max();
+}
+
+MaterialCard material_card(const StoredComposite& composite, const CardSettings& settings) {
+  refuse_settings(composite, settings);
+  const auto bulk = bulk_of_card(composite, settings);
+  const auto times = settings.times.value_or(composite.times);
+  const std::vector<PronySeries> moduli = {composite.shear, bulk.series};
+  const auto few =
+      with_few_terms(moduli, times, {.tolerance = settings.tolerance, .most_terms = most_terms(settings.format)});
+  refuse_terms(few, bulk, settings);
+  MaterialCard card;
+  card.name = card_name(composite.stage);
+  card.density = composite.density;
+  card.shear = few.series[0];
+  card.bulk = few.series[1];
+  if (composite.shift) card.shift = with_reference(composite.shift->law, composite.shift->temperature);
+  card.times = times;
+  card.shear_deviation = few.deviations[0];
+  if (bulk.is_computed) card.bulk_deviation = few.deviations[1];
+  card.origin = origin_of(composite, settings, card, bulk);
+  return card;
+}
+
+std::string text_of(const MaterialCard& card, const CardSettings& settings) {
+  const auto converted = in_units(card, settings.units);
+  switch (settings.format) {
+    case CardFormat::abaqus:
+      return cards::abaqus_card(converted);
+    case CardFormat::ansys:
+      return cards::ansys_card(converted);
+    case CardFormat::ls_dyna:
+      return cards::ls_dyna_card(converted);
+    case CardFormat::comsol:
+      return cards::comsol_card(converted);
+    case CardFormat::moose:
+      return cards::moose_card(converted);
+    case CardFormat::csv:
+      break;
+  }
+  return cards::csv_card(converted);
+}
+
+}  // namespace breccia

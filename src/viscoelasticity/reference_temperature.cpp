@@ -1,0 +1,11 @@
+#include "breccia/viscoelasticity/reference_temperature.hpp"
+
+namespace breccia {
+
+WilliamsLandelFerry with_reference(const WilliamsLandelFerry& law, double temperature) {
+  static_cast<void>(law.shift_factor(temperature));  // refuses temperatures without a meaning
+  const double c2 = law.c2 + (temperature - law.reference_temperature);
+  return {law.c1 * law.c2 / c2, c2, temperature};
+}
+
+}  // namespace breccia

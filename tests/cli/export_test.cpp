@@ -1,0 +1,244 @@
+// `breccia export` of runs of two and three dimensions: cards read back and compared with the curves of the run.
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/io/csv.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "results/card_parsers.hpp"
+#include "study_directory.hpp"
+
+namespace breccia::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::string_view composite_deck = R"(title = "Composite"
+
+[materials.binder]
+density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { terms = [
+  { time = "10 us", modulus = "80 MPa" }, { time = "1 ms", modulus = "10 MPa" }, { time = "100 ms", modulus = "2 MPa" },
+  { time = "10 s", modulus = "1 MPa" }], equilibrium = "1 MPa" }
+temperature_shift = { law = "wlf", c1 = 14.0, c2 = "120 K", reference = "20 degC", temperature = "30 degC" }
+
+[materials.particle]
+density = "2 g/cm^3"
+bulk    = "40 GPa"
+shear   = "30 GPa"
+
+[[stages]]
+name    = "fine"
+matrix  = "binder"
+box     = "6 mm"
+cells   = 12
+filler  = { material = "particle", sizes = { diameter = "2 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[[stages]]
+name    = "coarse"
+matrix  = "fine"
+box     = "60 mm"
+cells   = 12
+filler  = { material = "particle", sizes = { diameter = "20 mm" } }
+packing = { method = "regular", columns = 2, rows = 2 }
+
+[tests]
+loads  = ["shear", "bulk"]
+times  = ["10 us", "10 s"]
+fields = "none"
+)";
+
+class Export : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    study = std::make_unique<StudyDirectory>(composite_deck);
+    const auto run = study->breccia("run");
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+  }
+  static void TearDownTestSuite() { study.reset(); }
+
+  static Outcome export_card(const std::string& format, std::vector<std::string> more = {}) {
+    more.insert(more.begin(), {"export", "out", "--format", format});
+    return run_breccia(study->path(), more);
+  }
+  /// The curve under the upper bound.
+  static Curve curve(const std::string& stage, const std::string& load) {
+    return read_curve(study->result("curves.csv"), stage, load);
+  }
+
+  static std::unique_ptr<StudyDirectory> study;
+};
+
+std::unique_ptr<StudyDirectory> Export::study;
+
+double deviation_from(const Curve& curve, const PronySeries& series) {
+  double largest = 0.0;
+  for (const auto& [time, modulus] : curve) largest = std::max(largest, std::abs(series.at(time) / modulus - 1.0));
+  return largest;
+}
+
+TEST_F(Export, WritesEveryFormatWithinTheTolerance) {
+  const auto shear = curve("coarse", "shear"), dilatational = curve("coarse", "bulk");
+  ASSERT_FALSE(shear.empty());
+  for (const auto* format : {"abaqus", "ansys", "ls-dyna", "comsol", "moose", "csv"}) {
+    const auto written = export_card(format, {"--boundary", "displacement", "--poisson", "0.3"});
+    ASSERT_EQ(written.exit_code, 0) << format << written.errors;
+    const auto card = parse_card(format, written.output);
+    const double deviation = deviation_from(shear, card.shear);
+    RecordProperty(format, std::to_string(deviation));
+    EXPECT_LT(deviation, 0.0101) << format;
+    EXPECT_NEAR(card.bulk.at(1e-3) / card.shear.at(1e-3), 2.6 / 1.2, 1e-4) << format;
+    EXPECT_THAT(written.output, HasSubstr("plane strain"));
+    // Two equal stages of the same filler: the matrix is left with the square of its share.
+    const double share = 1.0 - 4.0 * std::acos(-1.0) / 36.0;
+    EXPECT_NEAR(card.density, 1000.0 * share * share + 2000.0 * (1.0 - share * share), 0.5) << format;
+  }
+}
+
+TEST_F(Export, TakesTheBulkModulusFromTheBulkTest) {
+  const auto written = export_card("csv", {"--boundary", "displacement", "--tolerance", "5 %"});
+  ASSERT_EQ(written.exit_code, 0) << written.errors;
+  const auto card = parse_card("csv", written.output);
+  const auto shear = curve("coarse", "shear"), dilatational = curve("coarse", "bulk");
+  for (std::size_t i = 0; i < shear.size(); ++i) {
+    const double bulk = dilatational[i].modulus - shear[i].modulus / 3.0;
+    EXPECT_NEAR(card.bulk.at(shear[i].time) / bulk, 1.0, 0.051);
+  }
+}
+
+TEST_F(Export, WritesToAFileAndNotOverOne) {
+  const auto written = export_card("abaqus", {"--boundary", "traction", "--stage", "fine", "--bulk", "5 GPa",
+                                              "--output", "card.inp", "--units", "mm-t-s"});
+  ASSERT_EQ(written.exit_code, 0) << written.errors;
+  EXPECT_THAT(written.output, HasSubstr("fine: G(t) within"));
+  EXPECT_THAT(written.output, HasSubstr("The card is in card.inp"));
+  const auto card = parse_card("abaqus", read_text(study->path() / "card.inp"));
+  EXPECT_NEAR(card.bulk.at(0.0), 5000.0, 1e-6);  // MPa
+  ASSERT_TRUE(card.shift);
+  EXPECT_NEAR(card.shift->reference_temperature, 303.15, 1e-9);
+  EXPECT_NEAR(card.shift->c2, 130.0, 1e-9);
+  EXPECT_NEAR(card.shift->c1, 14.0 * 120.0 / 130.0, 1e-9);
+  const auto again = export_card("abaqus", {"--boundary", "traction", "--bulk", "5 GPa", "--output", "card.inp"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(export_card("csv", {"--boundary", "traction", "--bulk", "5 GPa", "--output", "card.inp", "--overwrite"})
+                .exit_code,
+            0);
+}
+
+TEST_F(Export, CsvServesAsTheMaterialOfADeck) {
+  ASSERT_EQ(export_card("csv", {"--boundary", "displacement", "--poisson", "0.3", "--output", "terms.csv"}).exit_code,
+            0);
+  const StudyDirectory next(R"([materials.composite]
+density = "1.6 g/cm^3"
+bulk    = { prony = "terms.csv" }
+shear   = { prony = "terms.csv" }
+[[stages]]
+name = "again"
+matrix = "composite"
+box = "1 m"
+cells = 2
+[tests]
+loads = ["shear"]
+times = ["10 us", "10 s"]
+)");
+  next.write("terms.csv", read_text(study->path() / "terms.csv"));
+  const auto run = next.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto once = curve("coarse", "shear"), again = read_curve(next.result("curves.csv"), "again", "shear");
+  for (const auto& [time, modulus] : once) EXPECT_NEAR(modulus_at(again, time) / modulus, 1.0, 0.011);
+}
+
+TEST_F(Export, SaysWhatThereIsToChooseFrom) {
+  const auto open = export_card("abaqus");
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_THAT(open.errors, HasSubstr("several boundary conditions; choose one: displacement, traction"));
+  const auto stage = export_card("abaqus", {"--stage", "coarsse"});
+  EXPECT_EQ(stage.exit_code, 2);
+  EXPECT_THAT(stage.errors, HasSubstr("did you mean \"coarse\"?"));
+  const auto both = export_card("abaqus", {"--load", "shear-yz"});
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_THAT(both.errors, HasSubstr("several boundary conditions"));
+  EXPECT_THAT(both.errors, HasSubstr("not tested under the shear load shear-yz"));
+}
+
+TEST_F(Export, ReportsAllMistakesOfItsOptionsAtOnce) {
+  const auto outcome = export_card("abaqus", {"--tolerance", "one", "--times", "1 s", "1 us", "--bulk", "3 mm",
+                                              "--poisson", "0.7", "--output", "out"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  for (const auto* option :
+       {"--tolerance: ", "--times: ", "--bulk: ", "--poisson: ", "--bulk and --poisson: ", "--output: "}) {
+    EXPECT_THAT(outcome.errors, HasSubstr(option));
+  }
+  EXPECT_EQ(outcome.output, "");
+}
+
+/// At the temperature of the study the moduli are those of dynamic.csv; at another one those of a run there.
+TEST_F(Export, DynamicModuliAgainstTemperature) {
+  const auto outcome = export_card("dma", {"--boundary", "displacement", "--frequency", "10 Hz", "--temperatures",
+                                           "10 degC", "30 degC", "--step", "20 K", "--output", "dma.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("2 temperatures at 10 Hz"));
+  const auto table = read_csv(study->path() / "dma.csv");
+  EXPECT_THAT(table.numbers("temperature_degC"),
+              ::testing::ElementsAre(::testing::DoubleNear(10.0, 1e-9), ::testing::DoubleNear(30.0, 1e-9)));
+  EXPECT_NEAR(table.numbers("log10_shift_factor")[1], 0.0, 1e-12);
+  const StudyDirectory cold(composite_deck);
+  const auto run = cold.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=10 degC"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  const auto there =
+      run_breccia(cold.path(), {"export", "out", "--format", "dma", "--boundary", "displacement", "--frequency",
+                                "10 Hz", "--temperatures", "10 degC", "12 degC", "--output", "dma.csv"});
+  ASSERT_EQ(there.exit_code, 0) << there.errors;
+  const auto expected = read_csv(cold.path() / "dma.csv");
+  for (const auto* column : {"shear_storage_modulus_Pa", "shear_loss_modulus_Pa", "youngs_storage_modulus_Pa",
+                             "youngs_loss_modulus_Pa", "poisson_ratio_real"}) {
+    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 1e-3) << column;
+  }
+}
+
+TEST_F(Export, RefusesTemperaturesThatTheRunDoesNotCover) {
+  const auto outcome = export_card("dma", {"--boundary", "displacement", "--temperatures", "-80 degC", "30 degC"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, ::testing::ContainsRegex("the times of the study, 1e-05 to 10 s, cover .* degC"));
+  const auto options =
+      export_card("dma", {"--frequency", "1 m", "--temperatures", "30 degC", "20 degC", "--step", "0 K"});
+  EXPECT_EQ(options.exit_code, 2);
+  for (const auto* option : {"--frequency: ", "--temperatures: ", "--step: "}) {
+    EXPECT_THAT(options.errors, HasSubstr(option));
+  }
+}
+
+TEST_F(Export, RefusesUnknownFormatsAndDirectories) {
+  const auto format = export_card("nastran");
+  EXPECT_EQ(format.exit_code, 2);
+  EXPECT_THAT(format.errors, HasSubstr("ls-dyna"));
+  const auto nowhere = run_breccia(study->path(), {"export", "nowhere", "--format", "csv"});
+  EXPECT_EQ(nowhere.exit_code, 2);
+  EXPECT_THAT(nowhere.errors, HasSubstr("no such directory"));
+  const auto empty = run_breccia(study->path(), {"export", ".", "--format", "csv"});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.errors, HasSubstr("no prony.csv"));
+  const auto without = run_breccia(study->path(), {"export", "out"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.errors, HasSubstr("--format"));
+}
+
+TEST_F(Export, RefusesMoreTermsThanLsDynaTakes) {
+  const auto outcome =
+      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.0001 %"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("LS-DYNA takes at most 17 terms"));
+}
+
+}  // namespace
+}  // namespace breccia::test

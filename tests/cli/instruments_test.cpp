@@ -1,0 +1,133 @@
+// Files in the forms in which instruments and spreadsheets export them (tests/reference/instrument_files.py), of a
+// solid whose moduli are known; five of them are not sound.
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/deck/prony_file.hpp"
+
+#include "command.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::filesystem::path instruments =
+    std::filesystem::path(BRECCIA_SOURCE_DIRECTORY) / "tests" / "data" / "instruments";
+
+class Instruments : public ::testing::Test {
+ protected:
+  [[nodiscard]] Outcome fit(const std::string& file, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"fit", (instruments / file).string(), "--out", "out"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_breccia(directory.path(), arguments);
+  }
+  /// Compares the fit with the known solid, or a multiple of it, at 20 degC from 0.1 to 10 Hz.
+  void expect_the_solid(double factor = 1.0) const {
+    const PronySeries solid(1e6, {{1e-2, 4e7}, {1.0, 8e6}, {1e2, 2e6}});
+    const auto file = read_prony_file(directory.path() / "out" / "prony.csv");
+    const PronySeries fitted(file.equilibrium.value_or(0.0), file.terms);
+    for (double frequency = 0.1; frequency < 10.1; frequency *= 1.3) {
+      const double omega = 2.0 * std::numbers::pi * frequency;
+      const auto expected = factor * solid.complex_modulus(omega);
+      EXPECT_LT(std::abs(fitted.complex_modulus(omega) - expected) / std::abs(expected), 0.01) << frequency << " Hz";
+    }
+  }
+
+  TemporaryDirectory directory;
+};
+
+TEST_F(Instruments, ARheometerWithUnitsInARowOfTheirOwn) {
+  const auto outcome = fit("rheometer.csv", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("27 rows, UTF-8, commas between columns, names in line 7, units below"));
+  EXPECT_THAT(outcome.output, HasSubstr("storage modulus (shear)    \"Storage modulus G'\" [MPa], "));
+  EXPECT_THAT(outcome.output, HasSubstr("temperature                \"Temperature\" [°C], 10 to 30"));
+  EXPECT_THAT(outcome.output, HasSubstr(R"(not read                   "Tan(delta)", "Oscillation torque", "Step time")"));
+  EXPECT_LT(outcome.output.find("not read"), outcome.output.find("deviation from the data"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, AnAnalyserWithItsNamesInAComment) {
+  const auto outcome = fit("tension.csv", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("Latin-1, decimal commas, semicolons between columns, names in line 4"));
+  EXPECT_THAT(outcome.output, HasSubstr("storage modulus (Young's)"));
+  EXPECT_THAT(outcome.output, HasSubstr("WLF: c1 = "));
+  expect_the_solid(3.0);
+}
+
+TEST_F(Instruments, Utf16WithColumnsThatTheUserNames) {
+  const auto outcome = fit("unicode.txt", {"--columns", "storage=M'", "--columns", "loss=M''", "--columns",
+                                           "temperature=Ts", "--modulus", "shear"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("UTF-16, tabs between columns, names in line 3, units below"));
+  EXPECT_THAT(outcome.output, HasSubstr("storage modulus            \"M'\" [MPa]"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, AngularFrequenciesAndExponents) {
+  const auto outcome = fit("sweeps.txt", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("\"Angular Frequency\" [rad/s]"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, NamesInAnotherLanguage) {
+  const auto without = fit("german.csv");
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_THAT(without.errors, HasSubstr("it has \"Frequenz [Hz]\", \"Speichermodul [MPa]\""));
+  const auto outcome = fit("german.csv", {"--columns", "frequency=Frequenz [Hz]", "--columns",
+                                          "storage=Speichermodul [MPa]", "--columns", "loss=Verlustmodul [MPa]"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("UTF-8, decimal commas, semicolons"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
+  struct Broken {
+    const char* file;
+    std::vector<const char*> messages;
+  };
+  const std::vector<Broken> files = {
+      {"broken-thousands.csv", {"the comma of \"1,234\" may be a decimal one or part thousands"}},
+      {"broken-absolute.csv", {"expected the columns of one of", "it has \"Frequency [Hz]\", \"|E*| [MPa]\""}},
+      {"broken-values.csv",
+       {":2: Loss modulus [MPa]: expected a number, got \"overload\"", ":3: Loss modulus [MPa]: expected a number",
+        ":5: expected 3 values"}},
+      {"broken-signs.csv",
+       {":2: Loss modulus [MPa]: expected a positive number, got -0.1",
+        ":4: Storage modulus [MPa]: expected a positive number, got 0"}},
+      {"broken-workbook.csv", {"got a workbook of a spreadsheet or an archive; save its table as CSV"}},
+  };
+  for (const auto& [file, messages] : files) {
+    const auto outcome = fit(file);
+    EXPECT_EQ(outcome.exit_code, 2) << file;
+    for (const auto* message : messages) EXPECT_THAT(outcome.errors, HasSubstr(message));
+    EXPECT_EQ(outcome.output, "") << file;
+    EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
+  }
+}
+
+TEST_F(Instruments, ColumnsThatAreNotThereAreReportedTogether) {
+  const auto missing = fit("rheometer.csv", {"--columns", "storage=E1", "--columns", "loss=E2"});
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.errors, HasSubstr("no column \"E1\"; it has \"Storage modulus G'\""));
+  EXPECT_THAT(missing.errors, HasSubstr("no column \"E2\""));
+  const auto words = fit(
+      "rheometer.csv", {"--columns", "storrage=x", "--columns", "loss", "--columns", "time=a", "--columns", "time=b"});
+  EXPECT_EQ(words.exit_code, 2);
+  EXPECT_THAT(words.errors, HasSubstr("--columns: unknown quantity \"storrage\", did you mean \"storage\"?"));
+  EXPECT_THAT(words.errors, HasSubstr("expected QUANTITY=NAME"));
+  EXPECT_THAT(words.errors, HasSubstr("--columns: time is given twice"));
+}
+
+}  // namespace
+}  // namespace breccia::test

@@ -1,0 +1,115 @@
+#include <cmath>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/viscoelasticity/engineering_moduli.hpp"
+
+#include "decks.hpp"
+
+// Materials given by two of bulk, shear, young and poisson, and by measured data.
+
+namespace breccia {
+namespace {
+
+using testing::HasSubstr;
+
+class EngineeringMaterials : public testing::Test {
+ protected:
+  [[nodiscard]] static std::string deck(std::string_view lines) {
+    return test::join("[materials.binder]\ndensity = \"1 g/cm^3\"\n", lines,
+                      "\n[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 4\n", test::tests);
+  }
+  [[nodiscard]] Material material(std::string_view lines) const { return directory.study(deck(lines)).materials.at(0); }
+  [[nodiscard]] std::string mistakes(std::string_view lines) const { return directory.mistakes(deck(lines)); }
+
+  test::DeckDirectory directory;
+};
+
+/// Of K = 5 GPa and G = 3 GPa: E = 9 K G / (3 K + G) = 7.5 GPa, nu = 1/4.
+TEST_F(EngineeringMaterials, AnyTwoElasticConstants) {
+  for (const auto* two : {"bulk = \"5 GPa\"\nshear = \"3 GPa\"", "young = \"7.5 GPa\"\npoisson = 0.25",
+                          "shear = \"3 GPa\"\npoisson = 0.25", "bulk = \"5 GPa\"\npoisson = 0.25",
+                          "bulk = \"5 GPa\"\nyoung = \"7.5 GPa\"", "shear = \"3 GPa\"\nyoung = \"7.5 GPa\""}) {
+    const auto binder = material(two);
+    EXPECT_NEAR(binder.bulk.equilibrium() / 5e9, 1.0, 1e-14) << two;
+    EXPECT_NEAR(binder.shear.equilibrium() / 3e9, 1.0, 1e-14) << two;
+    EXPECT_TRUE(binder.bulk.is_elastic() && binder.shear.is_elastic());
+  }
+}
+
+TEST_F(EngineeringMaterials, ARelaxingYoungsModulusAndPoissonsRatio) {
+  const auto binder = material(R"(young = { equilibrium = "1 MPa", terms = [{ time = "1 s", modulus = "2 MPa" }] }
+poisson = 0.25)");
+  EXPECT_NEAR(binder.shear.at(0.0) / 1.2e6, 1.0, 1e-14);
+  EXPECT_NEAR(binder.bulk.at(0.0) / 2e6, 1.0, 1e-14);
+  EXPECT_NEAR(binder.shear.terms().at(0).modulus / 0.8e6, 1.0, 1e-14);
+}
+
+/// The Young's modulus that the bulk and the shear modulus of the material have together is the one that was given.
+TEST_F(EngineeringMaterials, ARelaxingYoungsModulusAndABulkModulus) {
+  const PronySeries young(3e6, {{10.0, 2e6}, {1e-2, 4e7}, {1e-5, 9e8}});
+  directory.write("E.csv", "relaxation_time_s,youngs_modulus_Pa\ninf,3e6\n10,2e6\n1e-2,4e7\n1e-5,9e8\n");
+  const auto binder = material("bulk = \"3 GPa\"\nyoung = { prony = \"E.csv\" }");
+  const EngineeringModuli moduli(binder.shear, binder.bulk);
+  for (double t = 1e-8; t < 1e4; t *= 5.0) EXPECT_NEAR(moduli.youngs_modulus(t) / young.at(t), 1.0, 1e-9);
+  EXPECT_EQ(binder.shear.terms().size(), 3U);
+}
+
+TEST_F(EngineeringMaterials, AMeasuredModulusIsFitted) {
+  // One Maxwell element beside a spring: G' = 1e6 + 5e6 x^2 / (1 + x^2), G'' = 5e6 x / (1 + x^2), x = omega.
+  std::string table = "Angular frequency [rad/s];Storage modulus [kPa];Loss modulus [kPa]\n";
+  for (double omega = 1e-3; omega < 2e3; omega *= 1.6) {
+    const double x = omega * omega / (1.0 + omega * omega);
+    table += fmt::format("{};{};{}\n", omega, 1e3 + 5e3 * x, 5e3 * x / omega);
+  }
+  directory.write("dma.csv", table);
+  const auto binder = material("bulk = \"3 GPa\"\nshear = { measured = \"dma.csv\" }");
+  for (const double t : {1e-2, 1.0, 10.0}) {
+    EXPECT_NEAR(binder.shear.at(t) / (1e6 + 5e6 * std::exp(-t)), 1.0, 5e-3) << t;
+  }
+}
+
+TEST_F(EngineeringMaterials, ASweepOfTemperaturesNeedsItsReference) {
+  const std::string data = BRECCIA_DATA_DIRECTORY "/synthetic_dma.csv";
+  const auto with = [&](const std::string& more) {
+    return test::join("bulk = \"3.6 GPa\"\nshear = { measured = \"", data, "\"", more, " }");
+  };
+  EXPECT_THAT(mistakes(with("")), HasSubstr("expected the reference_temperature of one of the sweeps, at -41 degC"));
+  EXPECT_THAT(mistakes(with(", reference_temperature = \"20 m\"")), HasSubstr("expected a temperature"));
+  EXPECT_THAT(mistakes(with(", equilibrium = \"1 MPa\"")), HasSubstr("the fit of measured data finds it"));
+}
+
+TEST_F(EngineeringMaterials, RefusesWhatIsNoSolid) {
+  const std::vector<std::pair<const char*, const char*>> cases = {
+      {"young = \"1 GPa\"", "expected two of bulk, shear, young and poisson, got young"},
+      {"poisson = 0.3\nyoung = \"1 GPa\"\nbulk = \"1 GPa\"",
+       "materials.binder.poisson: expected two of bulk, shear, young and poisson, got bulk and young and poisson"},
+      {"young = \"1 GPa\"\npoisson = 0.5", "poisson: expected a number between -1 and 0.5"},
+      {"young = \"1 GPa\"\npoisson = \"0.3\"", "poisson: expected a number"},
+      {"young = \"1 mm\"\npoisson = 0.3", "young: expected a pressure"},
+      {"young = \"10 GPa\"\nbulk = \"1 GPa\"", "below nine times the bulk modulus"},
+      {"young = \"3 GPa\"\nshear = \"1 GPa\"", "below three times the shear modulus"},
+      {"young = { terms = [{ time = \"1 s\", modulus = \"1 MPa\" }] }\nshear = \"1 GPa\"",
+       "do not determine its bulk modulus well"},
+      {"young = \"1 GPa\"\nbulk = { terms = [{ time = \"1 s\", modulus = \"1 GPa\" }] }",
+       "with Young's modulus the bulk modulus is elastic"},
+      {"bulk = \"1 GPa\"", "shear: missing"},
+      {"bulk = \"3 GPa\"\nshear = { measured = \"none.csv\" }", "none.csv"},
+      {"bulk = \"3 GPa\"\nshear = { measured = \"a.csv\", terms = [] }",
+       "expected exactly one of prony, terms, measured"},
+  };
+  for (const auto& [lines, message] : cases) EXPECT_THAT(mistakes(lines), HasSubstr(message)) << lines;
+}
+
+TEST_F(EngineeringMaterials, AMeasuredModulusOfAnotherKindIsRefused) {
+  directory.write("E.csv", "time_s,youngs_modulus_Pa\n1,3\n2,2\n3,1\n");
+  EXPECT_THAT(mistakes("bulk = \"3 GPa\"\nshear = { measured = \"E.csv\" }"),
+              HasSubstr("expected a column of the shear modulus"));
+  EXPECT_NO_THROW(static_cast<void>(material("bulk = \"3 GPa\"\nyoung = { measured = \"E.csv\" }")));
+}
+
+}  // namespace
+}  // namespace breccia

@@ -1,0 +1,174 @@
+// Cards of finite element programs, read back by the rules of each program and compared in G(t) and K(t).
+
+#include "breccia/results/material_card.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "card_parsers.hpp"
+#include "messages.hpp"
+
+namespace breccia::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A composite that relaxes in shear from 2.4 GPa to 12 MPa over ten decades, and in bulk a little.
+StoredComposite composite_of_cards() {
+  std::vector<MaxwellTerm> shear, bulk;
+  for (int k = -9; k < 3; ++k) {
+    shear.push_back({2.0 * std::pow(10.0, k), 2e8 * std::exp(-0.1 * (k + 3) * (k + 3)) + 1e6});
+    bulk.push_back({2.0 * std::pow(10.0, k), 5e7});
+  }
+  StoredComposite composite;
+  composite.title = "Composite";
+  composite.stage = "HB-1";
+  composite.dimensions = 3;
+  composite.density = 1800.0;
+  composite.shear = PronySeries(1.2e7, shear);
+  composite.dilatational = PronySeries(8e9, bulk);
+  composite.shift = TemperatureShift{{6.5, 120.0, 292.15}, 310.0};
+  composite.times = {1e-8, 1e-1};
+  return composite;
+}
+
+double deviation_of(const PronySeries& read, const PronySeries& expected, const TimeWindow& times) {
+  double largest = 0.0;
+  constexpr double step = 1.013;
+  for (double t = times.begin; t <= times.end; t *= step) {
+    largest = std::max(largest, std::abs(read.at(t) / expected.at(t) - 1.0));
+  }
+  return largest;
+}
+
+class Card : public ::testing::TestWithParam<Word<CardFormat>> {};
+
+TEST_P(Card, IsReadBackWithinTheTolerance) {
+  const auto& [name, format] = GetParam();
+  const auto composite = composite_of_cards();
+  // The share of a bulk modulus that a branch of MOOSE needs, and the digits that a field of LS-DYNA holds.
+  constexpr double of_format = 2e-5;
+  for (const double tolerance : {0.05, 0.01}) {
+    const CardSettings settings{.format = format, .tolerance = tolerance};
+    const auto card = material_card(composite, settings);
+    const auto read = parse_card(std::string(name), text_of(card, settings));
+    const double of_shear = deviation_of(read.shear, composite.shear, composite.times);
+    const double of_bulk = deviation_of(read.bulk, *composite.dilatational, composite.times);
+    RecordProperty("deviation of G(t)", std::to_string(of_shear));
+    RecordProperty("deviation of K(t)", std::to_string(of_bulk));
+    EXPECT_LT(of_shear, tolerance + of_format) << name;
+    EXPECT_LT(of_bulk, tolerance + of_format) << name;
+    EXPECT_NEAR(of_shear, card.shear_deviation, 0.1 * card.shear_deviation + of_format);
+    EXPECT_NEAR(read.density, 1800.0, 1e-9);
+    if (format != CardFormat::ansys) {
+      EXPECT_EQ(read.name, "HB_1");
+    }
+  }
+}
+
+TEST_P(Card, HasTheShiftOfTheBinderOrSaysThatItHasNot) {
+  const auto& [name, format] = GetParam();
+  const CardSettings settings{.format = format};
+  const auto composite = composite_of_cards();
+  const auto text = text_of(material_card(composite, settings), settings);
+  const auto read = parse_card(std::string(name), text);
+  if (format == CardFormat::ls_dyna || format == CardFormat::moose) {
+    EXPECT_FALSE(read.shift);
+    EXPECT_THAT(text, HasSubstr("The shift is not part of the card"));
+    return;
+  }
+  ASSERT_TRUE(read.shift);
+  EXPECT_EQ(read.shift->reference_temperature, 310.0);
+  const auto& law = composite.shift->law;
+  for (const double temperature : {260.0, 292.15, 330.0}) {
+    EXPECT_NEAR(std::log10(read.shift->shift_factor(temperature)),
+                std::log10(law.shift_factor(temperature) / law.shift_factor(310.0)), 1e-10);  // of twelve digits
+  }
+}
+
+TEST_P(Card, IsWrittenInMillimetresAndTonnes) {
+  const auto& [name, format] = GetParam();
+  const CardSettings settings{.format = format, .units = CardUnits::mm_t_s};
+  const auto composite = composite_of_cards();
+  const auto read = parse_card(std::string(name), text_of(material_card(composite, settings), settings));
+  EXPECT_NEAR(read.density / 1.8e-9, 1.0, 1e-9);
+  EXPECT_NEAR(read.shear.at(1e-4) / (composite.shear.at(1e-4) / 1e6), 1.0, 0.01);
+}
+
+TEST_P(Card, OfAnElasticCompositeHasNoTerms) {
+  const auto& [name, format] = GetParam();
+  auto composite = composite_of_cards();
+  composite.shear = PronySeries(3e9);
+  composite.dilatational = PronySeries(9e9);
+  const CardSettings settings{.format = format};
+  const auto read = parse_card(std::string(name), text_of(material_card(composite, settings), settings));
+  EXPECT_NEAR(read.shear.at(0.0) / 3e9, 1.0, 1e-9);
+  EXPECT_NEAR(read.bulk.at(0.0) / 9e9, 1.0, 1e-9);
+  EXPECT_TRUE(read.shear.is_elastic());
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, Card, ::testing::ValuesIn(words<CardFormat>), [](const auto& format) {
+  std::string name(format.param.first);
+  std::erase(name, '-');
+  return name;
+});
+
+TEST(MaterialCard, TakesAGivenBulkModulusOrPoissonsRatio) {
+  auto composite = composite_of_cards();
+  composite.dilatational.reset();
+  const auto elastic = material_card(composite, {.bulk = 7e9});
+  EXPECT_EQ(elastic.bulk, PronySeries(7e9));
+  EXPECT_FALSE(elastic.bulk_deviation);
+  const auto constant = material_card(composite, {.poisson = 0.25});
+  for (const double t : {1e-8, 1e-4, 1e-1}) {
+    EXPECT_NEAR(constant.bulk.at(t) / constant.shear.at(t), 5.0 / 3.0, 1e-6);  // K / G at nu = 1/4
+  }
+}
+
+TEST(MaterialCard, TakesTheBulkModulusOfPlaneStrainFromTwoTests) {
+  auto composite = composite_of_cards();
+  composite.dimensions = 2;
+  const auto bulk = *composite.dilatational;
+  composite.dilatational = PronySeries::sum(bulk, composite.shear.scaled(1.0 / 3.0));
+  const auto card = material_card(composite, {});
+  EXPECT_LT(deviation_of(card.bulk, bulk, composite.times), 0.01);
+  EXPECT_THAT(card.origin, ::testing::Contains(HasSubstr("plane strain")));
+}
+
+TEST(MaterialCard, RefusesWhatItDoesNotKnow) {
+  auto composite = composite_of_cards();
+  composite.dilatational.reset();
+  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }),
+              HasSubstr("was not tested in bulk"));
+  const auto mistakes = message_of<InputError>([&] {
+    static_cast<void>(material_card(composite, {.tolerance = 0.0, .times = TimeWindow{2.0, 1.0}, .poisson = 0.5}));
+  });
+  for (const auto* mistake : {"tolerance: ", "times: ", "Poisson's ratio: "}) EXPECT_THAT(mistakes, HasSubstr(mistake));
+}
+
+TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
+  const auto composite = composite_of_cards();
+  const auto message = message_of<InputError>([&] {
+    static_cast<void>(
+        material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-6, .times = TimeWindow{1e-9, 1e3}}));
+  });
+  EXPECT_THAT(message, HasSubstr("LS-DYNA takes at most 17 terms"));
+}
+
+TEST(MaterialCard, RefusesABulkModulusThatRises) {
+  auto composite = composite_of_cards();
+  composite.dimensions = 2;
+  composite.dilatational = PronySeries(8e9);  // so K(t) = 8 GPa - G(t)/3, which rises by 3 %
+  EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {})); }),
+              HasSubstr("only relaxes"));
+  EXPECT_NO_THROW(static_cast<void>(material_card(composite, {.tolerance = 0.05})));
+}
+
+}  // namespace
+}  // namespace breccia::test

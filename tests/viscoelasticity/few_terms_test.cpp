@@ -1,0 +1,93 @@
+#include "breccia/viscoelasticity/few_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "binder.hpp"
+
+namespace breccia {
+namespace {
+
+double largest_deviation_between(const PronySeries& one, const PronySeries& other, const TimeWindow& window) {
+  double largest = 0.0;
+  constexpr double step = 1.011;
+  for (double t = window.begin; t < window.end; t *= step) {
+    largest = std::max(largest, std::abs(one.at(t) / other.at(t) - 1.0));
+  }
+  return largest;
+}
+
+TEST(FewTerms, StayWithinTheToleranceBetweenTheSamples) {
+  const TimeWindow window = {1e-9, 1e2};
+  const std::vector<PronySeries> given = {binder};
+  std::size_t terms = 1000;
+  for (const double tolerance : {0.001, 0.01, 0.05}) {
+    const auto few = with_few_terms(given, window, {.tolerance = tolerance});
+    const double found = largest_deviation_between(few.series[0], binder, window);
+    EXPECT_LE(few.worst_deviation(), tolerance);
+    EXPECT_NEAR(found, few.worst_deviation(), 0.02 * tolerance);
+    EXPECT_LE(few.relaxation_times(), terms);
+    terms = few.relaxation_times();
+  }
+  EXPECT_LT(terms, 12U);  // the binder has 22 terms over as many decades, the window half of them
+}
+
+TEST(FewTerms, ShareTheirRelaxationTimes) {
+  const PronySeries other(1e9, {{1e-6, 1e8}, {1e-3, 5e8}, {1.0, 2e8}});
+  const std::vector<PronySeries> given = {binder, other};
+  const TimeWindow window = {1e-8, 1e1};
+  const auto few = with_few_terms(given, window);
+  EXPECT_LE(largest_deviation_between(few.series[0], binder, window), 0.0101);
+  EXPECT_LE(largest_deviation_between(few.series[1], other, window), 0.0101);
+  const auto most = std::max(few.series[0].terms().size(), few.series[1].terms().size());
+  EXPECT_LT(few.relaxation_times(), few.series[0].terms().size() + few.series[1].terms().size());
+  EXPECT_LE(few.relaxation_times(), most + 3);
+}
+
+TEST(FewTerms, AModulusThatHardlyChangesIsElastic) {
+  const std::vector<PronySeries> given = {PronySeries(1e9, {{1e-3, 4e6}})};
+  const auto few = with_few_terms(given, {1e-6, 1.0});
+  EXPECT_TRUE(few.series[0].is_elastic());
+  EXPECT_NEAR(few.deviations[0], 0.002, 1e-5);
+}
+
+TEST(FewTerms, OfADifferenceAreNotNegative) {
+  // 5 + exp(-t / 1) - 0.5 exp(-t / 0.1) would rise at first; with a slower decay it only falls.
+  const auto difference =
+      PronySeries::difference(PronySeries(5.0, {{1.0, 1.0}, {0.5, 2.0}}), PronySeries(0.0, {{0.4, 0.2}}));
+  const std::vector<PronySeries> given = {difference};
+  const auto few = with_few_terms(given, {1e-2, 1e1});
+  EXPECT_LE(few.worst_deviation(), 0.01);
+  for (const auto& term : few.series[0].terms()) EXPECT_GT(term.modulus, 0.0);
+}
+
+TEST(FewTerms, OfARisingModulusDeviate) {
+  const auto rising = PronySeries::difference(PronySeries(5.0), PronySeries(0.0, {{1.0, 1.0}}));
+  const std::vector<PronySeries> given = {rising};
+  const auto few = with_few_terms(given, {1e-2, 1e1});
+  EXPECT_GT(few.worst_deviation(), 0.05);  // a constant between 4 and 5 is the best
+}
+
+TEST(FewTerms, KeepToTheirLimit) {
+  const std::vector<PronySeries> given = {binder};
+  const auto few = with_few_terms(given, {1e-9, 1e2}, {.tolerance = 1e-6, .most_terms = 10});
+  EXPECT_LE(few.relaxation_times(), 10U);
+  EXPECT_GT(few.worst_deviation(), 1e-6);
+  EXPECT_LT(few.worst_deviation(), 0.1);
+}
+
+TEST(FewTerms, RefuseNonsense) {
+  const std::vector<PronySeries> given = {binder};
+  EXPECT_THROW(static_cast<void>(with_few_terms(given, {1.0, 1.0})), InputError);
+  EXPECT_THROW(static_cast<void>(with_few_terms(given, {1.0, 2.0}, {.tolerance = 0.0})), InputError);
+  const std::vector<PronySeries> nothing = {PronySeries(0.0)};
+  EXPECT_THROW(static_cast<void>(with_few_terms(nothing, {1.0, 2.0})), InputError);
+}
+
+}  // namespace
+}  // namespace breccia
