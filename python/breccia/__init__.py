@@ -30,6 +30,7 @@ from ._native import (
     fit_dynamic,
     master_curve,
     quantity,
+    read_measured,
 )
 from ._study import Coating, Filler, Image, Material, Measurement, Packing, Stage, Study, Tests, read_study
 
@@ -37,7 +38,8 @@ __all__ = [
     "Coating", "CreepCompliance", "CreepFit", "Error", "FileError", "Filler", "Image", "InputError", "Interrupted",
     "MasterCurve", "Material", "Measurement", "Microstructure", "NumericalError", "Packing", "PronySeries",
     "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study", "TestResult", "Tests", "WilliamsLandelFerry",
-    "fit", "fit_creep", "fit_dynamic", "master_curve", "pack", "quantity", "read_study", "respond", "run", "solve",
+    "fit", "fit_creep", "fit_dynamic", "master_curve", "pack", "quantity", "read_measured",
+    "read_study", "respond", "run", "solve",
 ]
 
 # The classes of the library are public under the name of this package, also for pickle.

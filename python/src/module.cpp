@@ -4,6 +4,7 @@
 #include "errors.hpp"
 #include "fits.hpp"
 #include "materials.hpp"
+#include "measured.hpp"
 #include "quantities.hpp"
 #include "results.hpp"
 #include "studies.hpp"
@@ -16,6 +17,7 @@ PYBIND11_MODULE(_native, module) {
   python::bind_quantities(module);
   python::bind_materials(module);
   python::bind_fits(module);
+  python::bind_measured(module);
   python::bind_studies(module);
   python::bind_results(module);
   python::bind_calculations(module);
