@@ -1,10 +1,12 @@
 """Builds the extension of the Python module by CMake, with the library inside it; pyproject.toml says the rest.
 
 It takes the packages of scripts/install-dependencies, and no network: pip install --no-build-isolation --no-index .
+Further settings of CMake are taken from CMAKE_ARGS, another directory for the build from BRECCIA_BUILD_DIRECTORY.
 """
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -30,6 +32,7 @@ class CMakeBuild(build_ext):
             "Python_EXECUTABLE": sys.executable,
         }
         definitions = [f"-D{name}={value}" for name, value in settings.items()]
+        definitions += shlex.split(os.environ.get("CMAKE_ARGS", ""))
         subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *definitions], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "breccia_python"], check=True)
         module = Path(self.get_ext_fullpath(extension.name))

@@ -16,7 +16,7 @@ young, poisson = 70e9, 0.22
 glass = breccia.Material("glass", density=2500.0, bulk=young / (3 * (1 - 2 * poisson)),
                          shear=young / (2 * (1 + poisson)))
 beads = breccia.Filler(glass, fraction="40 %", sizes={"lognormal": [{"median": "50 um", "sigma": 0.2}]},
-                       smallest="30 um", largest="80 um", gap="4 um")
+                       smallest="30 um", largest="80 um", gap="8 um")
 stage = breccia.Stage("filled-rubber", matrix=rubber, box="0.5 mm", cells=100, fillers=beads,
                       packing=breccia.Packing("lubachevsky-stillinger", seed=1))
 tests = breccia.Tests(times=("10 us", "10 s"), boundaries=["displacement", "traction"], fields="none")

@@ -15,7 +15,7 @@ filler = breccia.Material("filler", density=2500.0, bulk="40 GPa", shear="25 GPa
 # %%
 def modulus(fraction, seed, time=10.0):
     """Upper and lower bound of G(t) [Pa] of one packing."""
-    discs = breccia.Filler(filler, fraction=fraction, diameter="0.1 mm", gap="8 um")
+    discs = breccia.Filler(filler, fraction=fraction, diameter="0.1 mm", gap="23 um")
     stage = breccia.Stage("box", matrix=binder, box="0.6 mm", cells=40, fillers=discs,
                           packing=breccia.Packing("lubachevsky-stillinger", seed=seed))
     tests = breccia.Tests(times=(0.1, 10.0), points_per_decade=5, fields="none")

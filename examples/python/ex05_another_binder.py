@@ -17,7 +17,7 @@ binder = breccia.Material("binder", density=1200.0, bulk="1 GPa",
                                              "temperature": "20 degC"})
 filler = breccia.Material("filler", density=2500.0, bulk="40 GPa", shear="25 GPa")
 stage = breccia.Stage("box", matrix=binder, box="0.6 mm", cells=60, packing="lubachevsky-stillinger",
-                      fillers=breccia.Filler(filler, fraction=0.4, diameter="0.1 mm", gap="8 um"))
+                      fillers=breccia.Filler(filler, fraction=0.4, diameter="0.1 mm", gap="15 um"))
 result = breccia.solve(breccia.Study(stage, breccia.Tests(times=("1 ms", "10 s"), boundaries="displacement",
                                                          fields="none")))
 

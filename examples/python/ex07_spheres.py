@@ -8,9 +8,9 @@ import numpy as np
 
 import breccia
 
-matrix = breccia.Material("matrix", density=1100.0, bulk="2 GPa", shear=breccia.PronySeries([(1.0, 99e6)], 1e6))
+matrix = breccia.Material("matrix", density=1100.0, bulk="500 MPa", shear=breccia.PronySeries([(1.0, 99e6)], 1e6))
 glass = breccia.Material("glass", density=2500.0, bulk="40 GPa", shear="28 GPa")
-stage = breccia.Stage("lattice", matrix=matrix, box="100 um", cells=16, fillers=breccia.Filler(glass, diameter="90 um"),
+stage = breccia.Stage("lattice", matrix=matrix, box="100 um", cells=10, fillers=breccia.Filler(glass, diameter="80 um"),
                       packing=breccia.Packing("regular", lattice="sc"))
 tests = breccia.Tests(times=("10 ms", "100 s"), loads=["shear", "shear-xx-yy", "bulk"], boundaries="periodic",
                       fields="none", points_per_decade=5, quasistatic={"tolerance": 1e-3})

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 def quantity(value: Any, unit: str) -> Any:
@@ -39,7 +40,7 @@ class Files:
             self._directory = tempfile.TemporaryDirectory(prefix="breccia-")
         return Path(self._directory.name) / f"{next(self._numbers)}-{name}"
 
-    def image(self, labels: np.ndarray) -> str:
+    def image(self, labels: NDArray[Any]) -> str:
         """A file with labels, [y, x] with the top row first, or [z, y, x]."""
         path = self._path("labels.npy")
         labels = np.asarray(labels)
@@ -48,7 +49,7 @@ class Files:
         np.save(path, labels)
         return str(path)
 
-    def table(self, columns: dict[str, np.ndarray]) -> str:
+    def table(self, columns: dict[str, NDArray[Any]]) -> str:
         """A file with columns of numbers, to their last bit."""
         path = self._path("table.csv")
         rows = zip(*(np.asarray(column).tolist() for column in columns.values()))

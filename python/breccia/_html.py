@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from . import _native
-from ._plot import Band, Curve, plot
+from ._plot import Band, Curve, Floats, plot
 
 _BOUNDS = {"displacement": "upper bound", "traction": "lower bound", "periodic": "periodic"}
 
@@ -33,7 +33,7 @@ def _label(test: _native.TestResult, tests: list[_native.TestResult]) -> str:
     return _BOUNDS[test.boundary] + (f", {test.method}" if len(methods) > 1 else "")
 
 
-def _decades(test: _native.TestResult) -> np.ndarray:
+def _decades(test: _native.TestResult) -> Floats:
     """Whole decades within a curve, at most nine [s]."""
     first, last = np.log10(test.time[0]), np.log10(test.time[-1])
     whole = np.arange(math.ceil(first - 1e-9), math.floor(last + 1e-9) + 1)

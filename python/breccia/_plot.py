@@ -8,6 +8,9 @@ from dataclasses import dataclass
 from typing import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
 
 _COLOURS = ("#1f5f8b", "#c2572b", "#3a7d44", "#7d4f91", "#8a6d1d", "#52606d")
 _LEFT, _RIGHT, _TOP, _BOTTOM, _WIDTH, _HEIGHT = 70, 18, 16, 46, 560, 340
@@ -19,8 +22,8 @@ class Curve:
     """A curve of a plot: values [Pa] at times [s] or frequencies [rad/s]."""
 
     label: str
-    x: np.ndarray
-    y: np.ndarray
+    x: Floats
+    y: Floats
     colour: int = 0
     dashes: str = ""
     marks: bool = False
@@ -30,9 +33,9 @@ class Curve:
 class Band:
     """The area between two curves with the same abscissae."""
 
-    x: np.ndarray
-    low: np.ndarray
-    high: np.ndarray
+    x: Floats
+    low: Floats
+    high: Floats
     colour: int = 0
 
 
@@ -45,15 +48,16 @@ class _Axis:
     begin: float
     end: float
 
-    def place(self, values: np.ndarray) -> np.ndarray:
-        return self.begin + (np.log10(values) - self.first) / (self.last - self.first) * (self.end - self.begin)
+    def place(self, values: Floats) -> Floats:
+        share = (np.log10(values) - self.first) / (self.last - self.first)
+        return np.asarray(self.begin + share * (self.end - self.begin))
 
     def decades(self, most: int = 8) -> list[int]:
         whole = range(math.ceil(self.first - 1e-9), math.floor(self.last + 1e-9) + 1)
         return list(whole)[:: max(1, math.ceil(len(whole) / most))]
 
 
-def _axis(values: Sequence[np.ndarray], begin: float, end: float, margin: float) -> _Axis:
+def _axis(values: Sequence[Floats], begin: float, end: float, margin: float) -> _Axis:
     logs = np.log10(np.concatenate([value[np.isfinite(value) & (value > 0)] for value in values]))
     first, last = float(logs.min()), float(logs.max())
     widening = max(margin * (last - first), (1.0 - (last - first)) / 2 if margin else 1e-6)
@@ -68,12 +72,13 @@ def _shown(curve: Curve) -> Curve:
     return Curve(curve.label, np.asarray(x[::step]), np.asarray(y[::step]), curve.colour, curve.dashes, curve.marks)
 
 
-def _points(across: np.ndarray, up: np.ndarray) -> str:
+def _points(across: Floats, up: Floats) -> str:
     return " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(across, up))
 
 
 def _power(decade: int) -> str:
-    return f'10<tspan dy="-5" font-size="9">{decade}</tspan>'.replace("-", "\u2212", 0)
+    sign = "\u2212" if decade < 0 else ""
+    return f'10<tspan dy="-5" font-size="9">{sign}{abs(decade)}</tspan>'
 
 
 def _pascals(decade: int) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Iterable, Mapping, Sequence, Union
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _deck, _native
 from ._errors import InputError
@@ -128,7 +129,7 @@ class Packing(_Table):
     """
 
     def __init__(self, method: str | None = None, *, seed: int | None = None, walls: bool | str | None = None,
-                 particles: PathLike | np.ndarray | None = None, film: Quantity | None = None, **keys: Any) -> None:
+                 particles: PathLike | NDArray[Any] | None = None, film: Quantity | None = None, **keys: Any) -> None:
         self.method = "explicit" if method is None and particles is not None else method
         self.seed = seed
         self.walls = walls
@@ -156,7 +157,7 @@ class Image(_Table):
     material of each value; pixel: side of a pixel [m]; periodic: whether the image continues at its sides.
     """
 
-    def __init__(self, labels: PathLike | np.ndarray, *, materials: Mapping[int, Material | str],
+    def __init__(self, labels: PathLike | NDArray[Any], *, materials: Mapping[int, Material | str],
                  pixel: Quantity | None = None, periodic: bool | None = None, **keys: Any) -> None:
         self.labels = labels
         self.materials = dict(materials)
