@@ -23,8 +23,8 @@ binder = breccia.Material("binder", density="1.48 g/cm^3", bulk="3.6 GPa", shear
                           temperature_shift={"law": "wlf", "c1": law.c1, "c2": f"{law.c2} K", "reference": "292.15 K",
                                              "temperature": "292.15 K"})
 crystal = breccia.Material("crystal", density="1.85 g/cm^3", bulk="13.4 GPa", shear="5.84 GPa")
-stage = breccia.Stage("composite", matrix=binder, box="50 um", cells=60,
-                      fillers=breccia.Filler(crystal, fraction="50 %", diameter="8 um", gap="0.8 um"),
+stage = breccia.Stage("composite", matrix=binder, box="60 um", cells=60,
+                      fillers=breccia.Filler(crystal, fraction="50 %", diameter="8 um", gap="1.6 um"),
                       packing=breccia.Packing("lubachevsky-stillinger", walls=False))
 tests = breccia.Tests(times=("1 us", "100 s"), loads=["shear", "bulk"], boundaries="periodic", fields="none")
 result = breccia.solve(breccia.Study(stage, tests, title="Composite of the measured binder"))
@@ -41,7 +41,7 @@ def young(answer, omega):
 
 omega = 2 * np.pi * 1.0  # 1 Hz
 print(f"{'degC':>5} {'E [MPa]':>10} {'E loss':>10} {'tan delta':>10}   binder")
-for celsius in range(-40, 61, 20):
+for celsius in range(-40, 61, 10):
     answer = breccia.respond(result, temperature=f"{celsius} degC")
     modulus = young(answer, omega)
     shifted = curve.series.shifted(law.shift_factor(celsius + 273.15)).complex_modulus(omega)

@@ -18,7 +18,7 @@ def _three_digits(value: float, unit: str) -> str:
     if not math.isfinite(value) or value == 0.0:
         return f"{value:g} {unit}"
     power = min(max(3 * math.floor(math.log10(abs(value)) / 3), -15), 12)
-    prefix = {-15: "f", -12: "p", -9: "n", -6: "u", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}[power]
+    prefix = {-15: "f", -12: "p", -9: "n", -6: "\u00b5", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}[power]
     return f"{value / 10.0**power:.3g} {prefix}{unit}"
 
 

@@ -24,9 +24,9 @@ constexpr std::array plain_quantities = {std::pair("time", Quantity::time),
                                          std::pair("angular_frequency", Quantity::angular_frequency)};
 
 /// Those that are of a kind of modulus.
-constexpr std::array moduli = {
-    std::pair("modulus", Quantity::modulus), std::pair("compliance", Quantity::compliance),
-    std::pair("storage_modulus", Quantity::storage_modulus), std::pair("loss_modulus", Quantity::loss_modulus)};
+constexpr std::array moduli = {std::pair("modulus", Quantity::modulus), std::pair("compliance", Quantity::compliance),
+                               std::pair("storage_modulus", Quantity::storage_modulus),
+                               std::pair("loss_modulus", Quantity::loss_modulus)};
 
 ModulusKind kind_named(const std::string& word) {
   const auto kind = kind_of_word(word);
@@ -50,11 +50,12 @@ py::dict read(const std::filesystem::path& file, const py::object& kind) {
 }  // namespace
 
 void bind_measured(py::module_& module) {
-  module.def("read_measured", &read, py::arg("file"), py::arg("kind") = py::none(),
-             "The columns of a table of measured data that are known by their names, in SI units, whatever those of the "
-             "file: time [s], temperature [K], angular_frequency [rad/s], modulus, storage_modulus, loss_modulus [Pa], "
-             "compliance [1/Pa].\n\n"
-             "kind: \"shear\", \"young\" or \"bulk\": refuses columns of another kind.");
+  module.def(
+      "read_measured", &read, py::arg("file"), py::arg("kind") = py::none(),
+      "The columns of a table of measured data that are known by their names, in SI units, whatever those of the "
+      "file: time [s], temperature [K], angular_frequency [rad/s], modulus, storage_modulus, loss_modulus [Pa], "
+      "compliance [1/Pa].\n\n"
+      "kind: \"shear\", \"young\" or \"bulk\": refuses columns of another kind.");
 }
 
 }  // namespace breccia::python
