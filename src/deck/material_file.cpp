@@ -10,16 +10,26 @@
 #include "materials.hpp"
 
 namespace breccia {
+namespace {
+
+Material material_of(const Deck& document, const std::string& name) {
+  auto material = read_material(document.root(), name);
+  document.finish();
+  return material;
+}
+
+}  // namespace
 
 Material read_material_file(const std::filesystem::path& file) {
   std::error_code is_no_name_of_a_file;  // too long, for example
   if (!std::filesystem::exists(file, is_no_name_of_a_file)) {
     throw InputError(fmt::format("{}: no such file", file.string()));
   }
-  const Deck document(file);
-  auto material = read_material(document.root(), file.stem().string());
-  document.finish();
-  return material;
+  return material_of(Deck(file), file.stem().string());
+}
+
+Material material_from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory) {
+  return material_of(Deck::from_text(text, name, directory), name);
 }
 
 }  // namespace breccia

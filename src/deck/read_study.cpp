@@ -1,16 +1,34 @@
 #include "breccia/deck/read_study.hpp"
 
+#include <algorithm>
+
 #include "breccia/io/deck.hpp"
 
 #include "resolved_study.hpp"
 
 namespace breccia {
+namespace {
 
-Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
-  const Deck document(deck, overrides);
+Study study_of(const Deck& document, const std::vector<std::string>& overrides) {
   auto study = resolve(document);
   document.finish();
   add_hashes(document, overrides, study);
+  return study;
+}
+
+}  // namespace
+
+Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+  return study_of(Deck(deck, overrides), overrides);
+}
+
+Study study_from_text(const std::string& deck, const std::filesystem::path& directory,
+                      const std::vector<std::string>& overrides) {
+  constexpr auto name = "study";
+  const auto document = Deck::from_text(deck, name, directory, overrides);
+  auto study = study_of(document, overrides);
+  study.provenance.deck = name;
+  std::erase(study.provenance.inputs, document.path());  // no file
   return study;
 }
 

@@ -50,6 +50,18 @@ Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& ov
   for (const auto& text : overrides) detail::apply_override(state_->root, text, state_->mistakes);
 }
 
+Deck Deck::from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
+                     const std::vector<std::string>& overrides) {
+  auto state = std::make_unique<DeckState>();
+  state->path = directory / name;
+  state->text = text;
+  detail::require_utf8(name, text);
+  state->root = detail::parse_deck(name, text);
+  detail::set_place(state->root, {.option = name});
+  for (const auto& entry : overrides) detail::apply_override(state->root, entry, state->mistakes);
+  return Deck(std::move(state));
+}
+
 Deck::Deck(std::unique_ptr<DeckState> state) : state_(std::move(state)) {}
 Deck::Deck(Deck&&) noexcept = default;
 Deck& Deck::operator=(Deck&&) noexcept = default;

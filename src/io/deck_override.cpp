@@ -12,24 +12,6 @@ namespace breccia::detail {
 
 namespace {
 
-void set_place(DeckTable& table, const Place& place);
-
-void set_place(DeckValue& value, const Place& place) {
-  value.place = place;
-  if (auto* table = std::get_if<DeckTable>(&value.content)) set_place(*table, place);
-  if (auto* array = std::get_if<DeckArray>(&value.content)) {
-    for (auto& element : array->values) set_place(element, place);
-  }
-}
-
-void set_place(DeckTable& table, const Place& place) {
-  table.place = place;
-  for (auto& entry : table.entries) {
-    entry.key_place = place;
-    set_place(entry.value, place);
-  }
-}
-
 /// The value of an override: TOML if it can be parsed as such, otherwise text.
 DeckValue parse_value(const std::string& text, const Place& place) {
   DeckValue value{place, text};

@@ -98,6 +98,22 @@ DeckTable parse_deck(const std::filesystem::path& path, const std::string& text)
   }
 }
 
+void set_place(DeckValue& value, const Place& place) {
+  value.place = place;
+  if (auto* table = std::get_if<DeckTable>(&value.content)) set_place(*table, place);
+  if (auto* array = std::get_if<DeckArray>(&value.content)) {
+    for (auto& element : array->values) set_place(element, place);
+  }
+}
+
+void set_place(DeckTable& table, const Place& place) {
+  table.place = place;
+  for (auto& entry : table.entries) {
+    entry.key_place = place;
+    set_place(entry.value, place);
+  }
+}
+
 const DeckValue* find(const DeckTable& table, std::string_view key) {
   const auto entry = std::ranges::find(table.entries, key, &DeckEntry::key);
   return entry == table.entries.end() ? nullptr : &entry->value;

@@ -58,6 +58,10 @@ struct DeckState {
 /// Parses a TOML text. Throws InputError, with the place, when it is not TOML.
 DeckTable parse_deck(const std::filesystem::path& path, const std::string& text);
 
+/// Gives a value, or a table, with everything in it one place.
+void set_place(DeckValue& value, const Place& place);
+void set_place(DeckTable& table, const Place& place);
+
 /// The value of a key, or nullptr.
 DeckValue* find(DeckTable& table, std::string_view key);
 const DeckValue* find(const DeckTable& table, std::string_view key);

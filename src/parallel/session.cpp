@@ -8,12 +8,12 @@
 #include <string>
 #include <utility>
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <petscsys.h>
 #include <unistd.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/blas_threads.hpp"
 #include "breccia/parallel/communicator.hpp"
 
 namespace breccia::parallel {
@@ -77,15 +77,6 @@ void start_mpi() {
   started().mpi = true;
 }
 
-/// A BLAS with threads of its own gains nothing on sparse factors, spins while our threads work, and rounds differently
-/// for another number of them. OpenBLAS is asked by name, since other implementations have no such function.
-void keep_blas_to_one_thread() noexcept {
-  using SetThreads = void (*)(int);
-  // dlsym() returns the address of a function as an object pointer, which must be converted.
-  const auto set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
-  if (set_threads != nullptr) set_threads(1);
-}
-
 void start_petsc() {
   check(PetscInitializeNoArguments(), "starting PETSc");
   started().petsc = true;
@@ -98,7 +89,9 @@ void start_petsc() {
 
 void start() {
   if (is_running()) return;
-  keep_blas_to_one_thread();
+  // A BLAS with threads of its own gains nothing on sparse factors, spins while our threads work, and rounds
+  // differently for another number of them.
+  static_cast<void>(set_blas_threads(1));
   start_mpi();
   start_petsc();
 }
@@ -161,6 +154,9 @@ std::vector<std::string> unused_petsc_options() {
 }
 
 void stop() noexcept {
+  int is_finalised = 0;
+  MPI_Finalized(&is_finalised);
+  if (is_finalised != 0) return;  // by the host program, before its end: PETSc cannot be finalised any more
   if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
   if (division().communicator != MPI_COMM_NULL) MPI_Comm_free(&division().communicator);
   division() = {};

@@ -25,6 +25,29 @@ TEST(StudyDeck, ResolvesEverything) {
   EXPECT_EQ(study.tests.loads, std::vector{Load::shear});
 }
 
+TEST(StudyText, IsTheStudyOfADeckWithoutAFile) {
+  const test::DeckDirectory directory;
+  directory.write("shear.csv", "relaxation_time_s,modulus_Pa\n0.01,5e5\n");
+  const auto text = test::replaced(test::join("title = \"A\"\n", test::materials, test::stage, test::tests),
+                                   "shear = \"1 MPa\"", "shear = { prony = \"shear.csv\" }");
+  const auto of_deck = directory.study(text), of_text = study_from_text(text, directory.path());
+  EXPECT_EQ(content_of(of_text), content_of(of_deck));
+  EXPECT_EQ(of_text.provenance.hash, of_deck.provenance.hash);
+  EXPECT_EQ(of_text.provenance.inputs, std::vector{directory.path() / "shear.csv"});
+}
+
+TEST(StudyText, MistakesHaveItsNameInPlaceOfALine) {
+  const test::DeckDirectory directory;
+  const auto text = test::replaced(test::join(test::materials, test::stage, test::tests), "3.6 GPa", "3.6 um");
+  const auto message = test::message_of<InputError>(
+      [&] { static_cast<void>(study_from_text("colour = 1\n" + text, directory.path(), {"stages.0.cells=1"})); });
+  for (const auto* line :
+       {"study: materials.binder.bulk: expected a pressure, got \"3.6 um\"\n", "study: unknown key \"colour\"",
+        "\n--set stages.0.cells=1: stages.HB-1.cells: expected an"}) {
+    EXPECT_THAT(message, HasSubstr(line));
+  }
+}
+
 TEST(StudyDeck, TheTitleDefaultsToTheNameOfTheDeck) {
   const test::DeckDirectory directory;
   EXPECT_EQ(directory.study(test::join(test::materials, test::stage, test::tests)).title, "deck");

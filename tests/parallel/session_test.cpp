@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/blas_threads.hpp"
 #include "breccia/parallel/reduction.hpp"
 
 namespace breccia::parallel {
@@ -19,6 +20,12 @@ TEST(Session, ErrorsOfPetscBecomeExceptions) {
   start();
   EXPECT_NO_THROW(check(0, "nothing"));
   EXPECT_THROW(check(73, "assembling"), NumericalError);
+}
+
+TEST(BlasThreads, CanBeRestored) {
+  const auto before = set_blas_threads(2);
+  if (!before) GTEST_SKIP() << "another BLAS than OpenBLAS";
+  EXPECT_EQ(set_blas_threads(*before), 2);
 }
 
 TEST(Reduction, AProcessByItselfKeepsItsValue) {

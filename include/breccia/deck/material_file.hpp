@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -9,5 +10,9 @@ namespace breccia {
 /// Reads a material from a TOML file with the same keys as a material of a deck. The material is named after the file.
 /// Throws InputError with one line for every mistake, and FileError when the file cannot be read.
 Material read_material_file(const std::filesystem::path& file);
+
+/// The same from text with these keys; files that it names are relative to `directory`, and a line about a mistake
+/// begins with the name.
+Material material_from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory);
 
 }  // namespace breccia

@@ -12,4 +12,9 @@ namespace breccia {
 /// (see read_sweep). Throws InputError with one line for every mistake, and FileError when a file cannot be read.
 Study read_study(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
 
+/// The study of a deck that a program has put together as text. Files that it names are relative to `directory`; a line
+/// about a mistake begins with "study" in place of the deck's name, line and column. Throws as read_study().
+Study study_from_text(const std::string& deck, const std::filesystem::path& directory,
+                      const std::vector<std::string>& overrides = {});
+
 }  // namespace breccia

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/homogenisation/stage_microstructure.hpp"
+#include "breccia/report/microstructure_picture.hpp"
+#include "breccia/study/stage.hpp"
+
+namespace breccia {
+
+/// SVG picture of what is in the box of a stage, seen from above; of a box of three dimensions the plane through its
+/// middle with this normal.
+std::string stage_picture(const Stage& stage, const StageMicrostructure& microstructure, Axis normal = Axis::z);
+
+}  // namespace breccia

@@ -1,0 +1,58 @@
+"""Relaxation moduli of highly filled composites from their constituents.
+
+    study  = breccia.read_study("deck.toml", {"stages.0.cells": 96})
+    result = breccia.solve(study)
+    time, modulus = result["model"].curve(load="shear", boundary="displacement")
+
+Numbers are in SI units: m, s, Pa, kg/m^3, K, rad/s. Where a deck takes a quantity, text with a unit is accepted, too.
+"""
+
+import atexit as _atexit
+
+from . import _errors, _html, _native
+from ._calculations import pack, respond, run, solve
+from ._errors import Error, FileError, InputError, Interrupted, NumericalError
+from ._native import (
+    CreepCompliance,
+    CreepFit,
+    MasterCurve,
+    Microstructure,
+    PronySeries,
+    RelaxationFit,
+    Result,
+    Solid,
+    StageResult,
+    TestResult,
+    WilliamsLandelFerry,
+    __version__,
+    fit,
+    fit_creep,
+    fit_dynamic,
+    master_curve,
+    quantity,
+    read_measured,
+)
+from ._study import Coating, Filler, Image, Material, Measurement, Packing, Stage, Study, Tests, read_study
+
+__all__ = [
+    "Coating", "CreepCompliance", "CreepFit", "Error", "FileError", "Filler", "Image", "InputError", "Interrupted",
+    "MasterCurve", "Material", "Measurement", "Microstructure", "NumericalError", "Packing", "PronySeries",
+    "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study", "TestResult", "Tests", "WilliamsLandelFerry",
+    "fit", "fit_creep", "fit_dynamic", "master_curve", "pack", "quantity", "read_measured",
+    "read_study", "respond", "run", "solve",
+]
+
+# The classes of the library are public under the name of this package, also for pickle.
+for _name in __all__:
+    _object = globals()[_name]
+    if getattr(_object, "__module__", "").startswith("breccia."):
+        _object.__module__ = "breccia"
+
+setattr(Result, "_repr_html_", _html.result_html)
+setattr(StageResult, "_repr_html_", _html.stage_html)
+setattr(PronySeries, "_repr_html_", _html.series_html)
+setattr(Microstructure, "_repr_html_", _html.microstructure_html)
+setattr(Microstructure, "_repr_svg_", Microstructure.svg)
+
+# MPI and PETSc, where a calculation has started them, end with the interpreter; a host program ends what it has started.
+_atexit.register(_native.stop_parallel)

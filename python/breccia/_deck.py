@@ -1,0 +1,108 @@
+"""Decks as text: what a study that was built in Python is checked and solved from."""
+
+from __future__ import annotations
+
+import itertools
+import os
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def quantity(value: Any, unit: str) -> Any:
+    """A quantity as a deck has it: text with a unit as it is, a number in the SI unit."""
+    if isinstance(value, (bool, str)) or value is None:
+        return value
+    if isinstance(value, (int, float, np.number)):
+        return f"{float(value)!r} {unit}"
+    return value
+
+
+def quantities(values: Any, unit: str) -> Any:
+    """Several of them."""
+    if values is None or isinstance(values, str):
+        return values
+    return [quantity(value, unit) for value in values]
+
+
+class Files:
+    """Files that hold the arrays of a study, since a deck names files; they exist as long as this object."""
+
+    def __init__(self) -> None:
+        self._directory: tempfile.TemporaryDirectory[str] | None = None
+        self._numbers = itertools.count(1)
+
+    def _path(self, name: str) -> Path:
+        if self._directory is None:
+            self._directory = tempfile.TemporaryDirectory(prefix="breccia-")
+        return Path(self._directory.name) / f"{next(self._numbers)}-{name}"
+
+    def image(self, labels: NDArray[Any]) -> str:
+        """A file with labels, [y, x] with the top row first, or [z, y, x]."""
+        path = self._path("labels.npy")
+        labels = np.asarray(labels)
+        if labels.dtype == bool:
+            labels = labels.astype(np.uint8)
+        np.save(path, labels)
+        return str(path)
+
+    def table(self, columns: dict[str, NDArray[Any]]) -> str:
+        """A file with columns of numbers, to their last bit."""
+        path = self._path("table.csv")
+        rows = zip(*(np.asarray(column).tolist() for column in columns.values()))
+        lines = [",".join(columns), *(",".join(repr(number) for number in row) for row in rows)]
+        path.write_text("\n".join(lines) + "\n")
+        return str(path)
+
+
+def text_of(value: Any) -> str:
+    """A value as TOML."""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (int, np.integer)):
+        return str(int(value))
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    if isinstance(value, (str, os.PathLike)):
+        return _quoted(os.fspath(value))
+    if isinstance(value, dict):
+        entries = (f"{_quoted(str(key))} = {text_of(entry)}" for key, entry in value.items() if entry is not None)
+        return "{ " + ", ".join(entries) + " }"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(text_of(element) for element in value) + "]"
+    raise TypeError(f"a study cannot hold {value!r}")
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return '"' + "".join(f"\\u{ord(c):04x}" if ord(c) < 0x20 or ord(c) == 0x7F else c for c in escaped) + '"'
+
+
+def _key(key: str) -> str:
+    is_bare = key.isascii() and key.replace("-", "").replace("_", "").isalnum()
+    return key if is_bare else _quoted(key)
+
+
+def _section(heading: str, table: dict[str, Any]) -> list[str]:
+    lines = [f"{_key(key)} = {text_of(value)}" for key, value in table.items() if value is not None]
+    return ["", heading, *lines]
+
+
+def deck_text(deck: dict[str, Any]) -> str:
+    """A deck as text, laid out as a person would."""
+    lines = [f"{_key(key)} = {text_of(value)}" for key, value in deck.items() if _is_plain(key) and value is not None]
+    for name, material in deck.get("materials", {}).items():
+        lines += _section(f"[materials.{_key(name)}]", material)
+    for stage in deck.get("stages", []):
+        lines += _section("[[stages]]", stage)
+    lines += _section("[tests]", deck.get("tests", {}))
+    for measurement in deck.get("measurements", []):
+        lines += _section("[[measurements]]", measurement)
+    return "\n".join(lines).lstrip("\n") + "\n"
+
+
+def _is_plain(key: str) -> bool:
+    return key not in ("materials", "stages", "tests", "measurements")

@@ -1,0 +1,109 @@
+"""What notebooks show of results: a plot of G(t), its values at whole decades, the microstructure, warnings."""
+
+from __future__ import annotations
+
+import html
+import math
+
+import numpy as np
+
+from . import _native
+from ._plot import Band, Curve, Floats, plot
+
+_BOUNDS = {"displacement": "upper bound", "traction": "lower bound", "periodic": "periodic"}
+
+
+def _three_digits(value: float, unit: str) -> str:
+    """A value with an SI prefix."""
+    if not math.isfinite(value) or value == 0.0:
+        return f"{value:g} {unit}"
+    power = min(max(3 * math.floor(math.log10(abs(value)) / 3), -15), 12)
+    prefix = {-15: "f", -12: "p", -9: "n", -6: "\u00b5", -3: "m", 0: "", 3: "k", 6: "M", 9: "G", 12: "T"}[power]
+    return f"{value / 10.0**power:.3g} {prefix}{unit}"
+
+
+def _preferred(stage: _native.StageResult, load: str) -> list[_native.TestResult]:
+    """The preferred test of each boundary condition and method."""
+    keys = list(dict.fromkeys((test.boundary, test.method) for test in stage.tests if test.load == load))
+    return [stage.test(load, boundary, method) for boundary, method in keys]
+
+
+def _label(test: _native.TestResult, tests: list[_native.TestResult]) -> str:
+    methods = {one.method for one in tests}
+    return _BOUNDS[test.boundary] + (f", {test.method}" if len(methods) > 1 else "")
+
+
+def _decades(test: _native.TestResult) -> Floats:
+    """Whole decades within a curve, at most nine [s]."""
+    first, last = np.log10(test.time[0]), np.log10(test.time[-1])
+    whole = np.arange(math.ceil(first - 1e-9), math.floor(last + 1e-9) + 1)
+    return 10.0 ** whole[:: max(1, math.ceil(len(whole) / 9))]
+
+
+def _table(tests: list[_native.TestResult]) -> str:
+    times = _decades(tests[0])
+    head = "".join(f'<th style="text-align:right">{_three_digits(time, "s")}</th>' for time in times)
+    rows = []
+    for test in tests:
+        values = np.exp(np.interp(np.log(times), np.log(test.time), np.log(test.modulus)))
+        cells = "".join(f'<td style="text-align:right">{_three_digits(value, "Pa")}</td>' for value in values)
+        rows.append(f'<tr><th style="text-align:left">{_label(test, tests)}</th>{cells}</tr>')
+    return f"<table><tr><th></th>{head}</tr>{''.join(rows)}</table>"
+
+
+def _plot_of(stage: _native.StageResult, tests: list[_native.TestResult]) -> str:
+    curves = [Curve(_label(test, tests), test.time, test.modulus, number) for number, test in enumerate(tests)]
+    bounds = {test.boundary: test for test in tests}
+    bands = []
+    if {"displacement", "traction"} <= set(bounds):
+        upper, lower = bounds["displacement"], bounds["traction"]
+        if np.array_equal(upper.time, lower.time):
+            bands.append(Band(upper.time, lower.modulus, upper.modulus))
+    for number, comparison in enumerate(stage.comparisons[:1]):
+        curves.append(Curve(comparison["measurement"], comparison["time"], comparison["measured"], 5, marks=True))
+    return plot(curves, bands)
+
+
+def _warnings(stage: _native.StageResult) -> str:
+    return "".join(f'<li style="color:#8a4b08">{html.escape(warning)}</li>' for warning in stage.warnings)
+
+
+def stage_html(stage: _native.StageResult) -> str:
+    """A stage for a notebook."""
+    loads = [test.load for test in stage.tests]
+    parts = []
+    if stage.microstructure is not None:
+        box = stage.microstructure
+        content = box.kind if box.kind == "image" else f"{box.particles} {box.kind}"
+        parts.append(f"<div>{content}, {100 * box.fraction:.2f} % of a box of {_three_digits(box.side, 'm')}</div>")
+    if loads:
+        load = "shear" if "shear" in loads else loads[0]
+        tests = _preferred(stage, load)
+        parts.append(f"<div>Relaxation modulus, {html.escape(load)}</div>" + _plot_of(stage, tests) + _table(tests))
+    elif stage.microstructure is not None:
+        parts.append(microstructure_html(stage.microstructure))
+    if stage.warnings:
+        parts.append(f"<ul>{_warnings(stage)}</ul>")
+    return f"<div><b>{html.escape(stage.name)}</b>{''.join(parts)}</div>"
+
+
+def result_html(result: _native.Result) -> str:
+    """A result for a notebook: the last stage in full, the others on demand."""
+    *earlier, last = result.stages
+    folded = "".join(f"<details><summary>{html.escape(stage.name)}</summary>{stage_html(stage)}</details>"
+                     for stage in earlier)
+    return f"<div><div>{html.escape(result.title)}</div>{folded}{stage_html(last)}</div>"
+
+
+def series_html(series: _native.PronySeries) -> str:
+    """A Prony series for a notebook."""
+    if series.is_elastic:
+        return html.escape(repr(series))
+    times = series.relaxation_times
+    time = np.geomspace(times[-1] / 30, times[0] * 30, 200)
+    return f"<div>{html.escape(repr(series))}</div>" + plot([Curve("M(t)", time, series.at(time))])
+
+
+def microstructure_html(box: _native.Microstructure) -> str:
+    """A microstructure for a notebook, 360 pixels wide."""
+    return f'<div style="width:360px">{box.svg()}</div>'

@@ -1,0 +1,147 @@
+"""Plots of moduli as SVG: logarithmic axes, a band between bounds, no library."""
+
+from __future__ import annotations
+
+import html
+import math
+from dataclasses import dataclass
+from typing import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+_COLOURS = ("#1f5f8b", "#c2572b", "#3a7d44", "#7d4f91", "#8a6d1d", "#52606d")
+_LEFT, _RIGHT, _TOP, _BOTTOM, _WIDTH, _HEIGHT = 70, 18, 16, 46, 560, 340
+_PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m"}
+
+
+@dataclass
+class Curve:
+    """A curve of a plot: values [Pa] at times [s] or frequencies [rad/s]."""
+
+    label: str
+    x: Floats
+    y: Floats
+    colour: int = 0
+    dashes: str = ""
+    marks: bool = False
+
+
+@dataclass
+class Band:
+    """The area between two curves with the same abscissae."""
+
+    x: Floats
+    low: Floats
+    high: Floats
+    colour: int = 0
+
+
+@dataclass
+class _Axis:
+    """A logarithmic axis: decades from `first` to `last` on pixels from `begin` to `end`."""
+
+    first: float
+    last: float
+    begin: float
+    end: float
+
+    def place(self, values: Floats) -> Floats:
+        share = (np.log10(values) - self.first) / (self.last - self.first)
+        return np.asarray(self.begin + share * (self.end - self.begin))
+
+    def decades(self, most: int = 8) -> list[int]:
+        whole = range(math.ceil(self.first - 1e-9), math.floor(self.last + 1e-9) + 1)
+        return list(whole)[:: max(1, math.ceil(len(whole) / most))]
+
+
+def _axis(values: Sequence[Floats], begin: float, end: float, margin: float) -> _Axis:
+    logs = np.log10(np.concatenate([value[np.isfinite(value) & (value > 0)] for value in values]))
+    first, last = float(logs.min()), float(logs.max())
+    widening = max(margin * (last - first), (1.0 - (last - first)) / 2 if margin else 1e-6)
+    return _Axis(first - widening, last + widening, begin, end)
+
+
+def _shown(curve: Curve) -> Curve:
+    """The part of a curve that logarithmic axes can show, in few enough points for a page."""
+    good = np.isfinite(curve.x) & np.isfinite(curve.y) & (curve.x > 0) & (curve.y > 0)
+    x, y = curve.x[good], curve.y[good]
+    step = max(1, len(x) // 400)
+    return Curve(curve.label, np.asarray(x[::step]), np.asarray(y[::step]), curve.colour, curve.dashes, curve.marks)
+
+
+def _points(across: Floats, up: Floats) -> str:
+    return " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(across, up))
+
+
+def _power(decade: int) -> str:
+    sign = "\u2212" if decade < 0 else ""
+    return f'10<tspan dy="-5" font-size="9">{sign}{abs(decade)}</tspan>'
+
+
+def _pascals(decade: int) -> str:
+    """A whole decade of pascals in words: 100 kPa."""
+    prefix = min(max(3 * (decade // 3), -3), 9)
+    return f"{10.0 ** (decade - prefix):g} {_PREFIXES[prefix]}Pa"
+
+
+def _grid(x: _Axis, y: _Axis, abscissa: str) -> list[str]:
+    parts = []
+    for decade in x.decades():
+        at = float(x.place(np.array(10.0**decade)))
+        parts.append(f'<line x1="{at:.1f}" x2="{at:.1f}" y1="{_TOP}" y2="{_HEIGHT - _BOTTOM}" stroke="#e4e7eb"/>')
+        parts.append(f'<text x="{at:.1f}" y="{_HEIGHT - _BOTTOM + 17}" text-anchor="middle">{_power(decade)}</text>')
+    for decade in y.decades(6):
+        at = float(y.place(np.array(10.0**decade)))
+        parts.append(f'<line x1="{_LEFT}" x2="{_WIDTH - _RIGHT}" y1="{at:.1f}" y2="{at:.1f}" stroke="#e4e7eb"/>')
+        parts.append(f'<text x="{_LEFT - 8}" y="{at + 4:.1f}" text-anchor="end">{_pascals(decade)}</text>')
+    parts.append(f'<text x="{(_LEFT + _WIDTH - _RIGHT) / 2}" y="{_HEIGHT - 8}" text-anchor="middle">'
+                 f"{html.escape(abscissa)}</text>")
+    return parts
+
+
+def _legend(curves: Sequence[Curve]) -> list[str]:
+    parts = []
+    for number, curve in enumerate(curves):
+        up = _HEIGHT - _BOTTOM - 14 - 17 * (len(curves) - 1 - number)
+        colour = _COLOURS[curve.colour % len(_COLOURS)]
+        if curve.marks:
+            parts.append(f'<circle cx="{_LEFT + 24}" cy="{up - 4}" r="3" fill="none" stroke="{colour}"/>')
+        else:
+            parts.append(f'<line x1="{_LEFT + 12}" x2="{_LEFT + 36}" y1="{up - 4}" y2="{up - 4}" stroke="{colour}" '
+                         f'stroke-width="2" stroke-dasharray="{curve.dashes}"/>')
+        parts.append(f'<text x="{_LEFT + 42}" y="{up}" paint-order="stroke" stroke="#ffffff" stroke-width="3">'
+                     f"{html.escape(curve.label)}</text>")
+    return parts
+
+
+def plot(curves: Sequence[Curve], bands: Sequence[Band] = (), abscissa: str = "Time / s") -> str:
+    """An SVG of curves of moduli."""
+    curves = [shown for shown in map(_shown, curves) if len(shown.x) > 0]
+    if not curves:
+        return ""
+    x = _axis([curve.x for curve in curves], _LEFT, _WIDTH - _RIGHT, 0.0)
+    y = _axis([curve.y for curve in curves], _HEIGHT - _BOTTOM, _TOP, 0.06)
+    parts = _grid(x, y, abscissa)
+    for band in bands:
+        step = max(1, len(band.x) // 400)
+        across, low, high = x.place(band.x[::step]), y.place(band.low[::step]), y.place(band.high[::step])
+        outline = _points(np.concatenate([across, across[::-1]]), np.concatenate([high, low[::-1]]))
+        parts.append(f'<polygon points="{outline}" fill="{_COLOURS[band.colour % len(_COLOURS)]}" opacity="0.14"/>')
+    for curve in curves:
+        colour = _COLOURS[curve.colour % len(_COLOURS)]
+        across, up = x.place(curve.x), y.place(curve.y)
+        if curve.marks:
+            parts += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3" fill="none" stroke="{colour}"/>'
+                      for a, b in zip(across, up)]
+        else:
+            parts.append(f'<polyline points="{_points(across, up)}" fill="none" stroke="{colour}" stroke-width="2" '
+                         f'stroke-linejoin="round" stroke-dasharray="{curve.dashes}"/>')
+    parts += _legend(curves)
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {_HEIGHT}" '
+            f'style="max-width:{_WIDTH}px;width:100%;background:#ffffff" '
+            'font-family="system-ui,sans-serif" font-size="12" fill="#323f4b">'
+            f'<rect x="{_LEFT}" y="{_TOP}" width="{_WIDTH - _LEFT - _RIGHT}" height="{_HEIGHT - _TOP - _BOTTOM}" '
+            f'fill="none" stroke="#cbd2d9"/>{"".join(parts)}</svg>')

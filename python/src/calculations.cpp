@@ -1,0 +1,179 @@
+#include "calculations.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "breccia/campaign/pack.hpp"
+#include "breccia/campaign/run.hpp"
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/new_materials.hpp"
+#include "breccia/homogenisation/packed_stage.hpp"
+#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/solve.hpp"
+#include "breccia/parallel/session.hpp"
+#include "breccia/results/stored_materials.hpp"
+#include "breccia/study/identity.hpp"
+#include "breccia/study/soundness.hpp"
+
+#include "following.hpp"
+#include "solution.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+SolveOptions options_of(int threads, bool ignore_memory) {
+  if (threads < 0) throw InputError(fmt::format("threads: expected a number from 0, got {}", threads));
+  return {.threads = threads, .ignore_memory = ignore_memory};
+}
+
+std::shared_ptr<Solution> solve_study(const std::shared_ptr<const Study>& study, int threads, bool ignore_memory,
+                                      py::object show) {
+  const auto options = options_of(threads, ignore_memory);
+  Following following(std::move(show));
+  return calculate([&] { return solution_of(*study, solve(*study, options, following.observer())); });
+}
+
+std::shared_ptr<Solution> pack_in_memory(const std::shared_ptr<const Study>& study, py::object show) {
+  Following following(std::move(show));
+  return calculate([&] {
+    require_sound(*study);
+    const auto observer = following.observer();
+    const auto begin = std::chrono::steady_clock::now();
+    StudyResult result;
+    result.study_hash = provenance_of(*study).hash;
+    for (const auto& stage : study->stages) {
+      const auto follow = [&](const PackingProgress& progress) { observer.packing(stage, progress); };
+      result.stages.push_back(packed_stage(*study, stage, make_microstructure(stage, follow)));
+    }
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return solution_of(*study, std::move(result));
+  });
+}
+
+/// How a study is run in a directory, as a caller asks for it.
+struct Directory {
+  std::filesystem::path path;
+  bool resume = false;
+  bool overwrite = false;
+  std::optional<double> time_limit = {};  ///< [s]
+};
+
+/// A study in a directory, by a function of the library. A signal or the limit of time ends it after a checkpoint.
+template <class Work>
+std::shared_ptr<Solution> in_directory(const Study& study, const Directory& directory, const SolveOptions& solving,
+                                       py::object show, const Work& work) {
+  if (directory.resume && directory.overwrite) {
+    throw InputError("overwrite starts a new run, resume continues the earlier one: expected only one of them");
+  }
+  Following following(std::move(show));
+  RunOptions options = {.solve = solving, .resume = directory.resume, .overwrite = directory.overwrite};
+  const auto begin = std::chrono::steady_clock::now();
+  options.checkpoints.stop = [&] {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+    return following.stop() || (directory.time_limit && passed.count() >= *directory.time_limit);
+  };
+  const auto observer = following.run_observer();
+  try {
+    return calculate([&] { return solution_of(study, work(study, directory.path, options, observer)); });
+  } catch (const Interrupted&) {
+    following.throw_interruption();
+    throw;
+  }
+}
+
+std::shared_ptr<Solution> run_in_directory(const std::shared_ptr<const Study>& study, const std::filesystem::path& path,
+                                           bool resume, bool overwrite, std::optional<double> time_limit, int threads,
+                                           bool ignore_memory, py::object show) {
+  return in_directory(*study, {path, resume, overwrite, time_limit}, options_of(threads, ignore_memory),
+                      std::move(show), [](const auto&... arguments) { return run_study(arguments...); });
+}
+
+std::shared_ptr<Solution> pack_in_directory(const std::shared_ptr<const Study>& study,
+                                            const std::filesystem::path& path, bool overwrite, py::object show) {
+  return in_directory(*study, {.path = path, .overwrite = overwrite}, {}, std::move(show),
+                      [](const auto&... arguments) { return pack_study(arguments...); });
+}
+
+std::optional<TimeWindow> window_of(const std::optional<std::pair<double, double>>& times) {
+  if (!times) return std::nullopt;
+  const auto [begin, end] = *times;
+  if (0.0 < begin && begin < end) return TimeWindow{begin, end};
+  throw InputError(fmt::format("times: expected two rising times, got {} s and {} s", begin, end));
+}
+
+/// Adds the materials of the study that respond() needs and that are not replaced: matrices.
+void add_matrices_of_study(const Solution& solution, std::map<std::string, Material>& materials) {
+  for (const auto& one : solution.responses) {
+    if (!std::holds_alternative<Material>(one.matrix)) continue;
+    for (const auto& [material, shift] : solution.materials) {
+      if (material.name == name_of(one.matrix)) materials.emplace(material.name, material);
+    }
+  }
+}
+
+/// The varying materials of the study at a temperature [K].
+std::map<std::string, Material> materials_at(const Solution& solution, double temperature) {
+  std::map<std::string, Material> materials;
+  for (const auto& name : varying_materials(solution.responses)) {
+    for (const auto& stored : solution.materials) {
+      if (stored.material.name == name) materials.insert_or_assign(name, at_temperature(stored, temperature));
+    }
+  }
+  return materials;
+}
+
+std::shared_ptr<Solution> respond_with(const Solution& solution,
+                                       const std::vector<std::pair<std::string, Material>>& replaced,
+                                       std::optional<double> temperature,
+                                       const std::optional<std::pair<double, double>>& times) {
+  if (solution.responses.empty()) {
+    throw InputError(
+        "this result has no reduced responses, which the quasi-static method with the reduced solver leaves");
+  }
+  if (replaced.empty() == !temperature) throw InputError("expected other materials, or a temperature");
+  std::vector<NewMaterial> given;
+  std::vector<Material> of_study;
+  for (const auto& [name, material] : replaced) given.push_back({name, material});
+  for (const auto& [material, shift] : solution.materials) of_study.push_back(material);
+  auto answer = std::make_shared<Solution>();
+  answer->title = solution.title;
+  answer->materials = solution.materials;
+  return calculate([&] {
+    auto materials =
+        temperature ? materials_at(solution, *temperature) : by_replaced_material(given, solution.responses, of_study);
+    add_matrices_of_study(solution, materials);
+    for (auto& stage : respond(solution.responses, materials, window_of(times))) {
+      answer->stages.push_back({std::move(stage), std::nullopt});
+    }
+    return answer;
+  });
+}
+
+}  // namespace
+
+void bind_calculations(py::module_& module) {
+  module.def("solve", &solve_study, py::arg("study"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"));
+  module.def("pack", &pack_in_memory, py::arg("study"), py::arg("show"));
+  module.def("pack_in_directory", &pack_in_directory, py::arg("study"), py::arg("directory"), py::arg("overwrite"),
+             py::arg("show"));
+  module.def("run", &run_in_directory, py::arg("study"), py::arg("directory"), py::arg("resume"), py::arg("overwrite"),
+             py::arg("time_limit"), py::arg("threads"), py::arg("ignore_memory"), py::arg("show"));
+  module.def("respond", &respond_with, py::arg("result"), py::arg("materials"), py::arg("temperature"),
+             py::arg("times"));
+  module.def("stop_parallel", &parallel::stop);
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,88 @@
+#include "errors.hpp"
+
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+#include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/not_covered.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/io/foreign_results.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+/// What a caller in Python can do about an objection to writing in a directory.
+std::string advice_on(const Objection& objection) {
+  using Remedy = Objection::Remedy;
+  std::vector<std::string> ways;
+  if (objection.remedy == Remedy::none) return {};
+  if (objection.remedy == Remedy::not_resuming) {
+    ways.emplace_back("run with overwrite=True in place of resume=True");
+  } else {
+    ways.emplace_back("replace what is there (overwrite=True)");
+  }
+  if (objection.remedy == Remedy::adding) ways.emplace_back("add to it (resume=True)");
+  ways.emplace_back("take another directory");
+  return "; " + fmt::format("{}", fmt::join(ways, " or "));
+}
+
+/// The message of an error, with the arguments that help.
+std::string with_advice(const Error& error) {
+  if (const auto* const foreign = dynamic_cast<const ForeignResults*>(&error)) {
+    std::vector<std::string> lines;
+    for (const auto& objection : foreign->objections()) lines.push_back(objection.problem + advice_on(objection));
+    return fmt::format("{}", fmt::join(lines, "\n"));
+  }
+  std::string message = error.what();
+  if (dynamic_cast<const LackingMemory*>(&error) != nullptr) message += " (ignore_memory=True runs them nevertheless)";
+  if (dynamic_cast<const Interrupted*>(&error) != nullptr) message += ", and resume=True continues from it";
+  const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
+  if (not_covered != nullptr && not_covered->times()) {
+    const auto& times = *not_covered->times();
+    message += fmt::format(R"(: times=("{}", "{}"))", display(times.begin, "s", 3), display(times.end, "s", 3));
+  }
+  return message;
+}
+
+void raise(const char* name, const std::string& message) {
+  PyErr_SetString(py::module_::import("breccia._errors").attr(name).ptr(), message.c_str());
+}
+
+const char* name_of(const Error& error) {
+  switch (error.exit_code()) {
+    case ExitCode::bad_input:
+      return "InputError";
+    case ExitCode::numerical_failure:
+      return "NumericalError";
+    case ExitCode::file_failure:
+      return "FileError";
+    case ExitCode::interrupted:
+      return "Interrupted";
+    default:
+      return "Error";
+  }
+}
+
+}  // namespace
+
+void translate_errors() {
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const Error& error) {
+      raise(name_of(error), with_advice(error));
+    } catch (const std::filesystem::filesystem_error& error) {
+      raise("FileError", error.what());
+    }
+  });
+}
+
+}  // namespace breccia::python

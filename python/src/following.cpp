@@ -1,0 +1,75 @@
+#include "following.hpp"
+
+#include <fmt/format.h>
+
+namespace breccia::python {
+
+namespace py = pybind11;
+using std::chrono::milliseconds;
+
+bool Following::is_due(Clock::time_point& last, milliseconds pause) const {
+  const auto now = Clock::now();
+  if (now - last < pause) return false;
+  last = now;
+  return true;
+}
+
+void Following::look_for_signals() {
+  constexpr milliseconds pause(50);
+  if (!is_due(looked_, pause)) return;
+  const py::gil_scoped_acquire lock;
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+}
+
+void Following::report(const std::string& what, double share, const std::string& details) {
+  constexpr milliseconds pause(100);
+  if (!is_due(shown_, pause)) return;
+  const py::gil_scoped_acquire lock;
+  if (!show_.is_none()) show_(what, share, details);
+}
+
+void Following::add_progress(StudyObserver& observer, bool ends_at_once) {
+  observer.packing = [this, ends_at_once](const Stage& stage, const PackingProgress& packing) {
+    if (ends_at_once) look_for_signals();
+    report(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
+           fmt::format("{} events", packing.events));
+  };
+  observer.progress = [this, ends_at_once](const Stage& stage, const TestId& test, double share,
+                                           const std::string& details) {
+    if (ends_at_once) look_for_signals();
+    report(fmt::format("{}: {}", stage.name, calculation_of(test)), share, details);
+  };
+}
+
+StudyObserver Following::observer() {
+  StudyObserver observer;
+  add_progress(observer, true);
+  return observer;
+}
+
+RunObserver Following::run_observer() {
+  RunObserver observer;
+  add_progress(observer, false);
+  observer.noted = [](const std::string& note) {
+    const py::gil_scoped_acquire lock;
+    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
+  };
+  return observer;
+}
+
+bool Following::stop() {
+  if (interruption_) return true;
+  try {
+    look_for_signals();
+  } catch (py::error_already_set& raised) {
+    const py::gil_scoped_acquire lock;
+    interruption_.emplace(raised);
+  }
+  return interruption_.has_value();
+}
+
+void Following::throw_interruption() {
+  if (interruption_) throw py::error_already_set(*interruption_);
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+#include "breccia/campaign/run.hpp"
+#include "breccia/parallel/blas_threads.hpp"
+
+namespace breccia::python {
+
+/// Follows a calculation for Python: passes its progress to a function `(what, share, details)`, a few times a second,
+/// and looks for signals, so that Ctrl-C ends it. It must be made and destroyed with the interpreter's lock held.
+class Following {
+ public:
+  /// `show`: the function, or None.
+  explicit Following(pybind11::object show) : show_(std::move(show)) {}
+
+  /// Functions for a calculation in memory, which a signal ends at once: they throw KeyboardInterrupt.
+  [[nodiscard]] StudyObserver observer();
+  /// Functions for a run in a directory, which a signal ends after a checkpoint (stop).
+  [[nodiscard]] RunObserver run_observer();
+  /// Whether the run shall end: the stop of a CheckpointSchedule.
+  [[nodiscard]] bool stop();
+  /// Throws what a signal has raised, if one has ended the run.
+  void throw_interruption();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  [[nodiscard]] bool is_due(Clock::time_point& last, std::chrono::milliseconds pause) const;
+  /// Looks for signals, and throws what they raise.
+  void look_for_signals();
+  void report(const std::string& what, double share, const std::string& details);
+  void add_progress(StudyObserver& observer, bool ends_at_once);
+
+  pybind11::object show_;
+  Clock::time_point looked_ = Clock::now(), shown_ = Clock::now() - std::chrono::hours(1);
+  std::optional<pybind11::error_already_set> interruption_ = {};
+};
+
+/// Does a calculation without the interpreter's lock. Solvers keep state of their own in the process, so one thread
+/// calculates at a time; meanwhile the BLAS, which NumPy may share, has one thread.
+template <class Work>
+auto calculate(const Work& work) {
+  static std::mutex one_at_a_time;
+  const pybind11::gil_scoped_release release;
+  const std::lock_guard lock(one_at_a_time);
+  class BlasOfHost {
+   public:
+    BlasOfHost() : threads_(parallel::set_blas_threads(1)) {}
+    BlasOfHost(const BlasOfHost&) = delete;
+    BlasOfHost& operator=(const BlasOfHost&) = delete;
+    BlasOfHost(BlasOfHost&&) = delete;
+    BlasOfHost& operator=(BlasOfHost&&) = delete;
+    ~BlasOfHost() {
+      if (threads_) parallel::set_blas_threads(*threads_);
+    }
+
+   private:
+    std::optional<int> threads_;
+  };
+  const BlasOfHost blas;
+  return work();
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,232 @@
+#include "materials.hpp"
+
+#include <complex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/operators.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "breccia/deck/material_file.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/viscoelasticity/creep_compliance.hpp"
+#include "breccia/viscoelasticity/interconversion.hpp"
+
+#include "views.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+/// The two numbers of each term, by the columns of an n x 2 array.
+template <class Term>
+std::vector<Term> terms_of(const py::array_t<double, py::array::c_style | py::array::forcecast>& terms,
+                           const char* expected) {
+  if (terms.size() == 0) return {};
+  if (terms.ndim() != 2 || terms.shape(1) != 2) throw InputError(expected);
+  std::vector<Term> pairs;
+  const auto rows = terms.template unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) pairs.push_back({rows(i, 0), rows(i, 1)});
+  return pairs;
+}
+
+std::string in_words(const PronySeries& series) {
+  if (series.is_elastic()) return fmt::format("<breccia.PronySeries: {}>", display(series.equilibrium(), "Pa"));
+  return fmt::format("<breccia.PronySeries: {} from {} to {}, relaxing from {} to {}>",
+                     display_count(series.terms().size(), "term"), display_time(series.terms().back().relaxation_time),
+                     display_time(series.terms().front().relaxation_time), display(series.unrelaxed(), "Pa"),
+                     display(series.equilibrium(), "Pa"));
+}
+
+void bind_series(py::module_& module) {
+  using Numbers = py::array_t<double, py::array::forcecast>;
+  py::class_<PronySeries>(module, "PronySeries",
+                          "Relaxation modulus M(t) = M_inf + sum_k M_k exp(-t / tau_k) [Pa].\n\n"
+                          "terms: n x 2 array of relaxation times [s] and moduli [Pa]; equilibrium: M_inf [Pa].")
+      .def(
+          py::init([](const py::array_t<double, py::array::c_style | py::array::forcecast>& terms, double equilibrium) {
+            return PronySeries(
+                equilibrium, terms_of<MaxwellTerm>(terms, "terms: expected pairs of a relaxation time and a modulus"));
+          }),
+          py::arg("terms") = py::array_t<double>(0), py::arg("equilibrium") = 0.0)
+      .def_property_readonly("equilibrium", &PronySeries::equilibrium, "Modulus at infinite time [Pa].")
+      .def_property_readonly("unrelaxed", &PronySeries::unrelaxed, "Modulus at t = 0 [Pa].")
+      .def_property_readonly("is_elastic", &PronySeries::is_elastic, "Whether nothing relaxes.")
+      .def_property_readonly(
+          "terms",
+          [](const py::object& self) {
+            const auto& terms = self.cast<const PronySeries&>().terms();
+            static_assert(sizeof(MaxwellTerm) == 2 * sizeof(double));
+            const double* first = terms.empty() ? nullptr : &terms.front().relaxation_time;
+            return view_of(first, {static_cast<py::ssize_t>(terms.size()), 2}, self);
+          },
+          "n x 2 array: relaxation times [s], falling, and moduli [Pa].")
+      .def_property_readonly(
+          "relaxation_times",
+          [](const py::object& self) {
+            return view_of(self.cast<const PronySeries&>().terms(), &MaxwellTerm::relaxation_time, self);
+          },
+          "Relaxation times [s], falling.")
+      .def_property_readonly(
+          "moduli",
+          [](const py::object& self) {
+            return view_of(self.cast<const PronySeries&>().terms(), &MaxwellTerm::modulus, self);
+          },
+          "Moduli of the terms [Pa].")
+      .def(
+          "at",
+          [](const PronySeries& series, const Numbers& time) {
+            return py::vectorize([&series](double t) { return series.at(t); })(time);
+          },
+          py::arg("time"), "Relaxation modulus [Pa] at times [s], a number or an array.")
+      .def(
+          "complex_modulus",
+          [](const PronySeries& series, const Numbers& frequency) {
+            return py::vectorize([&series](double omega) { return series.complex_modulus(omega); })(frequency);
+          },
+          py::arg("angular_frequency"),
+          "Complex modulus M' + i M'' [Pa] at angular frequencies [rad/s], a number or an array.")
+      .def("shifted", &PronySeries::shifted, py::arg("factor"),
+           "The series with every relaxation time multiplied by a shift factor a_T.")
+      .def("scaled", &PronySeries::scaled, py::arg("factor"), "The series with every modulus multiplied by a factor.")
+      .def(
+          "creep_compliance", [](const PronySeries& series) { return creep_compliance(series); },
+          "The creep compliance of a solid with this modulus, by exact interconversion.")
+      .def(py::self == py::self)  // NOLINT(misc-redundant-expression): this is how pybind11 takes an operator
+      .def("__repr__", &in_words)
+      .def(py::pickle([](const PronySeries& series) { return state_of(series); }, &series_from));
+}
+
+void bind_compliance(py::module_& module) {
+  using Numbers = py::array_t<double, py::array::forcecast>;
+  py::class_<CreepCompliance>(module, "CreepCompliance",
+                              "Creep compliance J(t) = J_0 + sum_k J_k (1 - exp(-t / lambda_k)) + phi t [1/Pa].\n\n"
+                              "terms: n x 2 array of retardation times [s] and compliances [1/Pa]; fluidity: phi "
+                              "[1/(Pa s)].")
+      .def(py::init([](double instantaneous,
+                       const py::array_t<double, py::array::c_style | py::array::forcecast>& terms, double fluidity) {
+             return CreepCompliance(
+                 instantaneous,
+                 terms_of<RetardationTerm>(terms, "terms: expected pairs of a retardation time and a compliance"),
+                 fluidity);
+           }),
+           py::arg("instantaneous"), py::arg("terms") = py::array_t<double>(0), py::arg("fluidity") = 0.0)
+      .def_property_readonly("instantaneous", &CreepCompliance::instantaneous, "Compliance at t = 0 [1/Pa].")
+      .def_property_readonly("fluidity", &CreepCompliance::fluidity,
+                             "Rate of steady flow under unit stress [1/(Pa s)].")
+      .def_property_readonly(
+          "terms",
+          [](const py::object& self) {
+            const auto& terms = self.cast<const CreepCompliance&>().terms();
+            static_assert(sizeof(RetardationTerm) == 2 * sizeof(double));
+            const double* first = terms.empty() ? nullptr : &terms.front().retardation_time;
+            return view_of(first, {static_cast<py::ssize_t>(terms.size()), 2}, self);
+          },
+          "n x 2 array: retardation times [s], falling, and compliances [1/Pa].")
+      .def(
+          "at",
+          [](const CreepCompliance& compliance, const Numbers& time) {
+            return py::vectorize([&compliance](double t) { return compliance.at(t); })(time);
+          },
+          py::arg("time"), "Creep compliance [1/Pa] at times [s], a number or an array.")
+      .def(
+          "complex_compliance",
+          [](const CreepCompliance& compliance, const Numbers& frequency) {
+            return py::vectorize([&compliance](double omega) { return compliance.complex_compliance(omega); })(
+                frequency);
+          },
+          py::arg("angular_frequency"), "Complex compliance J' - i J'' [1/Pa] at angular frequencies [rad/s].")
+      .def(
+          "relaxation_modulus", [](const CreepCompliance& compliance) { return relaxation_modulus(compliance); },
+          "The relaxation modulus of a solid with this compliance, by exact interconversion.")
+      .def(py::self == py::self)  // NOLINT(misc-redundant-expression): as above
+      .def("__repr__",
+           [](const CreepCompliance& compliance) {
+             return fmt::format("<breccia.CreepCompliance: {}, {:.4g} 1/Pa at t = 0>",
+                                display_count(compliance.terms().size(), "term"), compliance.instantaneous());
+           })
+      .def(py::pickle(
+          [](const CreepCompliance& compliance) {
+            std::vector<double> times, compliances;
+            for (const auto& [time, value] : compliance.terms()) {
+              times.push_back(time);
+              compliances.push_back(value);
+            }
+            return py::make_tuple(compliance.instantaneous(), times, compliances, compliance.fluidity());
+          },
+          [](const py::tuple& state) {
+            std::vector<RetardationTerm> terms;
+            const auto times = state[1].cast<std::vector<double>>(), values = state[2].cast<std::vector<double>>();
+            for (std::size_t i = 0; i < times.size(); ++i) terms.push_back({times[i], values.at(i)});
+            return CreepCompliance(state[0].cast<double>(), std::move(terms), state[3].cast<double>());
+          }));
+}
+
+void bind_solid(py::module_& module) {
+  py::class_<Material>(module, "Solid",
+                       "An isotropic linear viscoelastic solid as the solvers see it: numbers alone, in SI units.")
+      .def(py::init([](std::string name, double density, PronySeries bulk, PronySeries shear) {
+             return Material{std::move(name), density, std::move(bulk), std::move(shear)};
+           }),
+           py::arg("name"), py::kw_only(), py::arg("density"), py::arg("bulk"), py::arg("shear"))
+      .def_readonly("name", &Material::name)
+      .def_readonly("density", &Material::density, "[kg/m^3]")
+      .def_readonly("bulk", &Material::bulk, "Bulk modulus K(t) [Pa], a PronySeries.")
+      .def_readonly("shear", &Material::shear, "Shear modulus G(t) [Pa], a PronySeries.")
+      .def(py::self == py::self)  // NOLINT(misc-redundant-expression): as above
+      .def("__repr__",
+           [](const Material& material) {
+             return fmt::format("<breccia.Solid {}: G {}, K {} at t = 0>", material.name,
+                                display(material.shear.unrelaxed(), "Pa"), display(material.bulk.unrelaxed(), "Pa"));
+           })
+      .def(py::pickle([](const Material& material) { return state_of(material); }, &material_from));
+  module.def("solid_from_text", &material_from_text, py::arg("text"), py::arg("name"), py::arg("directory"));
+  module.def("read_solid", &read_material_file, py::arg("file"));
+}
+
+}  // namespace
+
+py::tuple state_of(const PronySeries& series) {
+  std::vector<double> times, moduli;
+  for (const auto& [time, modulus] : series.terms()) {
+    times.push_back(time);
+    moduli.push_back(modulus);
+  }
+  return py::make_tuple(series.equilibrium(), array_of(times), array_of(moduli));
+}
+
+PronySeries series_from(const py::tuple& state) {
+  const auto times = state[1].cast<std::vector<double>>(), moduli = state[2].cast<std::vector<double>>();
+  // A bulk modulus of a composite in plane strain may have negative terms, which a difference alone can have.
+  std::vector<MaxwellTerm> positive, negative;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    auto& terms = moduli.at(i) < 0.0 ? negative : positive;
+    terms.push_back({times[i], std::abs(moduli[i])});
+  }
+  PronySeries whole(state[0].cast<double>(), std::move(positive));
+  return negative.empty() ? whole : PronySeries::difference(whole, PronySeries(0.0, std::move(negative)));
+}
+
+py::tuple state_of(const Material& material) {
+  return py::make_tuple(material.name, material.density, state_of(material.bulk), state_of(material.shear));
+}
+
+Material material_from(const py::tuple& state) {
+  return {state[0].cast<std::string>(), state[1].cast<double>(), series_from(state[2].cast<py::tuple>()),
+          series_from(state[3].cast<py::tuple>())};
+}
+
+void bind_materials(py::module_& module) {
+  bind_series(module);
+  bind_compliance(module);
+  bind_solid(module);
+}
+
+}  // namespace breccia::python

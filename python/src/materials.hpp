@@ -1,0 +1,20 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include "breccia/viscoelasticity/material.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+namespace breccia::python {
+
+/// Prony series, creep compliances, and materials as solvers see them.
+void bind_materials(pybind11::module_& module);
+
+// The content of a series for pickle: (equilibrium modulus, relaxation times, moduli).
+pybind11::tuple state_of(const PronySeries& series);
+PronySeries series_from(const pybind11::tuple& state);
+// The content of a material for pickle.
+pybind11::tuple state_of(const Material& material);
+Material material_from(const pybind11::tuple& state);
+
+}  // namespace breccia::python

@@ -1,0 +1,24 @@
+#include <pybind11/pybind11.h>
+
+#include "calculations.hpp"
+#include "errors.hpp"
+#include "fits.hpp"
+#include "materials.hpp"
+#include "measured.hpp"
+#include "quantities.hpp"
+#include "results.hpp"
+#include "studies.hpp"
+
+PYBIND11_MODULE(_native, module) {
+  namespace python = breccia::python;
+  module.doc() = "The library libbreccia, as the package breccia wraps it.";
+  module.attr("__version__") = BRECCIA_VERSION;
+  python::translate_errors();
+  python::bind_quantities(module);
+  python::bind_materials(module);
+  python::bind_fits(module);
+  python::bind_measured(module);
+  python::bind_studies(module);
+  python::bind_results(module);
+  python::bind_calculations(module);
+}

@@ -1,0 +1,37 @@
+#include "quantities.hpp"
+
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/units.hpp"
+
+namespace breccia::python {
+namespace {
+
+/// The dimension with this name ("length").
+Dimension dimension_named(const std::string& wanted) {
+  constexpr std::array all = {Dimension::length,         Dimension::time,    Dimension::frequency,
+                              Dimension::pressure,       Dimension::density, Dimension::temperature,
+                              Dimension::inverse_length, Dimension::area,    Dimension::angle};
+  for (const auto dimension : all) {
+    if (name(dimension) == wanted) return dimension;
+  }
+  throw InputError(fmt::format("dimension: unknown \"{}\"", wanted));
+}
+
+}  // namespace
+
+void bind_quantities(pybind11::module_& module) {
+  module.def(
+      "quantity",
+      [](const std::string& text, const std::string& dimension) {
+        return parse_quantity(text, dimension_named(dimension));
+      },
+      pybind11::arg("text"), pybind11::arg("dimension"),
+      "The SI value of a number with its unit: quantity(\"0.5 um\", \"length\") is 5e-07 [m].");
+}
+
+}  // namespace breccia::python

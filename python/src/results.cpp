@@ -1,0 +1,329 @@
+#include "results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "breccia/io/display.hpp"
+#include "breccia/io/nearest_name.hpp"
+
+#include "solution.hpp"
+#include "solution_state.hpp"
+#include "views.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+/// The number of cells, or "extrapolated" or "films", of an argument `grid`.
+std::optional<std::string> grid_word(const py::object& grid) {
+  if (grid.is_none()) return std::nullopt;
+  return py::str(grid).cast<std::string>();
+}
+
+py::object grid_of(const TestId& test) {
+  if (const auto cells = test.grid.cells()) return py::int_(*cells);
+  return py::str(name_of(test.grid));
+}
+
+double error_of(const TestResult& test) {
+  const auto* const record = std::get_if<QuasistaticRecord>(&test.record);
+  return record == nullptr ? std::numeric_limits<double>::quiet_NaN() : record->response.error_estimate;
+}
+
+std::optional<double> seconds_of(const TestResult& test) {
+  if (const auto* const record = std::get_if<QuasistaticRecord>(&test.record)) return record->seconds;
+  const auto* const dynamic = std::get_if<DynamicTestResult>(&test.record);
+  if (dynamic == nullptr) return std::nullopt;
+  double seconds = 0.0;
+  for (const auto& domain : dynamic->domains) seconds += domain.seconds;
+  return seconds;
+}
+
+/// Fields of a lattice as a dictionary of views, [y, x, component] or [z, y, x, component].
+template <int dim>
+py::dict fields_of(const TimedFields<dim>& timed, std::size_t along, const py::object& owner) {
+  using Fields = LatticeFields<dim>;
+  const auto shape = [along](std::size_t components) {
+    std::vector<py::ssize_t> extents(static_cast<std::size_t>(dim), static_cast<py::ssize_t>(along));
+    if (components > 0) extents.push_back(static_cast<py::ssize_t>(components));
+    return extents;
+  };
+  const Fields& fields = timed.fields;
+  py::dict result;
+  result["time"] = timed.time;
+  result["phase"] = view_of(fields.phase.data(), shape(0), owner);
+  result["displacement"] = view_of(fields.displacement.front().data(), shape(static_cast<std::size_t>(dim)), owner);
+  result["strain"] = view_of(fields.strain.front().data(), shape(dim + Fields::shears), owner);
+  result["stress"] = view_of(fields.stress.front().data(), shape(3 + Fields::shears), owner);
+  return result;
+}
+
+py::list all_fields_of(const py::object& self) {
+  const auto& test = self.cast<const TestResult&>();
+  py::list fields;
+  const auto along = [](std::size_t places, double root) {
+    return static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(places), root)));
+  };
+  for (const auto& one : test.fields) fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 2.0), self));
+  for (const auto& one : test.volume_fields) {
+    fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 3.0), self));
+  }
+  return fields;
+}
+
+py::tuple curve_of(const py::object& owner, const TestResult& test) {
+  return py::make_tuple(view_of(test.modulus, &Sample::time, owner), view_of(test.modulus, &Sample::modulus, owner));
+}
+
+void bind_test(py::module_& module) {
+  py::class_<TestResult>(module, "TestResult", "The result of one virtual test under one load. Arrays are views.")
+      .def_property_readonly("load", [](const TestResult& test) { return name_of(test.id.load); })
+      .def_property_readonly("boundary", [](const TestResult& test) { return name_of(test.id.boundary); })
+      .def_property_readonly("method", [](const TestResult& test) { return name_of(test.id.method); })
+      .def_property_readonly(
+          "grid", [](const TestResult& test) { return grid_of(test.id); },
+          "Cells per side, \"extrapolated\" or \"films\".")
+      .def_property_readonly(
+          "time",
+          [](const py::object& self) { return view_of(self.cast<const TestResult&>().modulus, &Sample::time, self); },
+          "Times of the curve [s].")
+      .def_property_readonly(
+          "modulus",
+          [](const py::object& self) {
+            return view_of(self.cast<const TestResult&>().modulus, &Sample::modulus, self);
+          },
+          "Relaxation modulus at these times [Pa]; of a creep test by interconversion.")
+      .def_property_readonly(
+          "compliance",
+          [](const py::object& self) {
+            return view_of(self.cast<const TestResult&>().compliance, &CreepSample::compliance, self);
+          },
+          "Creep compliance at these times [1/Pa], of a traction boundary; else empty.")
+      .def_readonly("series", &TestResult::series, "Relaxation modulus, a PronySeries.")
+      .def_property_readonly(
+          "error_estimate", &error_of,
+          "Estimated relative error of the reduced basis or of the time steps [-]; NaN where unknown.")
+      .def_property_readonly(
+          "half_bands",
+          [](const py::object& self) {
+            static const std::vector<double> none;
+            const auto* const record = std::get_if<ExtrapolationRecord>(&self.cast<const TestResult&>().record);
+            const auto& bands = record == nullptr ? none : record->half_bands;
+            return view_of(bands.data(), {static_cast<py::ssize_t>(bands.size())}, self);
+          },
+          "Half width of the error band of an extrapolated curve at these times [Pa]; else empty.")
+      .def_property_readonly("seconds", &seconds_of, "Wall time, of all loads together [s]; None of an extrapolation.")
+      .def_property_readonly("fields", &all_fields_of,
+                             "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load "
+                             "displacement [m], strain [-] (xx, yy, xy), stress [Pa] (xx, yy, zz, xy), in the order "
+                             "[y, x] of the material points, or [z, y, x] of the cells of a cube.")
+      .def("__repr__", [](const TestResult& test) {
+        return fmt::format("<breccia.TestResult: {}, {}, {}, {}; {} times>", name_of(test.id.load),
+                           name_of(test.id.boundary), words_of(test.id.grid), name_of(test.id.method),
+                           test.modulus.size());
+      });
+}
+
+/// A function of a stage that finds one of its tests by words and passes it on, with the Python object that owns it.
+template <class Answer>
+auto of_test(const Answer& answer) {
+  return [answer](const py::object& self, const std::optional<std::string>& load,
+                  const std::optional<std::string>& boundary, const std::optional<std::string>& method,
+                  const py::object& grid) {
+    const auto& stage = self.cast<const SolvedStage&>().result;
+    return answer(self, test_of(stage, {load, boundary, method, grid_word(grid)}));
+  };
+}
+
+py::list comparisons_of(const SolvedStage& stage) {
+  py::list comparisons;
+  for (const auto& comparison : stage.result.comparisons) {
+    std::vector<double> times, moduli, measured;
+    for (const auto& [time, modulus, value] : comparison.samples) {
+      times.push_back(time);
+      moduli.push_back(modulus);
+      measured.push_back(value);
+    }
+    py::dict one;
+    one["measurement"] = comparison.measurement;
+    one["boundary"] = name_of(comparison.test.boundary);
+    one["method"] = name_of(comparison.test.method);
+    one["time"] = array_of(times);
+    one["modulus"] = array_of(moduli);
+    one["measured"] = array_of(measured);
+    comparisons.append(one);
+  }
+  return comparisons;
+}
+
+std::vector<Material> solids_of(const SolvedStage& stage) {
+  std::vector<Material> solids;
+  for (const auto& each : stage.result.materials) {
+    solids.push_back(each.result.material);
+    solids.back().name = fmt::format("{}, {}, {}", stage.result.name, name_of(each.boundary), name_of(each.method));
+  }
+  return solids;
+}
+
+void bind_stage(py::module_& module) {
+  const auto load = py::arg("load") = "shear";
+  const auto boundary = py::arg("boundary") = py::none(), method = py::arg("method") = py::none(),
+             grid = py::arg("grid") = py::none();
+  constexpr auto which =
+      "\n\nload: \"shear\", \"bulk\", ...; boundary: \"displacement\" (upper bound), \"traction\" (lower bound) or "
+      "\"periodic\", needed where several were tested; method: \"quasistatic\" before \"dynamic\"; grid: cells per "
+      "side, "
+      "by default the finest or the extrapolation.";
+  static const std::string of_curve =
+      fmt::format("Times [s] and relaxation modulus [Pa], views without a copy.{}", which);
+  static const std::string of_compliance = fmt::format(
+      "Times [s] and creep compliance [1/Pa] of a traction boundary, views without a copy; else empty.{}", which);
+  static const std::string of_series = fmt::format("Relaxation modulus as a PronySeries.{}", which);
+  static const std::string of_tests = fmt::format("The TestResult.{}", which);
+  py::class_<SolvedStage>(module, "StageResult", "The results of one stage.")
+      .def_property_readonly("name", [](const SolvedStage& stage) { return stage.result.name; })
+      .def_property_readonly(
+          "cells", [](const SolvedStage& stage) { return stage.result.cells; }, "Cells per side of the finest grid.")
+      .def_property_readonly(
+          "dimensions", [](const SolvedStage& stage) { return stage.result.dimensions; }, "2 or 3.")
+      .def_property_readonly(
+          "points", [](const SolvedStage& stage) { return stage.result.points; },
+          "Number of material points of the finest grid.")
+      .def_property_readonly(
+          "point_fraction", [](const SolvedStage& stage) { return stage.result.point_fraction; },
+          "Share of the material points that is filler [-].")
+      .def_property_readonly(
+          "microstructure", [](const SolvedStage& stage) { return stage.box ? &*stage.box : nullptr; },
+          py::return_value_policy::reference_internal, "What is in the box; None of a response.")
+      .def_property_readonly(
+          "tests",
+          [](const py::object& self) {
+            py::list tests;
+            for (const auto& test : self.cast<const SolvedStage&>().result.tests) {
+              tests.append(py::cast(&test, py::return_value_policy::reference_internal, self));
+            }
+            return tests;
+          },
+          "All tests.")
+      .def_property_readonly("comparisons", &comparisons_of,
+                             "Comparisons with the measurements of the study, a dictionary each.")
+      .def_property_readonly("solids", &solids_of,
+                             "The stage as a solid, for each boundary condition, where it serves as a matrix.")
+      .def_property_readonly(
+          "warnings", [](const SolvedStage& stage) { return stage.result.warnings; }, "Reasons to doubt the results.")
+      .def("test", of_test([](const py::object& self, const TestResult& test) {
+             return py::cast(&test, py::return_value_policy::reference_internal, self);
+           }),
+           load, boundary, method, grid, of_tests.c_str())
+      .def("curve", of_test(&curve_of), load, boundary, method, grid, of_curve.c_str())
+      .def("prony", of_test([](const py::object&, const TestResult& test) { return test.series; }), load, boundary,
+           method, grid, of_series.c_str())
+      .def("compliance", of_test([](const py::object& self, const TestResult& test) {
+             return py::make_tuple(view_of(test.compliance, &CreepSample::time, self),
+                                   view_of(test.compliance, &CreepSample::compliance, self));
+           }),
+           load, boundary, method, grid, of_compliance.c_str())
+      .def("__repr__", [](const SolvedStage& stage) {
+        return fmt::format("<breccia.StageResult {}: {}>", stage.result.name,
+                           display_count(stage.result.tests.size(), "test"));
+      });
+}
+
+const SolvedStage& stage_of(const Solution& solution, const std::string& name) {
+  const auto found =
+      std::ranges::find(solution.stages, name, [](const SolvedStage& stage) { return stage.result.name; });
+  if (found != solution.stages.end()) return *found;
+  std::vector<std::string> names;
+  for (const auto& stage : solution.stages) names.push_back(stage.result.name);
+  throw py::key_error(
+      fmt::format("no stage \"{}\"{}; there is {}", name, suggestion(name, names), fmt::join(names, ", ")));
+}
+
+std::vector<std::string> names_of(const Solution& solution) {
+  std::vector<std::string> names;
+  for (const auto& stage : solution.stages) names.push_back(stage.result.name);
+  return names;
+}
+
+void bind_solution(py::module_& module) {
+  py::class_<Solution, std::shared_ptr<Solution>>(module, "Result",
+                                                  "The results of a study: result[name] is that of a stage.")
+      .def_readonly("title", &Solution::title)
+      .def_readonly("seconds", &Solution::seconds, "Wall time of the calculation [s]; None of a response.")
+      .def_property_readonly(
+          "stages",
+          [](const py::object& self) {
+            py::list stages;
+            for (const auto& stage : self.cast<const Solution&>().stages) {
+              stages.append(py::cast(&stage, py::return_value_policy::reference_internal, self));
+            }
+            return stages;
+          },
+          "The StageResult of all stages, from the smallest scale up.")
+      .def_property_readonly(
+          "materials",
+          [](const Solution& solution) {
+            std::vector<Material> materials;
+            for (const auto& stored : solution.materials) materials.push_back(stored.material);
+            return materials;
+          },
+          "The materials of the study, a Solid each.")
+      .def_property_readonly(
+          "binder",
+          [](const Solution& solution) -> std::optional<std::string> {
+            for (const auto& one : solution.responses) {
+              if (std::holds_alternative<Material>(one.matrix)) return breccia::name_of(one.matrix);
+            }
+            return std::nullopt;
+          },
+          "The name of the material that respond() replaces as the binder; None without reduced responses.")
+      .def_property_readonly(
+          "warnings",
+          [](const Solution& solution) {
+            std::vector<std::string> warnings;
+            for (const auto& stage : solution.stages) {
+              for (const auto& warning : stage.result.warnings) warnings.push_back(warning);
+            }
+            return warnings;
+          },
+          "Reasons to doubt the results, of all stages.")
+      .def("__getitem__", &stage_of, py::arg("stage"), py::return_value_policy::reference_internal)
+      .def("__iter__", [](const Solution& solution) { return py::iter(py::cast(names_of(solution))); })
+      .def("__len__", [](const Solution& solution) { return solution.stages.size(); })
+      .def("__contains__",
+           [](const Solution& solution, const std::string& name) {
+             const auto names = names_of(solution);
+             return std::ranges::find(names, name) != names.end();
+           })
+      .def("__repr__",
+           [](const Solution& solution) {
+             const auto time = solution.seconds ? fmt::format(", in {}", display_duration(*solution.seconds)) : "";
+             return fmt::format("<breccia.Result {}: stage {}{}>", solution.title,
+                                fmt::join(names_of(solution), ", stage "), time);
+           })
+      .def(py::pickle(&state_of_solution, &solution_from));
+}
+
+}  // namespace
+
+void bind_results(py::module_& module) {
+  bind_box(module);
+  bind_test(module);
+  bind_stage(module);
+  bind_solution(module);
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,86 @@
+#include "solution.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+
+#include "words.hpp"
+
+namespace breccia::python {
+namespace {
+
+std::string in_words(const TestId& test) {
+  return fmt::format("{}, {}, {}, {}", name_of(test.load), name_of(test.boundary), words_of(test.grid),
+                     name_of(test.method));
+}
+
+std::string tests_in_words(const StageResult& stage) {
+  std::vector<std::string> tests;
+  for (const auto& test : stage.tests) tests.push_back(in_words(test.id));
+  return fmt::format("{}", fmt::join(tests, "; "));
+}
+
+void require_known(const TestWords& words) {
+  if (words.load) static_cast<void>(value_of<Load>("load", *words.load));
+  if (words.boundary) static_cast<void>(value_of<Boundary>("boundary", *words.boundary));
+  if (words.method) static_cast<void>(value_of<Method>("method", *words.method));
+  if (words.grid && !grid_named(*words.grid)) {
+    throw InputError(
+        fmt::format("grid: expected cells per side, \"extrapolated\" or \"films\", got \"{}\"", *words.grid));
+  }
+}
+
+bool fits(const TestWords& words, const TestId& test) {
+  return (!words.load || *words.load == name_of(test.load)) &&
+         (!words.boundary || *words.boundary == name_of(test.boundary)) &&
+         (!words.method || *words.method == name_of(test.method)) && (!words.grid || *words.grid == name_of(test.grid));
+}
+
+}  // namespace
+
+std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result) {
+  auto solution = std::make_shared<Solution>();
+  solution->title = study.title;
+  solution->seconds = result.seconds;
+  solution->responses = responses_of(study, result);
+  for (const auto& material : study.materials) {
+    const auto shift = study.temperature_shifts.find(material.name);
+    solution->materials.push_back(
+        {material, shift == study.temperature_shifts.end() ? std::nullopt : std::optional(shift->second)});
+  }
+  for (auto& stage : result.stages) {
+    const auto of_study = std::ranges::find(study.stages, stage.name, &Stage::name);
+    auto box = box_of(*of_study, stage.microstructure);
+    stage.microstructure = {};
+    solution->stages.push_back({std::move(stage), std::move(box)});
+  }
+  return solution;
+}
+
+const TestResult& test_of(const StageResult& stage, const TestWords& words) {
+  require_known(words);
+  const TestResult* found = nullptr;
+  std::set<Boundary> boundaries;
+  for (const auto& test : stage.tests) {
+    if (!fits(words, test.id)) continue;
+    boundaries.insert(test.id.boundary);
+    if (found == nullptr || is_preferred(test.id, found->id)) found = &test;
+  }
+  if (found == nullptr) {
+    throw InputError(fmt::format("stage {}: no such test; it has {}", stage.name,
+                                 stage.tests.empty() ? "none" : tests_in_words(stage)));
+  }
+  if (boundaries.size() > 1) {
+    std::vector<std::string> names;
+    for (const auto boundary : boundaries) names.push_back(fmt::format("boundary=\"{}\"", name_of(boundary)));
+    throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(names, " or ")));
+  }
+  return *found;
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,61 @@
+#include "studies.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "breccia/deck/read_study.hpp"
+#include "breccia/io/display.hpp"
+#include "breccia/study/identity.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+std::vector<std::string> stage_names(const Study& study) {
+  std::vector<std::string> names;
+  for (const auto& stage : study.stages) names.push_back(stage.name);
+  return names;
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  py::class_<Study, std::shared_ptr<Study>>(module, "CheckedStudy", "A study without mistakes, in SI units.")
+      .def_readonly("title", &Study::title)
+      .def_property_readonly("stages", &stage_names, "Names of the stages, from the smallest scale up.")
+      .def_readonly("materials", &Study::materials, "A Solid each.")
+      .def_property_readonly(
+          "times", [](const Study& study) { return py::make_tuple(study.tests.first_time, study.tests.last_time); },
+          "First and last time of the curves [s].")
+      .def_property_readonly("hash", [](const Study& study) { return provenance_of(study).hash; })
+      .def_property_readonly(
+          "deck", [](const Study& study) { return study.provenance.deck_text; }, "Text of the deck.")
+      .def("__repr__", [](const Study& study) {
+        return fmt::format("<breccia.Study {}: stage {}, {} to {}>", study.title,
+                           fmt::join(stage_names(study), ", stage "), display_time(study.tests.first_time),
+                           display_time(study.tests.last_time));
+      });
+  module.def(
+      "read_study",
+      [](const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
+        return std::make_shared<Study>(read_study(deck, overrides));
+      },
+      py::arg("deck"), py::arg("overrides"));
+  module.def(
+      "study_from_text",
+      [](const std::string& deck, const std::filesystem::path& directory) {
+        return std::make_shared<Study>(study_from_text(deck, directory));
+      },
+      py::arg("deck"), py::arg("directory"));
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,75 @@
+"""Series and fits against what they were made from."""
+
+import numpy as np
+import pytest
+
+import breccia
+
+SERIES = breccia.PronySeries([(1e-3, 2e6), (1.0, 5e5)], equilibrium=1e5)
+
+
+def test_series_are_evaluated_at_numbers_and_arrays():
+    time = np.array([[0.0, 1e-3], [1.0, 10.0]])
+    exact = 1e5 + 2e6 * np.exp(-time / 1e-3) + 5e5 * np.exp(-time)
+    assert SERIES.at(time) == pytest.approx(exact) and SERIES.at(time).shape == (2, 2)
+    assert isinstance(SERIES.at(0), float) and SERIES.at(0) == SERIES.unrelaxed == 2.6e6
+    assert SERIES.relaxation_times.tolist() == [1.0, 1e-3] and SERIES.moduli.tolist() == [5e5, 2e6]
+    assert SERIES.shifted(10.0).at(10.0) == pytest.approx(SERIES.at(1.0))
+    assert SERIES.scaled(2.0).at(1.0) == pytest.approx(2.0 * SERIES.at(1.0))
+    assert breccia.PronySeries(equilibrium=1.0).is_elastic
+
+
+def test_creep_and_relaxation_are_each_others_inverse():
+    again = SERIES.creep_compliance().relaxation_modulus()
+    assert again.terms == pytest.approx(SERIES.terms, rel=1e-10)
+    # s^2 G(s) J(s) = 1 holds as G*(w) J*(w) = 1.
+    frequency = np.geomspace(1e-3, 1e5, 9)
+    assert SERIES.complex_modulus(frequency) * SERIES.creep_compliance().complex_compliance(frequency) == pytest.approx(
+        np.ones(9))
+
+
+def test_fits_find_the_series_of_their_data():
+    time = np.geomspace(1e-5, 1e2, 80)
+    fit = breccia.fit(time, SERIES.at(time))
+    assert fit.worst_error < 0.01 and np.allclose(fit.fitted, SERIES.at(time), rtol=0.01)
+    assert fit.series.at(0.1) == pytest.approx(SERIES.at(0.1), rel=0.01)
+    frequency = np.geomspace(1e-3, 1e5, 80)
+    dynamic = breccia.fit_dynamic(frequency, SERIES.complex_modulus(frequency).real,
+                                  SERIES.complex_modulus(frequency).imag)
+    assert dynamic.series.at(0.1) == pytest.approx(SERIES.at(0.1), rel=0.02)
+    creep = breccia.fit_creep(time, SERIES.creep_compliance().at(time))
+    assert creep.compliance.at(0.1) == pytest.approx(SERIES.creep_compliance().at(0.1), rel=0.02)
+    assert "deviation" in repr(fit) and "deviation" in repr(creep)
+
+
+def test_master_curve_finds_the_shift_law():
+    frequency = np.geomspace(1e-1, 1e2, 20)
+    wide = breccia.PronySeries([(10.0**decade, 1e6) for decade in range(-8, 9)], equilibrium=1e5)
+    sweeps = []
+    for kelvin in (283.15, 293.15, 303.15, 313.15):
+        factor = 10.0 ** (-8.0 * (kelvin - 293.15) / (100.0 + kelvin - 293.15))
+        moduli = wide.complex_modulus(frequency * factor)
+        sweeps.append((kelvin, frequency, moduli.real, moduli.imag))
+    curve = breccia.master_curve(sweeps, 293.15)
+    law = curve.williams_landel_ferry()
+    assert law.shift_factor(303.15) == pytest.approx(10.0 ** (-80.0 / 110.0), rel=0.05)
+    assert curve.shift_factors.shape == (4, 3) and curve.series.at(1.0) == pytest.approx(wide.at(1.0), rel=0.02)
+    assert len(curve.angular_frequency) == len(curve.storage) == len(curve.loss) == 80
+
+
+@pytest.mark.parametrize("arguments", [
+    ([1.0, 2.0], [1.0, 2.0, 3.0]),
+    ([1.0, 2.0], [2.0, 1.0]),
+    ([3.0, 2.0, 1.0], [1.0, 2.0, 3.0]),
+    ([[1.0, 2.0, 3.0]], [[1.0, 2.0, 3.0]]),
+])
+def test_data_that_cannot_be_fitted_are_refused(arguments):
+    with pytest.raises(breccia.InputError):
+        breccia.fit(*arguments)
+
+
+def test_quantities():
+    assert breccia.quantity("0.5 um", "length") == pytest.approx(5e-7)
+    assert breccia.quantity("19 degC", "temperature") == pytest.approx(292.15)
+    with pytest.raises(breccia.InputError, match="expected a length"):
+        breccia.quantity("1 s", "length")

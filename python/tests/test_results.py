@@ -1,0 +1,205 @@
+"""Results: the bits of the command line, arrays without copies, pickles, what notebooks show."""
+
+import csv
+import pickle
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+
+import breccia
+from conftest import MODEL, OVERRIDES
+
+
+def test_lines_of_the_design():
+    study = breccia.read_study(str(MODEL), {"stages.0.cells": 24, "tests.method": "quasistatic"})
+    result = breccia.solve(study)
+    time, modulus = result["model"].curve(load="shear", boundary="displacement")
+    series = result["model"].prony(load="shear", boundary="displacement")
+    # Independent numbers: Table of the model composite, 24 cells, standard points (80 steps a decade).
+    known = {1e-3: 0.884355e6, 3e-3: 0.744429e6, 1e-2: 0.419205e6, 3e-2: 0.118464e6, 5e-2: 0.0636499e6}
+    for at, expected in known.items():
+        assert series.at(at) == pytest.approx(expected, rel=2e-4)
+    assert np.allclose(series.at(time), modulus, rtol=1e-12)
+    assert series.complex_modulus(100.0) == pytest.approx(
+        series.equilibrium + sum(m * (1j * 100 * t) / (1 + 1j * 100 * t) for t, m in series.terms))
+    assert breccia.fit(time, modulus).worst_error < 0.01
+    other = breccia.respond(result, binder=breccia.PronySeries([(0.02, 0.4e6)]), times=("2 ms", "20 ms"))
+    assert other["model"].curve()[0][0] == 2e-3
+
+
+def test_same_bits_as_the_command_line(command, tmp_path):
+    overrides = [f'--set={key}={str(value).replace(chr(39), chr(34))}' for key, value in OVERRIDES.items()]
+    assert command("run", MODEL, *overrides, "--out", tmp_path / "command", "--quiet").returncode == 0
+    study = breccia.read_study(MODEL, OVERRIDES)
+    written = breccia.run(study, tmp_path / "module")
+    for table in ("curves.csv", "prony.csv", "compliance.csv", "quality.csv"):
+        assert (tmp_path / "module" / table).read_bytes() == (tmp_path / "command" / table).read_bytes()
+    solved = breccia.solve(study)
+    with open(tmp_path / "command" / "curves.csv") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    for boundary in ("displacement", "traction"):
+        of_boundary = [float(row["modulus_Pa"]) for row in rows if row["boundary"] == boundary]
+        assert solved["model"].curve(boundary=boundary)[1].tolist() == of_boundary
+        assert np.array_equal(written["model"].curve(boundary=boundary), solved["model"].curve(boundary=boundary))
+
+
+def test_curves_are_views_that_keep_their_result_alive():
+    time, modulus = breccia.solve(breccia.read_study(MODEL, OVERRIDES))["model"].curve(boundary="traction")
+    assert not modulus.flags.owndata and not modulus.flags.writeable
+    assert modulus[0] > modulus[-1] > 0.0  # the result itself has no other name
+    with pytest.raises(ValueError):
+        modulus[0] = 0.0
+    assert len(time) == len(modulus)
+
+
+def test_a_million_values_without_a_copy(model):
+    count = 10**6
+    state = model.__getstate__()
+    time = np.geomspace(1e-9, 1e3, count)
+    for test in state["stages"][0]["tests"]:
+        test["modulus"] = (time, 1e6 / (1.0 + time))
+    long = breccia.Result.__new__(breccia.Result)
+    long.__setstate__(state)
+    first, second = (long["model"].curve(boundary="displacement") for _ in range(2))
+    assert len(first[0]) == count and np.array_equal(first[0], time)
+    address = [array.__array_interface__["data"][0] for array in (*first, *second)]
+    assert address[0] == address[2] and address[1] == address[3] == address[0] + 8
+    assert len(breccia.fit(first[0][:: count // 50], first[1][:: count // 50]).fitted) >= 50
+
+
+def test_pickles_hold_everything(model):
+    copy = pickle.loads(pickle.dumps(model))
+    for stage, again in zip(model.stages, copy.stages):
+        assert again.name == stage.name and again.warnings == stage.warnings and again.points == stage.points
+        for test, same in zip(stage.tests, again.tests):
+            assert np.array_equal(test.modulus, same.modulus) and np.array_equal(test.compliance, same.compliance)
+            assert test.series == same.series and test.seconds == same.seconds and test.grid == same.grid
+            assert test.error_estimate == same.error_estimate
+            assert len(test.fields) == len(same.fields)
+            for field, other in zip(test.fields, same.fields):
+                assert all(np.array_equal(field[key], other[key]) for key in field)
+        assert np.array_equal(stage.microstructure.centres, again.microstructure.centres)
+        assert stage.microstructure.svg() == again.microstructure.svg()
+    assert copy._repr_html_() == model._repr_html_()
+    softer = breccia.PronySeries([(0.01, 0.4e6)])
+    for boundary in ("displacement", "traction"):
+        assert np.array_equal(breccia.respond(copy, softer)["model"].curve(boundary=boundary),
+                              breccia.respond(model, softer)["model"].curve(boundary=boundary))
+    series = model["model"].prony(boundary="traction")
+    assert pickle.loads(pickle.dumps(series)) == series
+    assert pickle.loads(pickle.dumps(series.creep_compliance())) == series.creep_compliance()
+    with pytest.raises(breccia.InputError, match="another version"):
+        breccia.Result.__new__(breccia.Result).__setstate__({"format": 0})
+
+
+def test_fields_hold_equilibrium(model):
+    field = model["model"].test(boundary="displacement").fields[-1]
+    assert field["stress"].shape == (48, 48, 4) and field["phase"].shape == (48, 48)
+    # Hill: under an affine boundary the mean strain is that of the load, its tensor shear one half.
+    mean = field["strain"].reshape(-1, 3).mean(axis=0)
+    assert mean == pytest.approx([0.0, 0.0, 0.5], abs=1e-9)
+    modulus = model["model"].prony(boundary="displacement").at(field["time"])
+    assert field["stress"][..., 3].mean() == pytest.approx(modulus, rel=1e-3)
+
+
+def test_a_test_is_found_by_words(model):
+    stage = model["model"]
+    with pytest.raises(breccia.InputError, match='expected boundary="displacement" or boundary="traction"'):
+        stage.curve()
+    with pytest.raises(breccia.InputError, match="load: expected .*got \"sheer\""):
+        stage.curve("sheer")
+    with pytest.raises(breccia.InputError, match="no such test; it has shear, displacement, 24 cells, quasistatic"):
+        stage.curve("bulk", "displacement")
+    with pytest.raises(breccia.InputError, match="grid: expected"):
+        stage.curve(boundary="traction", grid="fine")
+    with pytest.raises(KeyError, match="did you mean"):
+        model["modle"]
+    assert stage.test(boundary="traction", grid=24).grid == 24
+    assert "model" in model and len(model) == 1 and [test.load for test in stage.tests] == ["shear", "shear"]
+
+
+def test_responses_to_other_materials(model, binder, tmp_path):
+    again = breccia.respond(model, binder)
+    for boundary in ("displacement", "traction"):
+        assert again["model"].curve(boundary=boundary)[1] == pytest.approx(
+            model["model"].curve(boundary=boundary)[1], rel=1e-9)
+    file = tmp_path / "binder.toml"
+    file.write_text('density = "1 g/cm^3"\nbulk = "1 MPa"\n'
+                    'shear = { terms = [{ time = "10 ms", modulus = "0.5 MPa" }] }\n')
+    assert np.array_equal(breccia.respond(model, file)["model"].curve(boundary="traction"),
+                          again["model"].curve(boundary="traction"))
+    stiff = breccia.PronySeries([(0.01, 5e6)])
+    with pytest.raises(breccia.InputError, match="shows a shear modulus"):
+        breccia.respond(model, stiff)
+    with pytest.raises(breccia.InputError, match="either other materials"):
+        breccia.respond(model)
+    with pytest.raises(breccia.InputError, match="temperature_shift"):
+        breccia.respond(model, temperature="40 degC")
+    with pytest.raises(breccia.InputError, match="temperature: expected a temperature"):
+        breccia.respond(model, temperature="40 m")
+    with pytest.raises(breccia.InputError, match="no_such"):
+        breccia.respond(model, materials={"no_such": binder})
+    with pytest.raises(breccia.InputError, match="two rising times"):
+        breccia.respond(model, binder, times=(1.0, 1e-3))
+    assert again["model"].microstructure is None
+
+
+def test_temperature_shifts_the_curve(binder, composite):
+    law = {"law": "wlf", "c1": 6.5, "c2": "120 K", "reference": "20 degC", "temperature": "20 degC"}
+    binder.temperature_shift = law
+    study = breccia.Study(composite, breccia.Tests(times=(1e-4, 1.0), boundaries="displacement"))
+    result = breccia.solve(study)
+    warm = breccia.respond(result, temperature="30 degC")
+    factor = 10.0 ** (-6.5 * 10.0 / 130.0)
+    series = result["model"].prony()
+    time = np.array([1e-3, 1e-2, 1e-1])
+    assert warm["model"].prony().at(time) == pytest.approx(series.at(time / factor), rel=1e-4)
+
+
+def test_what_notebooks_show(model):
+    html = model._repr_html_()
+    assert "upper bound" in html and "lower bound" in html and "<polygon" in html
+    svg = html[html.index("<svg"):html.index("</svg>") + 6]
+    assert ET.fromstring(svg).tag.endswith("svg")
+    assert "10 ms" in html
+    series = model["model"].prony(boundary="traction")
+    assert "<svg" in series._repr_html_()
+    assert "<svg" not in breccia.PronySeries(equilibrium=1e6)._repr_html_()
+    assert "<svg" in model["model"].microstructure._repr_html_()
+    assert repr(model).startswith("<breccia.Result Model composite: stage model, in ")
+    assert repr(model["model"]) == "<breccia.StageResult model: 2 tests>"
+    assert repr(model["model"].microstructure) == "<breccia.Microstructure: 4 discs, 34.91 % of a box of 6 mm>"
+
+
+def test_errors_of_a_calculation(binder, particle, tmp_path):
+    tests = breccia.Tests(times=(1e-3, 1e-2))
+    full = breccia.Stage("full", matrix=binder, box="1 mm", cells=64, packing="lubachevsky-stillinger",
+                         fillers=breccia.Filler(particle, diameter="0.1 mm", fraction=0.95, gap="1 um"))
+    with pytest.raises(breccia.NumericalError, match="full") as error:
+        breccia.pack(breccia.Study(full, tests))
+    assert error.value.exit_code == 3
+    large = breccia.Stage("large", matrix=binder, box="1 mm", cells=1048576)
+    with pytest.raises(breccia.InputError, match="ignore_memory=True"):
+        breccia.solve(breccia.Study(large, tests))
+    (tmp_path / "file").write_text("")
+    small = breccia.Stage("small", matrix=binder, box="1 mm", cells=4)
+    with pytest.raises((breccia.FileError, breccia.InputError)):
+        breccia.run(breccia.Study(small, tests), tmp_path / "file")
+    with pytest.raises(breccia.InputError, match="threads"):
+        breccia.solve(breccia.Study(small, tests), threads=-1)
+
+
+def test_runs_do_not_replace_other_results(binder, tmp_path):
+    small = breccia.Stage("small", matrix=binder, box="1 mm", cells=4)
+    breccia.run(breccia.Study(small, breccia.Tests(times=(1e-3, 1e-2))), tmp_path)
+    other = breccia.Study(small, breccia.Tests(times=(1e-3, 1e-1)))
+    with pytest.raises(breccia.InputError, match="overwrite=True"):
+        breccia.run(other, tmp_path)
+    breccia.run(other, tmp_path, overwrite=True)
+    breccia.run(other, tmp_path, resume=True)
+    assert (tmp_path / "curves.csv").exists()
+    with pytest.raises(breccia.InputError, match="only one of them"):
+        breccia.run(other, tmp_path, overwrite=True, resume=True)
+    breccia.pack(other, tmp_path / "packed")
+    assert (tmp_path / "packed" / "small" / "microstructure.svg").exists()
