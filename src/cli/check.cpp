@@ -2,8 +2,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -147,28 +150,56 @@ std::string total(const Study& study, const Plan& plan) {
                      is_quasistatic ? " on one core" : "", memory(plan.bytes));
 }
 
-/// The cells per side of a stage for errors of these sizes [-]; empty where no gap tells.
+/// A length of the microstructure of which the cells tell the error of a grid.
+struct TellingLength {
+  double length;                                                       ///< [m]
+  std::string_view place;                                              ///< of cells: "in the narrowest gap"
+  std::function<std::optional<double>(double cells)> error_with = {};  ///< [-]; empty where no rule is known
+  std::function<double(double error)> cells_for = {};
+  std::string_view without_rule = "points in three dimensions";  ///< of what no rule is known
+};
+
+/// The length that tells the error of a stage of particles or grains.
+TellingLength telling_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
+  const double gap = std::min(packed.gap, packed.wall_gap);
+  if (packed.grains) {
+    // Between grains no rule is known for points, which take far more cells.
+    if (mixing == Mixing::points) return {gap, "across a film"};
+    return {gap, "across a film", expected_film_error, cells_per_film_for};
+  }
+  if (stage.dimensions == 3) {
+    constexpr auto in_a_gap = "in the narrowest gap";
+    if (mixing == Mixing::points) return {gap, in_a_gap};
+    if (!packed.spheres) return {gap, in_a_gap, {}, {}, "ellipsoids"};
+    const double fraction = packed.fraction, diameter = packed.mean_diameter();
+    constexpr auto across_a_sphere = "across the mean sphere";
+    if (!cells_per_diameter_for(0.1, fraction)) return {diameter, across_a_sphere, {}, {}, "spheres close to jamming"};
+    return {diameter, across_a_sphere, [fraction](double cells) { return expected_sphere_error(cells, fraction); },
+            [fraction](double error) { return *cells_per_diameter_for(error, fraction); }};
+  }
+  return {gap, "in the narrowest gap", [mixing](double cells) { return expected_grid_error(mixing, cells); },
+          [mixing](double error) { return cells_per_gap_for(mixing, error); }};
+}
+
+/// The cells per side of a stage for errors of these sizes [-]; empty where no length tells.
 std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, Mixing mixing,
                         const std::vector<double>& errors) {
-  const double gap = std::min(packed.gap, packed.wall_gap);
+  const auto [length, place, error_with, cells_for, without_rule] = telling_length(stage, packed, mixing);
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
-  // Between grains no rule is known for points, which take far more cells.
   const bool has_no_rule = packed.grains && mixing == Mixing::points;
-  if (!std::isfinite(gap) || !(gap > 0.0) || is_extrapolated || has_no_rule) return {};
-  const double cells_per_gap = gap / stage.cell_size();
-  const auto shown = fmt::format("{:.2g}", cells_per_gap);
-  const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells",
-                                 packed.grains ? "across a film" : "in the narrowest gap");
-  if (stage.dimensions == 3) {
-    return fmt::format("  {}: {}; no rule tells the error of a grid in three dimensions\n", stage.name, width);
+  if (!std::isfinite(length) || !(length > 0.0) || is_extrapolated || has_no_rule) return {};
+  const double cells = length / stage.cell_size();
+  const auto shown = fmt::format("{:.2g}", cells);
+  const auto width = fmt::format("{} {} {}", shown, shown == "1" ? "cell" : "cells", place);
+  if (!error_with) {
+    return fmt::format("  {}: {}; no rule tells the error of the grid for {}\n", stage.name, width, without_rule);
   }
   std::vector<std::string> advice;
   for (const double error : errors) {
-    const double per_gap = packed.grains ? cells_per_film_for(error) : cells_per_gap_for(mixing, error);
-    const double cells = std::ceil(per_gap * stage.side / gap);
-    advice.push_back(fmt::format("{:.0f} for {:.2g} %", cells, 100.0 * error));
+    const double per_side = std::ceil(cells_for(error) * stage.side / length);
+    advice.push_back(fmt::format("{:.0f} for {:.2g} %", per_side, 100.0 * error));
   }
-  const auto expected = packed.grains ? expected_film_error(cells_per_gap) : expected_grid_error(mixing, cells_per_gap);
+  const auto expected = error_with(cells);
   return fmt::format("  {}: {}, error of the grid {}; cells = {}\n", stage.name, width,
                      expected ? fmt::format("up to about {:.2g} %", 100.0 * *expected) : "of any size",
                      fmt::join(advice, ", "));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -41,10 +42,22 @@ std::vector<const MeasuredColumn*> coordinate_columns(const MeasuredTable& table
   return columns;
 }
 
+/// Throws InputError where the places of a table for a box of two dimensions differ along z.
+void refuse_space(const MeasuredTable& table) {
+  if (!table.has({Quantity::z})) return;
+  const auto& heights = table.column(Quantity::z).values;
+  if (std::ranges::adjacent_find(heights, std::ranges::not_equal_to{}) == heights.end()) return;
+  throw InputError(
+      fmt::format("{}: its places differ along z, so they belong to dimensions = 3; a box of two has x and "
+                  "y alone",
+                  table.path().string()));
+}
+
 template <int dim>
 std::vector<Ball<dim>> read_balls(const MeasuredTable& table, double side, FileMistakes& mistakes) {
   if constexpr (dim == 3) table.require({Quantity::x, Quantity::y, Quantity::z, Quantity::diameter});
   table.require({Quantity::x, Quantity::y, Quantity::diameter});
+  if constexpr (dim == 2) refuse_space(table);
   const auto columns = coordinate_columns(table, dim);
   const auto& diameters = table.column(Quantity::diameter);
   // An unknown side is not a number here, and every centre is accepted.
@@ -89,7 +102,14 @@ LatticePacking read_lattice(const Section& packing) {
 }
 
 RegularPacking read_regular(const Section& packing) {
-  packing.refuse({"lattice", "repeats"}, "it belongs to dimensions = 3; here it is columns and rows");
+  if (packing.has("lattice") || packing.has("repeats")) {
+    packing.refuse({"lattice", "repeats"},
+                   "it belongs to dimensions = 3; a box of two has columns and rows, such as columns = 2, rows = 2");
+    for (const auto* key : {"columns", "rows"}) {
+      if (packing.has(key)) static_cast<void>(packing.integer(key, allowed::rows));
+    }
+    return {};
+  }
   return {static_cast<int>(packing.integer("columns", allowed::rows)),
           static_cast<int>(packing.integer("rows", allowed::rows))};
 }
@@ -187,7 +207,11 @@ template <int dim>
 LaguerreSites<dim> read_sites(const std::filesystem::path& file, double side, Walls walls) {
   const auto table = read_measured_table(file);
   table.require({Quantity::x, Quantity::y});
-  if (dim == 3) table.require({Quantity::x, Quantity::y, Quantity::z});
+  if constexpr (dim == 3) {
+    table.require({Quantity::x, Quantity::y, Quantity::z});
+  } else {
+    refuse_space(table);
+  }
   table.refuse_unknown_units({Quantity::weight, Quantity::film_share});
   const auto columns = coordinate_columns(table, dim);
   const auto* weights = table.has({Quantity::weight}) ? &table.column(Quantity::weight) : nullptr;

@@ -118,6 +118,17 @@ std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
   return {Boundary::displacement, Boundary::traction};
 }
 
+/// Reads the loads. Those that the box does not have are reported and left out.
+std::vector<Load> read_loads(const Section& section, const std::vector<Stage>& stages) {
+  auto loads = section.list_of_choices<Load>("loads");
+  refuse_repeats(section, "loads", loads);
+  if (stages.empty()) return loads;
+  const int dimensions = stages.front().dimensions;
+  for (const auto& mistake : mistakes_of_loads(loads, dimensions)) section.report("loads", mistake);
+  std::erase_if(loads, [dimensions](Load load) { return dimensions == 2 && !has_load<2>(load); });
+  return loads;
+}
+
 }  // namespace
 
 Model read_model(const Section& deck) {
@@ -142,10 +153,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
     section.refuse({"films"}, R"(it belongs to model = "films")");
   }
   tests.boundaries = default_boundaries(stages);
-  if (section.has("loads")) {
-    tests.loads = section.list_of_choices<Load>("loads");
-    refuse_repeats(section, "loads", tests.loads);
-  }
+  if (section.has("loads")) tests.loads = read_loads(section, stages);
   section.refuse({"bounds"}, R"(it is called boundaries now: "upper" is "displacement", "lower" is "traction" there)");
   if (section.has("boundaries")) {
     tests.boundaries = section.list_of_choices<Boundary>("boundaries");

@@ -6,7 +6,7 @@
 namespace breccia {
 namespace {
 
-/// The error with c cells in the narrowest gap is at most about error_of_one c^-order.
+/// The error with c cells in the narrowest gap, or across a mean sphere, is at most about error_of_one c^-order.
 struct ErrorRule {
   double error_of_one;  ///< [-]
   double order;         ///< [-]
@@ -30,6 +30,13 @@ constexpr ErrorRule rule_of(Mixing mixing) {
 /// Theory, Eq. 43b.
 constexpr ErrorRule rule_of_films = {0.15, 1.25, 2.4};
 
+/// Theory, Eq. 43c: what the grid does to the spheres counts the more the closer they are to jamming.
+std::optional<ErrorRule> rule_of_spheres(double fraction) {
+  constexpr double jammed = 0.70, largest = 0.60;
+  if (fraction > largest) return std::nullopt;
+  return ErrorRule{0.63 / (jammed - fraction), 1.65, 4.5};
+}
+
 }  // namespace
 
 std::optional<double> expected_grid_error(Mixing mixing, double cells_per_gap) {
@@ -46,6 +53,16 @@ std::optional<double> expected_film_error(double cells_per_film) {
 
 double cells_per_film_for(double error) {
   return rule_of_films.cells_for(error);
+}
+
+std::optional<double> expected_sphere_error(double cells_per_diameter, double fraction) {
+  const auto rule = rule_of_spheres(fraction);
+  return rule ? rule->error_with(cells_per_diameter) : std::nullopt;
+}
+
+std::optional<double> cells_per_diameter_for(double error, double fraction) {
+  const auto rule = rule_of_spheres(fraction);
+  return rule ? std::optional(rule->cells_for(error)) : std::nullopt;
 }
 
 }  // namespace breccia

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -266,6 +267,11 @@ std::size_t StageMicrostructure::particles() const {
   if (spheres) return spheres->particles.size();
   if (ellipsoids) return ellipsoids->particles.size();
   return shaped ? shaped->particles.size() : microstructure.particles.size();
+}
+
+double StageMicrostructure::mean_diameter() const {
+  // A ball has the volume d/6 for each unit of its surface.
+  return interface_per_area > 0.0 ? 6.0 * fraction / interface_per_area : std::numeric_limits<double>::infinity();
 }
 
 std::optional<double> StageMicrostructure::size_deviation() const {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/quality.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/units.hpp"
@@ -59,28 +60,73 @@ constexpr GapRule film_rule(Mixing mixing) {
   return rule;
 }
 
-/// What the narrowest gap of a stage is.
-const char* name_of_gap(const StageMicrostructure& packed) {
-  if (!packed.grains) return "the smallest gap between particles or to a wall";
-  return packed.wall_gap < packed.gap ? "the half film along the walls" : "the film between grains";
+/// A gap of a stage that takes cells.
+struct NarrowGap {
+  const char* name;
+  double width;  ///< [m]
+  GapRule rule;
+};
+
+NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
+  const bool is_at_wall = packed.wall_gap < packed.gap;
+  return {is_at_wall ? "the half film along the walls" : "the film between grains",
+          std::min(packed.gap, packed.wall_gap), film_rule(mixing)};
+}
+
+/// The narrowest gap between particles or to a wall. Out of the gap between two mixed spheres a matrix is squeezed on
+/// all sides, however few cells it has, but for the gap to a wall of prescribed displacement (theory, section 11).
+/// Nothing where no gap takes cells.
+std::optional<NarrowGap> narrow_gap(const Stage& stage, const StageMicrostructure& packed, const Tests& tests) {
+  if (packed.grains) return film_of(packed, tests.mixing);
+  if (stage.dimensions == 2 || tests.mixing == Mixing::points) {
+    return NarrowGap{"the smallest gap between particles or to a wall", std::min(packed.gap, packed.wall_gap),
+                     gap_rule(tests.mixing)};
+  }
+  if (std::ranges::count(tests.boundaries, Boundary::displacement) == 0) return std::nullopt;
+  return NarrowGap{"the smallest gap of a particle to a wall",
+                   packed.wall_gap,
+                   {1.0,
+                    "a nearly incompressible matrix cannot be squeezed out between the wall and the particles, and "
+                    "the upper bound at long times comes out up to twice too high"}};
 }
 
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
-                                                  Mixing mixing) {
-  if (stage.dimensions == 3) return std::nullopt;  // the rule was measured with discs
-  const auto [cells_per_gap, consequence] = packed.grains ? film_rule(mixing) : gap_rule(mixing);
+                                                  const Tests& tests) {
+  const auto narrow = narrow_gap(stage, packed, tests);
+  if (!narrow) return std::nullopt;
+  const auto& [name, gap, rule] = *narrow;
+  const auto [cells_per_gap, consequence] = rule;
   constexpr double rounding = 1e-9;
-  const double gap = std::min(packed.gap, packed.wall_gap);
   // The coarsest grid has a part in the extrapolation or in the error band.
   const auto grids = stage.grids();
   const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
   const auto shown = display_beside(cells, cells_per_gap);
-  return fmt::format("{}, {}, is {} {} wide{}; below {:g} cells {}{}", name_of_gap(packed),
-                     readable(gap, Dimension::length), shown, shown == "1" ? "cell" : "cells",
+  return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}", name, readable(gap, Dimension::length), shown,
+                     shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
-                     cells_per_gap, consequence,
+                     cells_per_gap, cells_per_gap == 1.0 ? "cell" : "cells", consequence,
                      words_on_finer_grids(grids, std::ceil(cells_per_gap * stage.side / gap * (1.0 - rounding))));
+}
+
+/// Spheres of so few cells, or so close to jamming, that no rule tells the error of the grid.
+std::optional<std::string> warning_of_small_spheres(const Stage& stage, const StageMicrostructure& packed,
+                                                    Mixing mixing) {
+  if (stage.dimensions == 2 || !packed.spheres || mixing == Mixing::points) return std::nullopt;
+  const double diameter = packed.mean_diameter();
+  const double cells = diameter / stage.side * stage.grids().front();
+  if (!std::isfinite(cells) || expected_sphere_error(cells, packed.fraction)) return std::nullopt;
+  constexpr double tenth = 0.1;
+  const auto needed = cells_per_diameter_for(tenth, packed.fraction);
+  if (!needed) {
+    return fmt::format(
+        "spheres that fill {:.3g} % are close to jamming, where the modulus at long times comes out far too low unless "
+        "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",
+        100.0 * packed.fraction, display(diameter, "m"), cells);
+  }
+  return fmt::format(
+      "the mean sphere, {}, is {:.2g} cells wide, too few to tell the error of the grid, which is 15 % and more{}",
+      display(diameter, "m"), cells, words_on_finer_grids(stage.grids(), std::ceil(*needed * stage.side / diameter)));
 }
 
 /// A coating that the grid does not resolve.
@@ -219,10 +265,11 @@ std::vector<std::string> warnings_on(const Study& study, const Stage& stage,
   std::ranges::move(warnings_of_soft_fillers(study, stage), std::back_inserter(of_stage));
   const auto warning_of_gaps = model_of(study.tests, stage) == Model::films
                                    ? warning_of_short_films(microstructure, study.tests.films)
-                                   : warning_of_narrow_gaps(stage, microstructure, study.tests.mixing);
+                                   : warning_of_narrow_gaps(stage, microstructure, study.tests);
   for (const auto& warning :
        {warning_of_separation(study, stage, microstructure), warning_of_thin_coatings(stage, study.tests.mixing),
-        warning_of_gaps, warning_of_lost_grains(stage, microstructure),
+        warning_of_gaps, warning_of_small_spheres(stage, microstructure, study.tests.mixing),
+        warning_of_lost_grains(stage, microstructure),
         warning_of_cut_particles(stage, study.tests.boundaries, microstructure),
         warning_of_unknown_times(stage, study.tests)}) {
     if (warning) of_stage.push_back(*warning);

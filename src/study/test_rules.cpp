@@ -94,17 +94,6 @@ std::vector<std::string> lacking_in_space(const Study& study) {
   return {};
 }
 
-/// Loads that a box of two dimensions does not have.
-std::vector<std::string> loads_out_of_the_plane(const Study& study) {
-  if (study.stages.empty() || study.stages.front().dimensions == 3) return {};
-  std::vector<std::string> mistakes;
-  for (const auto load : study.tests.loads) {
-    if (has_load<2>(load)) continue;
-    mistakes.push_back(fmt::format("the load \"{}\" is one of three dimensions", name_of(load)));
-  }
-  return mistakes;
-}
-
 /// Only a reduced basis samples over moduli.
 std::optional<std::string> vary_without_samples(const Tests& tests) {
   if (tests.varied.empty()) return std::nullopt;
@@ -172,6 +161,21 @@ Model model_of(const Tests& tests, const Stage& stage) {
   return has_grains ? tests.model : Model::cells;
 }
 
+std::vector<std::string> mistakes_of_loads(const std::vector<Load>& loads, int dimensions) {
+  if (dimensions == 3) return {};
+  std::vector<std::string> in_the_plane;
+  for (const auto& [word, load] : words<Load>) {
+    if (has_load<2>(load)) in_the_plane.push_back(fmt::format("\"{}\"", word));
+  }
+  std::vector<std::string> mistakes;
+  for (const auto load : loads) {
+    if (has_load<2>(load)) continue;
+    mistakes.push_back(fmt::format("the load \"{}\" is one of three dimensions; a box of two has {}", name_of(load),
+                                   fmt::join(in_the_plane, ", ")));
+  }
+  return mistakes;
+}
+
 bool has_fields(const Tests& tests, const Stage& stage) {
   if (tests.field_times.empty()) return false;
   return model_of(tests, stage) != Model::films || !tests.films.layers;
@@ -186,7 +190,10 @@ std::vector<std::string> contradictions(const Study& study) {
   auto mistakes = films_along_walls(study);
   std::ranges::move(lacking_in_films(study), std::back_inserter(mistakes));
   std::ranges::move(lacking_in_space(study), std::back_inserter(mistakes));
-  std::ranges::move(loads_out_of_the_plane(study), std::back_inserter(mistakes));
+  if (!study.stages.empty()) {
+    std::ranges::move(mistakes_of_loads(study.tests.loads, study.stages.front().dimensions),
+                      std::back_inserter(mistakes));
+  }
   if (auto mistake = mixing_of_points(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = vary_without_samples(study.tests)) mistakes.push_back(*std::move(mistake));
   if (auto mistake = too_few_times(study)) mistakes.push_back(*std::move(mistake));

@@ -1,5 +1,6 @@
 // Boxes of three dimensions in the deck.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/io/npy.hpp"
+#include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "decks.hpp"
@@ -236,8 +238,49 @@ TEST_F(DeckInSpace, HasLoadsOfItsOwn) {
   constexpr auto loads = "loads = [\"shear-yz\", \"shear-zx\", \"shear-yy-zz\"]\n";
   const auto study = directory.study(deck(one_size, R"(method = "regular", lattice = "sc")", loads));
   EXPECT_EQ(study.tests.loads, (std::vector{Load::shear_yz, Load::shear_zx, Load::diagonal_shear_yz}));
-  EXPECT_THAT(directory.mistakes(test::join(test::materials, test::stage, test::tests, loads)),
-              AllOf(HasSubstr("the load \"shear-yz\" is one of three dimensions"), HasSubstr("\"shear-yy-zz\"")));
+  const auto flat = directory.mistakes(test::join(test::materials, test::stage, test::tests, loads));
+  EXPECT_THAT(flat, AllOf(HasSubstr("tests.loads: the load \"shear-yz\" is one of three dimensions; a box of two has "
+                                    "\"shear\", \"shear-xx-yy\", \"bulk\""),
+                          HasSubstr("\"shear-yy-zz\"")));
+  EXPECT_EQ(std::ranges::count(flat, '\n'), 2) << "each load once: " << flat;
+}
+
+// The same file lists the centres of discs only where all of them lie in one plane.
+TEST_F(DeckInSpace, PlacesInSpaceAreNoneOfASquare) {
+  directory.write("spheres.csv", "x_mm,y_mm,z_mm,diameter_mm\n0.25,0.25,0.25,0.3\n0.75,0.7,0.6,0.4\n");
+  directory.write("discs.csv", "x_mm,y_mm,z_mm,diameter_mm\n0.25,0.25,0,0.3\n0.75,0.7,0,0.4\n");
+  directory.write("sites.csv", "x_mm,y_mm,z_mm\n0.25,0.25,0.25\n0.75,0.7,0.6\n");
+  const auto in_a_square = [](std::string_view filler, std::string_view packing) {
+    return test::join(test::materials,
+                      fmt::format("[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 12\n"
+                                  "filler = {{ material = \"hmx\"{} }}\npacking = {{ {} }}\n",
+                                  filler, packing),
+                      test::tests);
+  };
+  EXPECT_THAT(directory.mistakes(in_a_square("", R"(method = "explicit", particles = "spheres.csv")")),
+              AllOf(HasSubstr("packing.particles"), HasSubstr("differ along z"), HasSubstr("dimensions = 3")));
+  EXPECT_THAT(directory.mistakes(in_a_square("", R"(method = "laguerre", sites = "sites.csv", film = "10 um")")),
+              AllOf(HasSubstr("packing.sites"), HasSubstr("differ along z")));
+  const auto study = directory.study(in_a_square("", R"(method = "explicit", particles = "discs.csv")"));
+  EXPECT_EQ(study.stages.at(0).listed()->discs.size(), 2U);
+}
+
+// A distribution by volume is one by area, cut at the same diameters, so that each class of sizes has its share.
+TEST_F(DeckInSpace, SizesAndFractionAreThoseOfTheSection) {
+  constexpr auto filler =
+      R"(, fraction = 0.3, from = "50 um", to = "0.2 mm", gap = "10 um", sizes = { lognormal = [{ median = "0.1 mm", sigma = 0.5 }] })";
+  constexpr auto packing = R"(method = "lubachevsky-stillinger", walls = false)";
+  const auto text = deck(filler, packing);
+  const auto in_space = directory.study(text).stages.at(0);
+  const auto in_the_plane = directory.study("dimensions = 2" + text.substr(text.find('\n'))).stages.at(0);
+  EXPECT_EQ(in_the_plane.dimensions, 2);
+  for (const auto& stage : {in_space, in_the_plane}) {
+    const auto& one = stage.fillers.at(0);
+    EXPECT_EQ(one.fraction, 0.3);
+    EXPECT_EQ(one.gap, 10e-6);
+    EXPECT_NEAR(distribution_of(one)->cumulative(0.1e-3), distribution_of(in_space.fillers[0])->cumulative(0.1e-3),
+                1e-15);
+  }
 }
 
 TEST_F(DeckInSpace, LatticesAreForThreeDimensions) {
@@ -245,7 +288,8 @@ TEST_F(DeckInSpace, LatticesAreForThreeDimensions) {
       test::join(test::materials, "[[stages]]\nname = \"a\"\nmatrix = \"binder\"\nbox = \"1 mm\"\ncells = 12\n",
                  "filler = { material = \"hmx\", sizes = { diameter = \"0.4 mm\" } }\n",
                  "packing = { method = \"regular\", lattice = \"sc\" }\n", test::tests));
-  EXPECT_THAT(flat, AllOf(HasSubstr("packing.lattice"), HasSubstr("dimensions = 3")));
+  EXPECT_THAT(flat, AllOf(HasSubstr("packing.lattice"), HasSubstr("dimensions = 3"), HasSubstr("columns = 2, rows = 2"),
+                          testing::Not(HasSubstr("missing"))));
   EXPECT_THAT(directory.mistakes(test::join("dimensions = 4\n", test::materials, test::stage, test::tests)),
               HasSubstr("dimensions"));
 }

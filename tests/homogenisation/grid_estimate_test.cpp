@@ -51,5 +51,28 @@ TEST(GridEstimate, OfFilmsIsOfTheSizeOfMeasuredErrors) {
   EXPECT_EQ(cells_per_film_for(0.5), 2.4);
 }
 
+/// The largest error of the shear modulus [-] of periodic boxes of equal spheres at 40 % between 10 ns and 10 ms, by
+/// the cells across a sphere; from docs/verification.md, "Cells across a sphere".
+TEST(GridEstimate, OfSpheresIsOfTheSizeOfMeasuredErrors) {
+  struct Sphere {
+    double cells, error;
+  };
+  constexpr double fraction = 0.4;
+  for (const auto& [cells, error] :
+       {Sphere{4.75, 0.158}, Sphere{7.125, 0.087}, Sphere{9.5, 0.052}, Sphere{14.25, 0.026}, Sphere{19.0, 0.016}}) {
+    const auto expected = expected_sphere_error(cells, fraction);
+    ASSERT_TRUE(expected);
+    EXPECT_GT(*expected, 0.9 * error) << cells;
+    EXPECT_LT(*expected, 1.1 * error) << cells;
+  }
+  EXPECT_FALSE(expected_sphere_error(4.4, fraction)) << "too few cells to tell";
+  EXPECT_FALSE(expected_sphere_error(19.0, 0.61)) << "close to jamming";
+  EXPECT_FALSE(cells_per_diameter_for(0.01, 0.61));
+  for (const double error : {0.05, 0.01}) {
+    EXPECT_NEAR(expected_sphere_error(cells_per_diameter_for(error, 0.5).value(), 0.5).value(), error, 1e-12);
+  }
+  EXPECT_EQ(cells_per_diameter_for(0.5, fraction), 4.5);
+}
+
 }  // namespace
 }  // namespace breccia

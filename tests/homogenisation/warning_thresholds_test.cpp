@@ -64,6 +64,61 @@ TEST(WarningThresholds, OfGapsInCells) {
   EXPECT_THAT(warnings_at_gap(50e-6), ElementsAre(HasSubstr("50 um, is 1 cell wide")));
 }
 
+/// A cube of 10 mm with 200 cells of 50 um a side and spheres of equal size that fill 30 %.
+StageMicrostructure equal_spheres(double diameter, double gap, double wall_gap = 1.0) {
+  auto packed = packed_with(gap, wall_gap);
+  packed.spheres = Microstructure<3>{};
+  packed.fraction = 0.3;
+  packed.interface_per_area = 6.0 * packed.fraction / diameter;
+  return packed;
+}
+
+// Of mixed cells, 4.5 cells of 50 um across a sphere.
+TEST(WarningThresholds, OfCellsAcrossASphere) {
+  auto stage = stage_with({1e-3});
+  stage.dimensions = 3;
+  auto study = within(1.0, 2.0, Mixing::series);
+  study.tests.boundaries = {Boundary::periodic};
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(225e-6, 1e-6)), IsEmpty()) << "whatever their gap";
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(224.9e-6, 1e-6)),
+              ElementsAre(AllOf(HasSubstr("the mean sphere, 225 um, is 4.5 cells wide, too few to tell the error"),
+                                HasSubstr("(cells = 237 would resolve it)"))));
+  auto dense = equal_spheres(225e-6, 1e-6);
+  dense.fraction = 0.61;
+  EXPECT_THAT(warnings_on(study, stage, dense), ElementsAre(HasSubstr("spheres that fill 61 % are close to jamming")));
+  study.tests.mixing = Mixing::points;
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 149.9e-6)),
+              ElementsAre(HasSubstr("149.9 um, is 2.998 cells wide; below 3 cells")));
+}
+
+// Only a wall of prescribed displacement holds a soft matrix in a gap that is narrower than a cell.
+TEST(WarningThresholds, OfGapsBetweenSpheresAndWalls) {
+  auto stage = stage_with({1e-3});
+  stage.dimensions = 3;
+  auto study = within(1.0, 2.0, Mixing::series);
+  study.tests.boundaries = {Boundary::traction};
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 1e-6)), IsEmpty());
+  study.tests.boundaries = {Boundary::displacement, Boundary::traction};
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1e-6, 50e-6)), IsEmpty());
+  EXPECT_THAT(warnings_on(study, stage, equal_spheres(1e-3, 1.0, 49.9e-6)),
+              ElementsAre(AllOf(HasSubstr("the smallest gap of a particle to a wall, 49.9 um, is 0.998 cells wide"),
+                                HasSubstr("below 1 cell a nearly incompressible matrix cannot be squeezed out between "
+                                          "the wall and the particles"))));
+}
+
+// Films between grains take the same cells in two and three dimensions.
+TEST(WarningThresholds, OfFilmsInSpace) {
+  auto stage = stage_with({1e-3});
+  stage.dimensions = 3;
+  auto packed = packed_with(120e-6);
+  packed.grains = StageGrains{};
+  const auto study = within(1.0, 2.0, Mixing::series);
+  EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());
+  packed.gap = 119.9e-6;
+  EXPECT_THAT(warnings_on(study, stage, packed),
+              ElementsAre(HasSubstr("the film between grains, 119.9 um, is 2.398 cells wide; below 2.4 cells")));
+}
+
 // 20000 cells a side resolve 1.5 um of 10 mm.
 TEST(WarningThresholds, OfCellsThatCanBeAfforded) {
   EXPECT_THAT(warnings_at_gap(1.5001e-6), ElementsAre(HasSubstr("(cells = 19999 would resolve it)")));

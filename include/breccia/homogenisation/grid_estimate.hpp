@@ -18,4 +18,10 @@ double cells_per_gap_for(Mixing mixing, double error);
 std::optional<double> expected_film_error(double cells_per_film);
 double cells_per_film_for(double error);
 
+/// The same for mixed cells and random packings of spheres that fill a fraction of the box [-], by the cells across the
+/// sphere of the mean diameter: all volume over all surface, times six (theory, Eq. 43c). Nothing close to jamming.
+std::optional<double> expected_sphere_error(double cells_per_diameter, double fraction);
+/// Nothing for fractions close to jamming.
+std::optional<double> cells_per_diameter_for(double error, double fraction);
+
 }  // namespace breccia

@@ -60,6 +60,9 @@ struct StageMicrostructure {
 
   /// Number of particles, or of grains.
   [[nodiscard]] std::size_t particles() const;
+  /// Diameter [m] of equal balls with the same volume and the same interface per volume of the box; infinite without
+  /// an interface. Of a box of three dimensions.
+  [[nodiscard]] double mean_diameter() const;
   /// Largest difference of the drawn and the wanted size distribution of a filler [-]; nothing where none was drawn.
   [[nodiscard]] std::optional<double> size_deviation() const;
 };

@@ -26,6 +26,9 @@ bool is_rising(const std::vector<double>& values);
 /// The times of fields must rise, and lie within the times of the tests.
 std::vector<std::string> mistakes_of_field_times(const std::vector<double>& field_times, const TimeWindow& times);
 
+/// The loads that a box of so many dimensions does not have, each with those that it has.
+std::vector<std::string> mistakes_of_loads(const std::vector<Load>& loads, int dimensions);
+
 /// What the stage is computed with: films where the tests ask for them and it has grains, cells otherwise.
 Model model_of(const Tests& tests, const Stage& stage);
 
