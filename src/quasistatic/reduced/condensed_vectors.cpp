@@ -40,7 +40,8 @@ class CondensedVectors::CellStrains {
       of_cell_[i].noalias() = vectors_->elastic_operator_->modes() * values_of(i);
       const auto& [displacement, origin, shares] = vectors_->vectors_[i];
       Modes own = of_cell_[i];
-      for (std::size_t k = 0; k < i; ++k) own.noalias() -= origin.of_earlier[static_cast<Eigen::Index>(k)] * of_cell_[k];
+      for (std::size_t k = 0; k < i; ++k)
+        own.noalias() -= origin.of_earlier[static_cast<Eigen::Index>(k)] * of_cell_[k];
       const auto& of_kind = shares[kind];
       auto& strains = of_phases_[i];
       strains.resize(Shape::modes * static_cast<Eigen::Index>(of_kind.size()));
