@@ -18,7 +18,7 @@ class FilmComposite {
  public:
   using Vector = FilmVector;
   using BasisVectors = quasistatic::StoredVectors<FilmVector>;
-  static constexpr std::size_t forces_at_hand = 3;  ///< those of all parts
+  static constexpr std::size_t forces_at_hand = 3;   ///< those of all parts
   static constexpr std::size_t shear = 0, bulk = 1;  ///< places of the moduli of the binder among the parameters
 
   explicit FilmComposite(const FilmProblem& problem) : film_operator_(problem) {}

@@ -73,8 +73,8 @@ double specific_interface(const Stage& stage, const ExplicitPacking& listed) {
 }
 
 /// Largest share of the cells of side h [m] that interfaces of a filler cross: on the average over all directions an
-/// interface crosses 4 / pi cells per h of its length in 2 dimensions, and 3 / 2 per h^2 of its area in 3. A coating has
-/// two interfaces.
+/// interface crosses 4 / pi cells per h of its length in 2 dimensions, and 3 / 2 per h^2 of its area in 3. A coating
+/// has two interfaces.
 double share_of_mixed_cells(const Stage& stage, const Filler& filler, double h) {
   const auto sizes = stage.listed() != nullptr ? diameters_of(stage) : diameters_of(filler);
   if (!sizes) return 1.0;
@@ -134,16 +134,18 @@ double vectors_of_stepping(const Study& study, const Stage& stage) {
   return 2.0 * static_cast<double>(terms * loads_of(study, stage).size());
 }
 
-/// Bytes an unknown of a cube beside what sparse factors take, with fields of `strains` bytes an unknown for the strains
-/// of phases in a nodal vector.
+/// Bytes an unknown of a cube beside what sparse factors take, with fields of `strains` bytes an unknown for the
+/// strains of phases in a nodal vector.
 double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
   constexpr double vector = sizeof(double);
   const double whole = vector + strains;
   // The phases of the points and the kinds of the cells.
   constexpr double cells = (8.0 * sizeof(PhaseIndex) + sizeof(std::uint32_t)) / 3.0;
   // The vectors of a basis have no strains of phases. Products of their forces take three vectors and the copies of two
-  // for the threads; conjugate gradients take less.
-  double bytes = cells + 3.0 * whole + 2.0 * vector;
+  // for the threads; conjugate gradients take less. The rest is what runs of 48 and 96 cells a side take beside, such
+  // as the lists by which the nodes are distributed over the processes (docs/three-dimensions.md).
+  constexpr double rest = 36.0;
+  double bytes = cells + 3.0 * whole + 2.0 * vector + rest;
   if (study.tests.quasistatic.solver == Solver::stepping) {
     bytes += whole * (1.0 + vectors_of_stepping(study, stage));
   } else {
@@ -153,7 +155,8 @@ double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
   if (study.tests.field_times.empty()) return bytes;
   // Fields take the moduli of each phase applied to the displacement, twice, and 15 values a cell and time.
   const auto phases = static_cast<double>(materials_of(stage, expected_matrix(study, stage)).size());
-  return bytes + (4.0 * phases + 2.0) * whole + 15.0 / 3.0 * vector * static_cast<double>(study.tests.field_times.size());
+  return bytes + (4.0 * phases + 2.0) * whole +
+         15.0 / 3.0 * vector * static_cast<double>(study.tests.field_times.size());
 }
 
 /// The same of a square, with as many nodal vectors as there are with the strains of phases in each.

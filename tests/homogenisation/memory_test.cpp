@@ -78,11 +78,12 @@ TEST(Memory, OfFlatEllipsoidsHasTheStrainsInTheirLargerInterface) {
   const auto spheres = cube_of(1.0), flat = cube_of(0.1);
   const double unknowns = 3.0 * 64 * 64 * 64, h = 1e-3 / 64;
   // An oblate ellipsoid of aspect c / a has the surface 2 pi a^2 (1 + (1 - e^2) / e artanh e), e^2 = 1 - (c / a)^2.
-  const double e = std::sqrt(1.0 - 0.01), over_sphere =
-      0.5 * std::cbrt(100.0) * (1.0 + 0.01 / e * std::atanh(e));
+  const double e = std::sqrt(1.0 - 0.01), over_sphere = 0.5 * std::cbrt(100.0) * (1.0 + 0.01 / e * std::atanh(e));
   const double more = 3.0 * 8.0 * 18.0 / 3.0 * 1.5 * h * 0.2 * 6.0 / 1e-4 * (over_sphere - 1.0);
-  EXPECT_NEAR((quasistatic_memory(flat, flat.stages.front(), 64) -
-               quasistatic_memory(spheres, spheres.stages.front(), 64)) / unknowns, more, 1e-9 * more);
+  EXPECT_NEAR(
+      (quasistatic_memory(flat, flat.stages.front(), 64) - quasistatic_memory(spheres, spheres.stages.front(), 64)) /
+          unknowns,
+      more, 1e-9 * more);
 }
 
 TEST(Memory, IsLackingFromOneByteTooFewOn) {

@@ -11,10 +11,9 @@
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 
+#include "composites.hpp"
 #include "operator/vector_values.hpp"
 #include "reduced/cell_composite.hpp"
-
-#include "composites.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia::quasistatic {

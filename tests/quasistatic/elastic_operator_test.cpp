@@ -11,9 +11,8 @@
 
 #include "breccia/discretisation/mixed_cells.hpp"
 
-#include "operator/vector_values.hpp"
-
 #include "composites.hpp"
+#include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {

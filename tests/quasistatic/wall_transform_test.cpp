@@ -72,7 +72,7 @@ class WallTransforms : public testing::TestWithParam<int> {
 };
 
 TEST_P(WallTransforms, MeetTheirSums) {
-  for (const std::size_t rows : {1, 2, 5}) {
+  for (const std::size_t rows : {1U, 2U, 5U}) {
     meet_their_sums(WallTransform::Kind::sine, GetParam(), rows);
     meet_their_sums(WallTransform::Kind::cosine, GetParam(), rows);
   }

@@ -44,8 +44,8 @@ void restore_vector(const StateReader& state, const std::string& group, Vector& 
 /// what a reduced basis needs to know of it, whether it is made of cells or of grains and films. volume() is that of
 /// the box in the unit of the forces; uniform_strain() has the strain of a load everywhere; load_forces() are the force
 /// 1 on the macroscopic part or, under a traction boundary, those of the unit stress. no_vectors() is an empty list of
-/// basis vectors (StoredVectors), in the form that takes least memory; forces_at_hand is the number of vectors of forces
-/// that may be in memory at a time beside it, for the products of all with all.
+/// basis vectors (StoredVectors), in the form that takes least memory; forces_at_hand is the number of vectors of
+/// forces that may be in memory at a time beside it, for the products of all with all.
 template <class Composite>
 concept AffineComposite = DisplacementVector<typename Composite::Vector> &&
     requires(const Composite& composite, Load load, const typename Composite::Vector& u, std::span<const double> p,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <omp.h>
+
 namespace breccia::quasistatic {
 
 void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces,
@@ -12,6 +14,23 @@ void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, 
   for_slabs(threads, [&](int thread, int first_plane, int end_plane) {
     add_slab(moduli, first_plane, end_plane, displacement, forces, rows[static_cast<std::size_t>(thread)]);
   });
+}
+
+void CellSweep::for_slabs(int threads, const std::function<void(int, int, int)>& work) const {
+  const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
+  // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
+  // taken first, then those between them, then the last one if it is a neighbour of the first.
+  const bool wraps = nodes_.nodes[2] == cells_[2];
+  const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
+  const auto take = [&](int thread, int slab) {
+    const int first = slab * planes_of_slab;
+    work(thread, first, std::min(first + planes_of_slab, cells_[2]));
+  };
+  for (const int parity : {0, 1}) {
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int slab = parity; slab < paired; slab += 2) take(omp_get_thread_num(), slab);
+  }
+  if (paired < slabs) take(0, paired);
 }
 
 void CellSweep::add_slab(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,

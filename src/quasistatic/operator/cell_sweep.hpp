@@ -1,12 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
-
-#include <omp.h>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/microstructure/index.hpp"
@@ -70,8 +68,7 @@ class CellSweep {
 
   /// Calls work(thread, first plane, plane behind the last one) for slabs of planes of cells: two that share nodes are
   /// never taken at a time, and those that share nodes always in the same order.
-  template <class Work>
-  void for_slabs(int threads, const Work& work) const;
+  void for_slabs(int threads, const std::function<void(int, int, int)>& work) const;
 
  private:
   /// Planes of cells of a slab, which one thread takes at a time.
@@ -95,23 +92,5 @@ class CellSweep {
   Index<3> cells_;
   NodeArrays nodes_;
 };
-
-template <class Work>
-void CellSweep::for_slabs(int threads, const Work& work) const {
-  const int slabs = (cells_[2] + planes_of_slab - 1) / planes_of_slab;
-  // Neighbouring slabs share a plane of nodes, and so do the last and the first of a periodic box: every other slab is
-  // taken first, then those between them, then the last one if it is a neighbour of the first.
-  const bool wraps = nodes_.nodes[2] == cells_[2];
-  const int paired = wraps && slabs % 2 == 1 ? slabs - 1 : slabs;
-  const auto take = [&](int thread, int slab) {
-    const int first = slab * planes_of_slab;
-    work(thread, first, std::min(first + planes_of_slab, cells_[2]));
-  };
-  for (const int parity : {0, 1}) {
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int slab = parity; slab < paired; slab += 2) take(omp_get_thread_num(), slab);
-  }
-  if (paired < slabs) take(0, paired);
-}
 
 }  // namespace breccia::quasistatic

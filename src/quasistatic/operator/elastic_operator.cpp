@@ -123,8 +123,7 @@ typename CellShape<dim>::Stiffness ElasticOperator<dim>::stiffness_of(std::size_
 /// Sums what cell_forces(cell) returns for each cell: the forces on its nodes and their work on the macroscopic part.
 template <int dim>
 template <class CellForces>
-typename ElasticOperator<dim>::SumOverCells ElasticOperator<dim>::sum_over_cells(
-    const CellForces& cell_forces) const {
+typename ElasticOperator<dim>::SumOverCells ElasticOperator<dim>::sum_over_cells(const CellForces& cell_forces) const {
   const auto local = nodes_.local_zeros();
   double macroscopic = 0.0;
   {
@@ -284,7 +283,8 @@ void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, cons
             auto node = Shape::corner(static_cast<int>(n));
             for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
             nodes[n] = moved.place_of(node);
-            for (std::size_t i = 0; i < dim; ++i) u[static_cast<Eigen::Index>(dim * n + i)] = displacements[i][nodes[n]];
+            for (std::size_t i = 0; i < dim; ++i)
+              u[static_cast<Eigen::Index>(dim * n + i)] = displacements[i][nodes[n]];
           }
           const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(place, mixed.unknowns()));
           on_strains.range(place, mixed.unknowns()) = on_phases;

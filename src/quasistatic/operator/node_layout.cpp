@@ -188,8 +188,7 @@ std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::places_of(const 
 }
 
 template <int dim>
-std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_places_of(
-    const Index<dim>& cell) const noexcept {
+std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_places_of(const Index<dim>& cell) const noexcept {
   std::array<std::size_t, Shape::nodes> places{};
   for (std::size_t n = 0; n < places.size(); ++n) {
     auto node = sum<dim>(cell, Shape::corner(static_cast<int>(n)));

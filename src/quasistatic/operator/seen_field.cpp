@@ -8,8 +8,8 @@ namespace breccia::quasistatic {
 namespace {
 
 Vector<3> affine_motion(const Strain<3>& strain, const Index<3>& node) noexcept {
-  return product(strain, Vector<3>{static_cast<double>(node[0]), static_cast<double>(node[1]),
-                                   static_cast<double>(node[2])});
+  return product(strain,
+                 Vector<3>{static_cast<double>(node[0]), static_cast<double>(node[1]), static_cast<double>(node[2])});
 }
 
 }  // namespace

@@ -10,6 +10,22 @@
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
+namespace {
+
+/// On all processes.
+PetscInt length_of(Vec vector) {
+  PetscInt length = 0;
+  check(VecGetSize(vector, &length), "reading the size of a vector");
+  return length;
+}
+
+NodalVector no_values() {
+  NodalVector none;
+  check(VecCreateMPI(PETSC_COMM_WORLD, 0, PETSC_DETERMINE, none.put()), "making a vector of a basis");
+  return none;
+}
+
+}  // namespace
 
 /// The strains of the phases of one mixed cell after the other, in each of the vectors.
 class CondensedVectors::CellStrains {
@@ -24,7 +40,8 @@ class CondensedVectors::CellStrains {
       of_cell_[i].noalias() = vectors_->elastic_operator_->modes() * values_of(i);
       const auto& [displacement, origin, shares] = vectors_->vectors_[i];
       Modes own = of_cell_[i];
-      for (std::size_t k = 0; k < i; ++k) own -= origin.of_earlier[static_cast<Eigen::Index>(k)] * of_cell_[k];
+      for (std::size_t k = 0; k < i; ++k)
+        own.noalias() -= origin.of_earlier[static_cast<Eigen::Index>(k)] * of_cell_[k];
       const auto& of_kind = shares[kind];
       auto& strains = of_phases_[i];
       strains.resize(Shape::modes * static_cast<Eigen::Index>(of_kind.size()));
@@ -55,8 +72,14 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
   const bool is_alone = parallel::ranks() == 1;
   std::vector<NodalVector> local;
   std::deque<ReadValues> values;
+  std::vector<bool> fluctuates;
   for (std::size_t i = 0; i < count; ++i) {
     const Vec nodal = vectors_[i].displacement.fluctuation();
+    fluctuates.push_back(length_of(nodal) > 0);
+    if (!fluctuates.back()) {
+      values.emplace_back(nodal);
+      continue;
+    }
     if (!is_alone) local.push_back(nodes.local_copy(nodal));
     values.emplace_back(is_alone ? nodal : local.back().get());
   }
@@ -71,6 +94,7 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
             const auto places = is_alone ? nodes.nodal_places_of(cell) : nodes.places_of(cell);
             strains.find(elastic_operator_->kind_of_cell(cell), [&](std::size_t i) {
               CellShape<3>::Values u = vectors_[i].displacement.macroscopic() * affine;
+              if (!fluctuates[i]) return u;
               for (std::size_t n = 0; n < places.size(); ++n) {
                 u.segment<3>(static_cast<Eigen::Index>(3 * n)) += values[i].range(places[n], 3);
               }
@@ -97,9 +121,10 @@ std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOr
 }
 
 Displacement CondensedVectors::without_strains(double macroscopic, NodalVector fluctuation) {
-  NodalVector none;
-  check(VecCreateMPI(PETSC_COMM_WORLD, 0, PETSC_DETERMINE, none.put()), "making a vector of a basis");
-  return {macroscopic, std::move(fluctuation), std::move(none)};
+  // An affine motion, such as the uniform strain of a box whose walls move with it, takes no memory.
+  double largest = 0.0;
+  check(VecNorm(fluctuation.get(), NORM_INFINITY, &largest), "reading the displacements");
+  return {macroscopic, largest > 0.0 ? std::move(fluctuation) : no_values(), no_values()};
 }
 
 void CondensedVectors::add(Displacement vector, VectorOrigin origin) {
@@ -135,7 +160,9 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
     double on_nodes = 0.0;
-    check(VecDot(forces.fluctuation(), displacement.fluctuation(), &on_nodes), "a scalar product");
+    if (length_of(displacement.fluctuation()) > 0) {
+      check(VecDot(forces.fluctuation(), displacement.fluctuation(), &on_nodes), "a scalar product");
+    }
     works[i] += on_nodes + forces.macroscopic() * displacement.macroscopic();
   }
   return works;
@@ -155,8 +182,9 @@ void CondensedVectors::add_to(Displacement& sum, const Eigen::VectorXd& weights)
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
     if (weights[i] == 0.0) continue;
-    check(VecAXPY(sum.fluctuation(), weights[i], displacement.fluctuation()), "adding nodal vectors");
     sum.set_macroscopic(sum.macroscopic() + weights[i] * displacement.macroscopic());
+    if (length_of(displacement.fluctuation()) == 0) continue;
+    check(VecAXPY(sum.fluctuation(), weights[i], displacement.fluctuation()), "adding nodal vectors");
   }
 }
 
@@ -165,7 +193,12 @@ void CondensedVectors::save(StateWriter& state, const std::string& group) const 
   for (std::size_t i = 0; i < size(); ++i) {
     const auto& [displacement, origin, shares] = vectors_[i];
     const auto name = fmt::format("{}/vector/{}", group, i);
-    quasistatic::save(state, name, displacement);
+    if (length_of(displacement.fluctuation()) > 0) {
+      quasistatic::save(state, name, displacement);
+    } else {
+      Displacement at_rest{displacement.macroscopic(), elastic_operator_->nodes().zeros(), no_values()};
+      quasistatic::save(state, name, at_rest);
+    }
     state.write(name + "/of_earlier",
                 std::vector<double>(origin.of_earlier.data(), origin.of_earlier.data() + origin.of_earlier.size()));
     state.write(name + "/parameters", origin.parameters.value_or(std::vector<double>{}));
@@ -178,8 +211,9 @@ void CondensedVectors::restore(const StateReader& state, const std::string& grou
   vectors_.clear();
   for (std::int64_t i = 0; i < count; ++i) {
     const auto name = fmt::format("{}/vector/{}", group, i);
-    auto displacement = without_strains(0.0, zero().take_fluctuation());
+    Displacement displacement{0.0, zero().take_fluctuation(), no_values()};
     quasistatic::restore(state, name, displacement);
+    displacement = without_strains(displacement.macroscopic(), displacement.take_fluctuation());
     const auto of_earlier = state.numbers(name + "/of_earlier");
     const auto parameters = state.numbers(name + "/parameters");
     VectorOrigin origin{std::nullopt, Eigen::Map<const Eigen::VectorXd>(of_earlier.data(),

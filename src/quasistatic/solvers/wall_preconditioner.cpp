@@ -109,7 +109,8 @@ void WallPreconditioner::transform_planes_back(LatticeField& waves) const {
   for (int k = 0; k < 3 * lattice_.arrays.nodes[2]; ++k) {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     double* values = waves.all().data() + static_cast<std::size_t>(k) * plane;
-    for (const std::size_t axis : {1U, 0U}) transforms_[axis].apply(rows_along(axis, values), waves_[axis][thread].get());
+    for (const std::size_t axis : {1U, 0U})
+      transforms_[axis].apply(rows_along(axis, values), waves_[axis][thread].get());
   }
 }
 

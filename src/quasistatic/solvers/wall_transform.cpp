@@ -76,8 +76,8 @@ void WallTransform::fold(const PairedRows& rows, Complex* waves, Complex* first_
     const double sine = sines_[j], cosine = cosines_[j];
     const auto fold_at = [&](const auto& folded) {
       for_pairs(rows, [&](std::size_t pair, std::size_t partner) {
-        wave[pair] = folded(pair, PairedValue(rows, pair, partner, j).get(),
-                            PairedValue(rows, pair, partner, cells_ - j).get());
+        wave[pair] =
+            folded(pair, PairedValue(rows, pair, partner, j).get(), PairedValue(rows, pair, partner, cells_ - j).get());
       });
     };
     if (is_sine) {

@@ -19,11 +19,12 @@ struct PairedRows {
 };
 
 /// Sine or cosine transforms of the values at the nodes of an axis between walls, those of FFTW's kinds RODFT00 and
-/// REDFT00: 2 sum_j x_j sin(pi j k / n), and x_0 + (-1)^k x_n + 2 sum_j x_j cos(pi j k / n) with j from 1 to n - 1. Their
-/// own inverses but for a factor 2n.
+/// REDFT00: 2 sum_j x_j sin(pi j k / n), and x_0 + (-1)^k x_n + 2 sum_j x_j cos(pi j k / n) with j from 1 to n - 1.
+/// Their own inverses but for a factor 2n.
 ///
-/// Each is a Fourier transform of n complex values after and before some sums (Press, Teukolsky, Vetterling and Flannery
-/// 2007, section 12.4). FFTW has none so quick, because the sums cost some digits, which a preconditioner does not need.
+/// Each is a Fourier transform of n complex values after and before some sums (Press, Teukolsky, Vetterling and
+/// Flannery 2007, section 12.4). FFTW has none so quick, because the sums cost some digits, which a preconditioner does
+/// not need.
 class WallTransform {
  public:
   enum class Kind { sine, cosine };
