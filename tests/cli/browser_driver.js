@@ -253,7 +253,7 @@ function colourAt(canvas, right, up) {
 async function untilDrawn(figure, action = () => {}) {
   const before = figure.dataset.drawn;
   action();
-  for (let i = 0; i < 1000 && figure.dataset.drawn === before; ++i) await wait(10);
+  for (let i = 0; i < 6000 && figure.dataset.drawn === before; ++i) await wait(10);
 }
 
 const press = (figure, key) => untilDrawn(figure, () => figure.querySelector("canvas").dispatchEvent(

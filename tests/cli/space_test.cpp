@@ -1,6 +1,7 @@
 // Studies in three dimensions through the command line.
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "breccia/io/hdf5.hpp"
 #include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
 
@@ -137,6 +139,22 @@ TEST(Space, BothMethodsAgreeOnALatticeOfSpheres) {
       EXPECT_NEAR(moving[i].modulus / still[i].modulus, 1.0, 0.01) << load << " at " << still[i].time;
     }
   }
+}
+
+TEST(Space, TheDynamicMethodAloneLeavesFields) {
+  StudyDirectory study(fmt::format("{}{}{}method = \"dynamic\"\n", materials, lattice, tests));
+  const auto run = study.breccia("run", {"--set", "tests.loads=[\"shear-yz\"]", "--set", "stages.0.cells=6", "--set",
+                                         "tests.times=[\"1 ms\", \"10 ms\"]"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(study.results(),
+              AllOf(Contains("A/fields.vtkhdf"), Contains("A/fields-stress.svg"), Contains("A/fields-strain.svg")));
+  const auto stress = Hdf5Reader(study.result("A/fields.vtkhdf")).read_numbers("/VTKHDF/CellData/stress_Pa");
+  constexpr std::size_t components = 6, yz = 4, cells = 6 * 6 * 6;
+  ASSERT_EQ(stress.size(), components * cells);
+  double mean = 0.0;
+  for (std::size_t cell = 0; cell < cells; ++cell) mean += stress[components * cell + yz] / cells;
+  const auto curve = read_curve(study.result("curves.csv"), "A", "shear-yz", "dynamic");
+  EXPECT_NEAR(mean / curve.back().modulus, 1.0, 0.02);
 }
 
 TEST(Space, RespondAnswersForAnotherMatrix) {

@@ -113,9 +113,10 @@ TEST(VolumeFieldPictures, ShowTheCellsAboveTheMiddlePlanes) {
   });
   const test::TemporaryDirectory directory;
   const auto study = test::two_stages();
-  static_cast<void>(write_volume_fields(directory.path(), study, study.stages[0],
-                                        {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)},
-                                        discretisation, {{1.0, fields}}));
+  const auto record = write_volume_fields(directory.path(), study, study.stages[0],
+                                          {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)},
+                                          discretisation, {{1.0, fields}})
+                          .front();
   // Seen along z, along x and along y; across and up follow in the cycle x, y, z.
   std::array<std::vector<double>, 3> cuts;
   for (int up = 0; up < cells; ++up) {
@@ -130,7 +131,7 @@ TEST(VolumeFieldPictures, ShowTheCellsAboveTheMiddlePlanes) {
   std::ranges::sort(all);
   // The 1st and the 99th percentile of 48 values.
   const double from = all[0], to = all[46];
-  const auto pictures = test::embedded_pictures(read_text(directory.path() / "fields-stress.svg"));
+  const auto pictures = test::embedded_pictures(read_text(directory.path() / record.stress_picture));
   ASSERT_EQ(pictures.size(), 4U) << "the last one is the colour bar";
   for (std::size_t cut = 0; cut < 3; ++cut) {
     EXPECT_THAT(pictures[cut].extents, ElementsAre(4, 4));

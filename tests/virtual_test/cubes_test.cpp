@@ -51,30 +51,33 @@ TEST(DynamicTestInSpace, AHomogeneousCubeCreepsAsItsMaterial) {
   }
 }
 
-/// Under a load of one the uniform stress is the modulus times the load, the strain is the load, and the displacement
-/// at a place is the strain times the distance from the centre.
+/// Under a load of one the uniform stress is the modulus, the strain is the load, and a place moves by the strain times
+/// its distance from the centre, but for what is left of the waves of the ramp.
 TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
-  auto test = homogeneous_cube({"m", 1000.0, PronySeries(20e6), PronySeries(3e6)}, {1e-3, 0.01});
+  const Material material = {"m", 1000.0, PronySeries(20e6, {{2e-2, 30e6}}), PronySeries(1e6, {{1e-2, 5e6}})};
+  auto test = homogeneous_cube(material, {2e-3, 0.05});
   test.load = Load::shear_zx;
-  test.field_times = {2e-3, 0.01};
+  test.field_times = {5e-3, 0.05};
   const auto result = run_dynamic_test(test);
   EXPECT_TRUE(result.fields.empty());
   ASSERT_EQ(result.volume_fields.size(), 2U);
+  constexpr double rings = 3e-3;
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& [time, fields] = result.volume_fields[i];
     EXPECT_NEAR(time / test.field_times[i], 1.0, 0.02);
     ASSERT_EQ(fields.stress.size(), 216U) << "by cell, not by point";
     ASSERT_EQ(fields.phase.size(), 216U);
+    const double modulus = material.shear.at(time);
     for (std::size_t cell = 0; cell < 216; ++cell) {
       for (std::size_t component = 0; component < 6; ++component) {
         const bool is_loaded = component == 4;  // zx
-        EXPECT_NEAR(fields.strain[cell][component], is_loaded ? 0.5 : 0.0, 1e-3);
-        EXPECT_NEAR(fields.stress[cell][component] / 3e6, is_loaded ? 1.0 : 0.0, 1e-2);
+        EXPECT_NEAR(fields.strain[cell][component], is_loaded ? 0.5 : 0.0, rings);
+        EXPECT_NEAR(fields.stress[cell][component] / modulus, is_loaded ? 1.0 : 0.0, 5 * rings);
       }
       const double x = (static_cast<double>(cell % 6) - 2.5) / 6e3, z = (static_cast<double>(cell / 36) - 2.5) / 6e3;
-      EXPECT_NEAR(fields.displacement[cell][0], 0.5 * z, 1e-6);
-      EXPECT_NEAR(fields.displacement[cell][1], 0.0, 1e-6);
-      EXPECT_NEAR(fields.displacement[cell][2], 0.5 * x, 1e-6);
+      EXPECT_NEAR(fields.displacement[cell][0], 0.5 * z, rings * 1e-3);
+      EXPECT_NEAR(fields.displacement[cell][1], 0.0, rings * 1e-3);
+      EXPECT_NEAR(fields.displacement[cell][2], 0.5 * x, rings * 1e-3);
     }
   }
 }
@@ -110,6 +113,18 @@ double distance(const std::vector<std::array<double, components>>& found,
   return std::sqrt(squared / whole);
 }
 
+/// Displacements less their mean.
+std::vector<Vector<3>> from_mean(std::vector<Vector<3>> displacements) {
+  Vector<3> mean{};
+  for (const auto& u : displacements) {
+    for (std::size_t i = 0; i < 3; ++i) mean[i] += u[i] / static_cast<double>(displacements.size());
+  }
+  for (auto& u : displacements) {
+    for (std::size_t i = 0; i < 3; ++i) u[i] -= mean[i];
+  }
+  return displacements;
+}
+
 class SphereInACube : public testing::TestWithParam<Boundary> {};
 
 TEST_P(SphereInACube, HasTheSameModuliAndFieldsByBothMethods) {
@@ -140,9 +155,9 @@ TEST_P(SphereInACube, HasTheSameModuliAndFieldsByBothMethods) {
   EXPECT_EQ(moved.phase, rests.phase);
   EXPECT_LT(distance(moved.stress, rests.stress), 0.01);
   EXPECT_LT(distance(moved.strain, rests.strain), 0.01);
-  // Only walls that move the body say where it is.
-  if (GetParam() == Boundary::displacement) {
-    EXPECT_LT(distance(moved.displacement, rests.displacement), 0.01);
+  // The point of the box that is at rest is arbitrary, and under tractions the turn of the box.
+  if (GetParam() != Boundary::traction) {
+    EXPECT_LT(distance(from_mean(moved.displacement), from_mean(rests.displacement)), 0.01);
   }
   if (GetParam() == Boundary::traction) {
     ASSERT_EQ(found.compliance.size(), expected.compliance.size());

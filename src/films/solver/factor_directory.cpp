@@ -1,11 +1,11 @@
 #include "solver/factor_directory.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <string>
 #include <system_error>
 
 #include <fmt/format.h>
-#include <stdlib.h>  // mkdtemp of POSIX
 
 #include "breccia/error.hpp"
 
@@ -32,7 +32,7 @@ FactorDirectory::FactorDirectory() {
                     "variable TMPDIR names another one",
                     purpose, name, name.size(), longest_name));
   }
-  if (mkdtemp(name.data()) == nullptr) {
+  if (::mkdtemp(name.data()) == nullptr) {
     throw InputError(
         fmt::format("{}, and the directory {} cannot be made: {}; the environment variable TMPDIR names "
                     "another place",
