@@ -70,9 +70,16 @@ class Export : public ::testing::Test {
     more.insert(more.begin(), {"export", "out", "--format", format});
     return run_breccia(study->path(), more);
   }
-  /// The curve under the upper bound.
+  /// The curve under the displacement boundary.
   static Curve curve(const std::string& stage, const std::string& load) {
-    return read_curve(study->result("curves.csv"), stage, load);
+    const auto table = read_csv(study->result("curves.csv"), {"stage", "load", "boundary", "method", "cells"});
+    Curve samples;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      const bool is_of_it = table.text("stage")[row] == stage && table.text("load")[row] == load &&
+                            table.text("boundary")[row] == "displacement";
+      if (is_of_it) samples.push_back({table.numbers("time_s")[row], table.numbers("modulus_Pa")[row]});
+    }
+    return samples;
   }
 
   static std::unique_ptr<StudyDirectory> study;
@@ -87,7 +94,7 @@ double deviation_from(const Curve& curve, const PronySeries& series) {
 }
 
 TEST_F(Export, WritesEveryFormatWithinTheTolerance) {
-  const auto shear = curve("coarse", "shear"), dilatational = curve("coarse", "bulk");
+  const auto shear = curve("coarse", "shear");
   ASSERT_FALSE(shear.empty());
   for (const auto* format : {"abaqus", "ansys", "ls-dyna", "comsol", "moose", "csv"}) {
     const auto written = export_card(format, {"--boundary", "displacement", "--poisson", "0.3"});
@@ -202,7 +209,7 @@ TEST_F(Export, DynamicModuliAgainstTemperature) {
   const auto expected = read_csv(cold.path() / "dma.csv");
   for (const auto* column : {"shear_storage_modulus_Pa", "shear_loss_modulus_Pa", "youngs_storage_modulus_Pa",
                              "youngs_loss_modulus_Pa", "poisson_ratio_real"}) {
-    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 1e-3) << column;
+    EXPECT_NEAR(table.numbers(column)[0] / expected.numbers(column)[0], 1.0, 3e-3) << column;  // two reduced bases
   }
 }
 
