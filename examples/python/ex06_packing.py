@@ -27,7 +27,7 @@ print(f"smallest gap {1e6 * box.gap:.2f} um, interface {box.interface_density / 
 box
 
 # %%
-# Distances of coarse discs, the shortest way in the periodic box: how many there are, over how many would be by chance.
+# How many pairs of coarse discs are so far apart, in the periodic box, over how many would be by chance.
 centres = box.centres[box.fillers == 0]
 apart = centres[:, None] - centres[None]
 apart -= box.side * np.round(apart / box.side)

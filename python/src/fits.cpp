@@ -80,6 +80,16 @@ void bind_quality(py::class_<Fit>& fit) {
           "Standard error of the fit at each value, from the scatter of the data, relative [-].");
 }
 
+py::tuple state_of(const FitQuality& quality) {
+  return py::make_tuple(quality.median_error, quality.worst_error, quality.worst_at, array_of(quality.fitted),
+                        array_of(quality.standard_errors));
+}
+
+FitQuality quality_from(const py::tuple& state) {
+  return {state[0].cast<double>(), state[1].cast<double>(), state[2].cast<double>(),
+          state[3].cast<std::vector<double>>(), state[4].cast<std::vector<double>>()};
+}
+
 FitOptions options_of(double ramp, double times_per_decade) {
   if (!(times_per_decade > 0.0)) throw InputError("times_per_decade: expected a positive number");
   if (!(ramp >= 0.0)) throw InputError("ramp: expected a duration [s] that is not negative");
@@ -94,6 +104,11 @@ void bind_results(py::module_& module) {
     return fmt::format("<breccia.RelaxationFit: {}; {}>", display_count(fit.series.terms().size(), "term"),
                        in_words(fit.quality, "s or rad/s"));
   });
+  relaxation.def(py::pickle(
+      [](const RelaxationFit& fit) { return py::make_tuple(python::state_of(fit.series), state_of(fit.quality)); },
+      [](const py::tuple& state) {
+        return RelaxationFit{series_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())};
+      }));
   py::class_<CreepFit> creep(module, "CreepFit", "A creep compliance fitted to data.");
   creep.def_readonly("compliance", &CreepFit::compliance, "The fit, a CreepCompliance.");
   bind_quality(creep);

@@ -130,11 +130,13 @@ void bind_test(py::module_& module) {
                              "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load "
                              "displacement [m], strain [-] (xx, yy, xy), stress [Pa] (xx, yy, zz, xy), in the order "
                              "[y, x] of the material points, or [z, y, x] of the cells of a cube.")
-      .def("__repr__", [](const TestResult& test) {
-        return fmt::format("<breccia.TestResult: {}, {}, {}, {}; {} times>", name_of(test.id.load),
-                           name_of(test.id.boundary), words_of(test.id.grid), name_of(test.id.method),
-                           test.modulus.size());
-      });
+      .def("__repr__",
+           [](const TestResult& test) {
+             return fmt::format("<breccia.TestResult: {}, {}, {}, {}; {} times>", name_of(test.id.load),
+                                name_of(test.id.boundary), words_of(test.id.grid), name_of(test.id.method),
+                                test.modulus.size());
+           })
+      .def(py::pickle(&state_of_test, &python::test_from));
 }
 
 /// A function of a stage that finds one of its tests by words and passes it on, with the Python object that owns it.
@@ -236,10 +238,12 @@ void bind_stage(py::module_& module) {
                                    view_of(test.compliance, &CreepSample::compliance, self));
            }),
            load, boundary, method, grid, of_compliance.c_str())
-      .def("__repr__", [](const SolvedStage& stage) {
-        return fmt::format("<breccia.StageResult {}: {}>", stage.result.name,
-                           display_count(stage.result.tests.size(), "test"));
-      });
+      .def("__repr__",
+           [](const SolvedStage& stage) {
+             return fmt::format("<breccia.StageResult {}: {}>", stage.result.name,
+                                display_count(stage.result.tests.size(), "test"));
+           })
+      .def(py::pickle(&state_of_stage, &python::stage_from));
 }
 
 const SolvedStage& stage_of(const Solution& solution, const std::string& name) {

@@ -188,6 +188,12 @@ py::dict state_of(const TestResult& test) {
   return state;
 }
 
+}  // namespace
+
+py::dict state_of_test(const TestResult& test) {
+  return state_of(test);
+}
+
 TestResult test_from(const py::dict& state) {
   TestResult test{.id = id_from(state["id"].cast<py::dict>())};
   test.modulus = pairs_from<Sample>(state["modulus"].cast<py::tuple>());
@@ -198,6 +204,8 @@ TestResult test_from(const py::dict& state) {
   add_record(test, state["record"].cast<py::tuple>());
   return test;
 }
+
+namespace {
 
 py::dict state_of(const StageMaterial& material) {
   const auto& [solid, fitted, shear_error, bulk_error] = material.result;
@@ -270,6 +278,12 @@ py::dict state_of(const SolvedStage& stage) {
   return state;
 }
 
+}  // namespace
+
+py::dict state_of_stage(const SolvedStage& stage) {
+  return state_of(stage);
+}
+
 SolvedStage stage_from(const py::dict& state) {
   SolvedStage stage;
   auto& result = stage.result;
@@ -287,6 +301,8 @@ SolvedStage stage_from(const py::dict& state) {
   result.warnings = state["warnings"].cast<std::vector<std::string>>();
   return stage;
 }
+
+namespace {
 
 py::dict state_of(const StoredMaterial& stored) {
   py::dict state;

@@ -8,8 +8,12 @@
 
 namespace breccia::python {
 
-// The content of a solution for pickle: everything that Python shows, and the reduced responses. What a test has
-// recorded of its own computation beside its error and wall time is left out.
+// The content of results for pickle: everything that Python shows, and of a whole solution the reduced responses. What
+// a test has recorded of its own computation beside its error and wall time is left out.
+pybind11::dict state_of_test(const TestResult& test);
+TestResult test_from(const pybind11::dict& state);
+pybind11::dict state_of_stage(const SolvedStage& stage);
+SolvedStage stage_from(const pybind11::dict& state);
 pybind11::dict state_of_solution(const Solution& solution);
 std::shared_ptr<Solution> solution_from(const pybind11::dict& state);
 

@@ -1,5 +1,7 @@
 """Series and fits against what they were made from."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -39,6 +41,8 @@ def test_fits_find_the_series_of_their_data():
     assert dynamic.series.at(0.1) == pytest.approx(SERIES.at(0.1), rel=0.02)
     creep = breccia.fit_creep(time, SERIES.creep_compliance().at(time))
     assert creep.compliance.at(0.1) == pytest.approx(SERIES.creep_compliance().at(0.1), rel=0.02)
+    again = pickle.loads(pickle.dumps(fit))
+    assert again.series == fit.series and np.array_equal(again.fitted, fit.fitted)
     assert "deviation" in repr(fit) and "deviation" in repr(creep)
 
 

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import textwrap
 import threading
+import types
 
 import numpy as np
 import pytest
@@ -20,6 +21,8 @@ LONG = {"stages.0.cells": 500, "tests.method": "dynamic"}
 
 def ctrl_c_when_working(study, calculate):
     """Sends Ctrl-C to this process, from another thread, soon after the first sign of progress."""
+    # A process that was started in the background of a shell ignores the signal, and so does Python then.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     is_working = threading.Event()
 
     def interrupt():
@@ -31,6 +34,7 @@ def ctrl_c_when_working(study, calculate):
     with pytest.raises(KeyboardInterrupt):
         calculate(study, lambda *_: is_working.set())
     thread.join()
+    signal.signal(signal.SIGINT, before)
 
 
 def test_ctrl_c_ends_a_solution():
@@ -90,6 +94,24 @@ def test_files_and_pipes_show_nothing(monkeypatch):
         assert show is None
     with _progress.shown(False) as show:
         assert show is None
+
+
+def test_notebooks_show_a_bar_that_goes(monkeypatch):
+    shown = []
+    handle = types.SimpleNamespace(update=shown.append)
+    display = types.ModuleType("IPython.display")
+    display.HTML = str
+    display.display = lambda text, display_id: shown.append(text) or handle
+    ipython = types.ModuleType("IPython")
+    ipython.get_ipython = lambda: types.SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    monkeypatch.setattr(_progress, "_PATIENCE", 0.0)
+    with _progress.shown(None) as show:
+        show("model: packing", 0.25, "100 <events>")
+        show("model: packing", 0.5, "200 events")
+    assert 'value="0.250"' in shown[0] and "100 &lt;events&gt;" in shown[0]
+    assert "50 %" in shown[1] and shown[-1] == ""
 
 
 def run_python(code):

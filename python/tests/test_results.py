@@ -86,6 +86,9 @@ def test_pickles_hold_everything(model):
     for boundary in ("displacement", "traction"):
         assert np.array_equal(breccia.respond(copy, softer)["model"].curve(boundary=boundary),
                               breccia.respond(model, softer)["model"].curve(boundary=boundary))
+    stage = pickle.loads(pickle.dumps(model["model"]))
+    test = pickle.loads(pickle.dumps(stage.test(boundary="traction")))
+    assert np.array_equal(test.modulus, model["model"].curve(boundary="traction")[1])
     series = model["model"].prony(boundary="traction")
     assert pickle.loads(pickle.dumps(series)) == series
     assert pickle.loads(pickle.dumps(series.creep_compliance())) == series.creep_compliance()
