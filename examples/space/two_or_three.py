@@ -24,7 +24,7 @@ CASES = {  # name: deck, keys
     "four-24": (FOUR, {"stages.*.cells": 24}),
     "four-32": (FOUR, {}),
     "four-discs": (FOUR, {"dimensions": 2, "stages.*.cells": 200}),
-    "grains-48": (GRAINS, {"stages.0.cells": 48}),
+    "grains-48": (GRAINS, {}),
 }
 
 
