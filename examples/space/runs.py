@@ -44,7 +44,7 @@ class Run:
         return sum(m * exp(-time / tau) for tau, m in self.terms[boundary, load])
 
 
-def measured(name, deck, keys):
+def directory_of(name, deck, keys):
     """The results of a deck with these keys, as TOML; those of an earlier run of the same name if there are any."""
     directory = RESULTS / name
     if not (directory / "cost.json").exists():
@@ -58,7 +58,12 @@ def measured(name, deck, keys):
             sys.exit(f"{' '.join(command)}: failed")
         cost = {"processor_s": usage.ru_utime + usage.ru_stime, "memory_B": 1024 * usage.ru_maxrss}
         (directory / "cost.json").write_text(json.dumps(cost) + "\n")
-    return Run(directory)
+    return directory
+
+
+def measured(name, deck, keys):
+    """The same for a deck of one stage, read."""
+    return Run(directory_of(name, deck, keys))
 
 
 def row(*cells):

@@ -119,6 +119,7 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
   constexpr double tenth = 0.1;
   const auto needed = cells_per_diameter_for(tenth, packed.fraction);
   if (!needed) {
+    if (std::holds_alternative<LatticePacking>(stage.packing)) return std::nullopt;  // all of its gaps are alike
     return fmt::format(
         "spheres that fill {:.3g} % are close to jamming, where the modulus at long times comes out far too low unless "
         "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",

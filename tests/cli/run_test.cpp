@@ -129,6 +129,19 @@ TEST(Examples, ModelCompositeAgreesWithTheQuasiStaticLimit) {
   expect_quasi_static(read_curve(directory.path() / "curves.csv", "model", "shear"), known_standard_48, 0.01);
 }
 
+/// Each stage of PBX-9501 is stiffer than the one before and softer than its filler, at all times.
+void expect_stiffer_stages(const std::filesystem::path& curves) {
+  const auto first = read_curve(curves, "HB-1", "shear"), second = read_curve(curves, "HB-2", "shear"),
+             composite = read_curve(curves, "PBX-9501", "shear");
+  constexpr double hmx = 5.84e9;
+  ASSERT_EQ(composite.size(), first.size());
+  for (std::size_t i = 0; i < composite.size(); ++i) {
+    EXPECT_LT(first[i].modulus, second[i].modulus);
+    EXPECT_LT(second[i].modulus, composite[i].modulus);
+    EXPECT_LT(composite[i].modulus, hmx);
+  }
+}
+
 TEST(Examples, Pbx9501StiffensFromStageToStage) {
   const test::TemporaryDirectory directory;
   const std::string deck = BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-quick.toml";
@@ -140,16 +153,21 @@ TEST(Examples, Pbx9501StiffensFromStageToStage) {
   const auto run = test::run_breccia(directory.path(), arguments);
   ASSERT_EQ(run.exit_code, 0) << run.errors;
   EXPECT_THAT(run.output, HasSubstr("PBX-9501 over what was measured, Bennett et al. 1998"));
-  const auto curve = [&](const std::string& stage) {
-    return read_curve(directory.path() / "curves.csv", stage, "shear");
-  };
-  const auto first = curve("HB-1"), second = curve("HB-2"), composite = curve("PBX-9501");
-  constexpr double hmx = 5.84e9;
-  ASSERT_EQ(composite.size(), first.size());
-  for (std::size_t i = 0; i < composite.size(); ++i) {
-    EXPECT_LT(first[i].modulus, second[i].modulus);
-    EXPECT_LT(second[i].modulus, composite[i].modulus);
-    EXPECT_LT(composite[i].modulus, hmx);
+  expect_stiffer_stages(directory.path() / "curves.csv");
+}
+
+// The same deck of spheres and, with dimensions = 2, of discs.
+TEST(Examples, Pbx9501OfSpheresStiffensFromStageToStage) {
+  const std::string deck = BRECCIA_EXAMPLES_DIRECTORY "/pbx9501-3d-quick.toml";
+  for (const auto* dimensions : {"3", "2"}) {
+    SCOPED_TRACE(dimensions);
+    const test::TemporaryDirectory directory;
+    const auto run = test::run_breccia(
+        directory.path(), {"run", deck, "--out", ".", "--threads", "1", "--set", "tests.fields=none", "--set",
+                           "stages.*.cells=10", "--set", std::string("dimensions=") + dimensions});
+    ASSERT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("PBX-9501 over what was measured, Bennett et al. 1998"));
+    expect_stiffer_stages(directory.path() / "curves.csv");
   }
 }
 
