@@ -61,7 +61,8 @@ TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
   const auto result = run_dynamic_test(test);
   EXPECT_TRUE(result.fields.empty());
   ASSERT_EQ(result.volume_fields.size(), 2U);
-  constexpr double rings = 3e-3;
+  constexpr double rings = 3e-3;  // strain; the stress of pressure waves is their stiffness times as much
+  const double stiffness_of_waves = material.bulk.unrelaxed() + 4.0 / 3.0 * material.shear.unrelaxed();
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& [time, fields] = result.volume_fields[i];
     EXPECT_NEAR(time / test.field_times[i], 1.0, 0.02);
@@ -72,7 +73,11 @@ TEST(DynamicTestInSpace, FieldsOfAHomogeneousCubeAreUniform) {
       for (std::size_t component = 0; component < 6; ++component) {
         const bool is_loaded = component == 4;  // zx
         EXPECT_NEAR(fields.strain[cell][component], is_loaded ? 0.5 : 0.0, rings);
-        EXPECT_NEAR(fields.stress[cell][component] / modulus, is_loaded ? 1.0 : 0.0, 5 * rings);
+        if (is_loaded) {
+          EXPECT_NEAR(fields.stress[cell][component] / modulus, 1.0, 5 * rings);
+        } else {
+          EXPECT_NEAR(fields.stress[cell][component], 0.0, rings * stiffness_of_waves);
+        }
       }
       const double x = (static_cast<double>(cell % 6) - 2.5) / 6e3, z = (static_cast<double>(cell / 36) - 2.5) / 6e3;
       EXPECT_NEAR(fields.displacement[cell][0], 0.5 * z, rings * 1e-3);
