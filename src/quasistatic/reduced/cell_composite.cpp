@@ -1,5 +1,8 @@
 #include "reduced/cell_composite.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "operator/recovery.hpp"
 
 namespace breccia::quasistatic {
@@ -101,8 +104,13 @@ template <int dim>
 Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
   const auto& elastic_operator = composite_->elastic_operator();
   const bool is_strained = elastic_operator.boundary() != Boundary::traction;
-  auto solution = solver_->solve(is_strained ? held_back(load) : elastic_operator.load_forces(load), std::move(guess));
-  solution.set_macroscopic(is_strained ? 1.0 : 0.0);
+  if (!is_strained) {
+    auto solution = solver_->solve(elastic_operator.load_forces(load), std::move(guess));
+    solution.set_macroscopic(0.0);
+    return solution;
+  }
+  auto solution = solver_->solve(held_back(load), std::move(guess), least_energy(load));
+  solution.set_macroscopic(1.0);
   return solution;
 }
 
@@ -115,6 +123,16 @@ Forces CellSolver<dim>::held_back(Load load) const {
   auto forces = elastic_operator.forces(moduli_, load, prescribed);
   forces.scale(-1.0);
   return forces;
+}
+
+/// Twice the energy of a box of one material with the least moduli of all, under the uniform strain of a load; less in
+/// plane strain under `bulk`.
+template <int dim>
+double CellSolver<dim>::least_energy(Load load) const {
+  const auto modulus = load == Load::bulk ? &Moduli::bulk : &Moduli::shear;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& of_phase : moduli_) least = std::min(least, of_phase.*modulus);
+  return least * composite_->elastic_operator().volume();
 }
 
 template class CellComposite<2>;

@@ -79,6 +79,7 @@ class CellSolver {
 
  private:
   [[nodiscard]] Forces held_back(Load load) const;
+  [[nodiscard]] double least_energy(Load load) const;
 
   const CellComposite<dim>* composite_;
   std::unique_ptr<ElasticSolver<dim>> solver_;

@@ -47,8 +47,9 @@ void ElasticSolver<dim>::count_iterations(int iterations) {
 }
 
 template <int dim>
-Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement) {
+Displacement ElasticSolver<dim>::solve(Forces forces, Displacement displacement, std::optional<double> least_energy) {
   ++effort_.solves;
+  least_energy_ = least_energy;
   elastic_operator_->condense(moduli_, forces);
   check(VecNorm(forces.fluctuation(), NORM_2, &load_), "reading the load");
   const auto [is_converged, residual] = iterate(forces.take_fluctuation(), displacement);

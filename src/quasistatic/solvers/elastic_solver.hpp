@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,8 +29,10 @@ class ElasticSolver {
   /// Makes the preconditioner for the present moduli.
   virtual void update_preconditioner() = 0;
   /// The displacement w, and the strains of phases that go with it, with K w = forces, from an initial guess; its
-  /// macroscopic part is undefined. Throws NumericalError when the iteration does not converge.
-  [[nodiscard]] Displacement solve(Forces forces, Displacement guess);
+  /// macroscopic part is undefined. `least_energy`, if it is known, is a lower bound of twice the energy of the
+  /// composite with w and the strain that is prescribed; it may be orders below that of w alone, and w is then found as
+  /// accurately as the energy of the composite needs. Throws NumericalError when the iteration does not converge.
+  [[nodiscard]] Displacement solve(Forces forces, Displacement guess, std::optional<double> least_energy = {});
 
   [[nodiscard]] const LinearEffort& effort() const noexcept { return effort_; }
   /// Continues counting from the effort of an earlier run.
@@ -55,6 +58,7 @@ class ElasticSolver {
   /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
   /// up to `largest`?
   [[nodiscard]] bool is_small(double residual, double largest) const noexcept;
+  [[nodiscard]] std::optional<double> least_energy() const noexcept { return least_energy_; }
   void count_factorisation() { ++effort_.factorisations; }
   void count_iterations(int iterations);
 
@@ -68,8 +72,9 @@ class ElasticSolver {
   std::vector<Moduli> moduli_;
   LinearEffort effort_;
   double prescribed_;  ///< size of the prescribed displacements: 1, of a unit strain, or 0 under a traction boundary
-  double rounding_ = 0.0;  ///< norm of the rounding errors of the forces for displacements of order one
-  double load_ = 0.0;      ///< norm of the forces of the present solve
+  double rounding_ = 0.0;               ///< norm of the rounding errors of the forces for displacements of order one
+  double load_ = 0.0;                   ///< norm of the forces of the present solve
+  std::optional<double> least_energy_;  ///< of the present solve
 };
 
 /// The solver that the options ask for: direct or, as an iterative one, algebraic multigrid on several processes; on
