@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
 
 #include "messages.hpp"
 #include "scoped_variable.hpp"
@@ -125,6 +126,7 @@ TEST(SymmetricFactors, InFilesAreThoseInMemoryButForRounding) {
 }
 
 TEST(SymmetricFactors, LeaveNoFiles) {
+  parallel::start();  // before MPI can leave files of its own there
   const test::TemporaryDirectory directory;
   const test::ScopedVariable temporary("TMPDIR", directory.path().string());
   {
@@ -146,6 +148,7 @@ TEST(SymmetricFactors, LeaveNoFiles) {
 }
 
 TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
+  parallel::start();  // MPI has its own wishes for the name of that place
   const auto refusal = [](const std::filesystem::path& place) {
     const test::ScopedVariable temporary("TMPDIR", place.string());
     SymmetricFactors factors(0.0);
