@@ -1,11 +1,58 @@
 #include "following.hpp"
 
+#include <atomic>
+#include <mutex>
+#include <thread>
+
 #include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/parallel/blas_threads.hpp"
 
 namespace breccia::python {
 
 namespace py = pybind11;
 using std::chrono::milliseconds;
+
+namespace {
+
+/// Held by the thread that calculates.
+std::timed_mutex& turn_of_all() {
+  static std::timed_mutex instance;
+  return instance;
+}
+
+/// The thread that calculates, if there is one.
+std::atomic<std::thread::id>& calculating() {
+  static std::atomic<std::thread::id> instance;
+  return instance;
+}
+
+/// Waits a while for the turn, without the interpreter's lock.
+bool takes_turn() {
+  constexpr milliseconds pause(50);
+  const py::gil_scoped_release release;
+  return turn_of_all().try_lock_for(pause);
+}
+
+}  // namespace
+
+Turn::Turn() {
+  if (calculating() == std::this_thread::get_id()) {
+    throw InputError("a calculation cannot be started by the progress function of another one");
+  }
+  while (!takes_turn()) {
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  calculating() = std::this_thread::get_id();
+  threads_of_host_ = parallel::set_blas_threads(1);
+}
+
+Turn::~Turn() {
+  if (threads_of_host_) parallel::set_blas_threads(*threads_of_host_);
+  calculating() = std::thread::id();
+  turn_of_all().unlock();
+}
 
 bool Following::is_due(Clock::time_point& last, milliseconds pause) const {
   const auto now = Clock::now();

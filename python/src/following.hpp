@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,7 +8,6 @@
 #include <pybind11/pybind11.h>
 
 #include "breccia/campaign/run.hpp"
-#include "breccia/parallel/blas_threads.hpp"
 
 namespace breccia::python {
 
@@ -43,28 +41,28 @@ class Following {
   std::optional<pybind11::error_already_set> interruption_ = {};
 };
 
-/// Does a calculation without the interpreter's lock. Solvers keep state of their own in the process, so one thread
-/// calculates at a time; meanwhile the BLAS, which NumPy may share, has one thread.
+/// The turn of a calculation. Solvers keep state of their own in the process, so one thread calculates at a time;
+/// meanwhile the BLAS, which NumPy may share, has one thread. It must be made and destroyed with the interpreter's lock
+/// held. Throws what a signal raises while it waits, and InputError where this thread has the turn already: in the
+/// progress function of another calculation.
+class Turn {
+ public:
+  Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  Turn(Turn&&) = delete;
+  Turn& operator=(Turn&&) = delete;
+  ~Turn();
+
+ private:
+  std::optional<int> threads_of_host_;
+};
+
+/// Does a calculation in its turn, without the interpreter's lock.
 template <class Work>
 auto calculate(const Work& work) {
-  static std::mutex one_at_a_time;
+  const Turn turn;
   const pybind11::gil_scoped_release release;
-  const std::lock_guard lock(one_at_a_time);
-  class BlasOfHost {
-   public:
-    BlasOfHost() : threads_(parallel::set_blas_threads(1)) {}
-    BlasOfHost(const BlasOfHost&) = delete;
-    BlasOfHost& operator=(const BlasOfHost&) = delete;
-    BlasOfHost(BlasOfHost&&) = delete;
-    BlasOfHost& operator=(BlasOfHost&&) = delete;
-    ~BlasOfHost() {
-      if (threads_) parallel::set_blas_threads(*threads_);
-    }
-
-   private:
-    std::optional<int> threads_;
-  };
-  const BlasOfHost blas;
   return work();
 }
 

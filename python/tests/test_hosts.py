@@ -73,6 +73,26 @@ def test_threads_of_python_wait_for_each_other(model):
     assert len(results) == 3
 
 
+def test_threads_of_different_calculations_wait_for_each_other(tmp_path):
+    study = breccia.read_study(MODEL, OVERRIDES)
+    results = []
+    threads = [threading.Thread(target=lambda: results.append(breccia.solve(study))),
+               threading.Thread(target=lambda: results.append(breccia.run(study, tmp_path / "one"))),
+               threading.Thread(target=lambda: results.append(breccia.run(study, tmp_path / "other")))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(results) == 3
+    assert (tmp_path / "one" / "curves.csv").read_bytes() == (tmp_path / "other" / "curves.csv").read_bytes()
+
+
+def test_a_calculation_cannot_start_another_from_its_progress():
+    study = breccia.read_study(MODEL, LONG)
+    with pytest.raises(breccia.InputError, match="progress function of another"):
+        breccia.solve(study, progress=lambda *of: breccia.solve(study, progress=False))
+
+
 class Terminal(io.StringIO):
     def isatty(self):
         return True

@@ -41,6 +41,7 @@ struct ExportArguments {
   std::string step = "2 K";               ///< between the temperatures
   fs::path output;                        ///< empty: standard output
   bool overwrite = false;
+  std::vector<std::string> of_other_formats;  ///< options that were given, but that the format does not have
 };
 
 /// Reads options one by one and collects what is wrong with each of them.
@@ -101,6 +102,14 @@ void refuse_existing(const ExportArguments& arguments) {
 
 /// The name of the format that is no card: dynamic moduli against temperature.
 constexpr auto isochronal_format = "dma";
+
+std::vector<std::string> options_of_isochronal_format() {
+  return {"--frequency", "--temperatures", "--step"};
+}
+
+std::vector<std::string> options_of_cards() {
+  return {"--tolerance", "--times", "--bulk", "--poisson", "--units"};
+}
 
 struct ExportRequest {
   CompositeChoice choice;
@@ -167,6 +176,9 @@ ExportRequest read_request(const ExportArguments& arguments) {
     throw InputError("--bulk and --poisson: expected one of them");
   });
   read_isochronal_options(arguments, options, request);
+  for (const auto& option : arguments.of_other_formats) {
+    options.read([&] { throw InputError(fmt::format("{}: the format {} has none", option, arguments.format)); });
+  }
   options.read([&] { refuse_existing(arguments); });
   options.refuse();
   return request;
@@ -266,7 +278,14 @@ void add_export(CLI::App& application) {
       ->type_name("DIFFERENCE");
   command->add_option("--output", arguments->output, "the file (default: standard output)")->type_name("FILE");
   command->add_flag("--overwrite", arguments->overwrite, "replace that file");
-  command->callback([arguments] { write_exported(*arguments); });
+  command->callback([arguments, command] {
+    const bool is_card = arguments->format != isochronal_format;
+    const auto others = is_card ? options_of_isochronal_format() : options_of_cards();
+    for (const auto& option : others) {
+      if (command->count(option) > 0) arguments->of_other_formats.push_back(option);
+    }
+    write_exported(*arguments);
+  });
 }
 
 }  // namespace breccia::cli

@@ -125,9 +125,9 @@ std::optional<std::string> warning_of_small_spheres(const Stage& stage, const St
         "the grid resolves their gaps; the mean sphere, {}, is {:.2g} cells wide: try several grids",
         100.0 * packed.fraction, display(diameter, "m"), cells);
   }
-  return fmt::format(
-      "the mean sphere, {}, is {:.2g} cells wide, too few to tell the error of the grid, which is 15 % and more{}",
-      display(diameter, "m"), cells, words_on_finer_grids(stage.grids(), std::ceil(*needed * stage.side / diameter)));
+  return fmt::format("the mean sphere, {}, is {:.2g} cells wide, too few to tell the error of the grid{}",
+                     display(diameter, "m"), cells,
+                     words_on_finer_grids(stage.grids(), std::ceil(*needed * stage.side / diameter)));
 }
 
 /// A coating that the grid does not resolve.

@@ -87,6 +87,13 @@ void refuse_settings(const StoredComposite& composite, const CardSettings& setti
     mistakes.push_back(
         fmt::format("times: expected two rising times, got {} s and {} s", settings.times->begin, settings.times->end));
   }
+  constexpr double rounding = 1e-9;
+  if (settings.times && !(settings.times->begin >= (1.0 - rounding) * composite.times.begin &&
+                          settings.times->end <= (1.0 + rounding) * composite.times.end)) {
+    mistakes.push_back(fmt::format("times: expected times of the results, from {} to {} s, got {} s and {} s",
+                                   composite.times.begin, composite.times.end, settings.times->begin,
+                                   settings.times->end));
+  }
   if (settings.bulk && settings.poisson) {
     mistakes.emplace_back("bulk modulus and Poisson's ratio: expected one of them");
   }
@@ -111,6 +118,16 @@ std::string terms_in_words(const PronySeries& series) {
 
 std::string percent(double share) {
   return fmt::format("{:.2g} %", 100.0 * share);
+}
+
+/// The modulus that a card keeps for ever is at least this share of the tolerance times the modulus at the last time.
+/// Shares of a modulus that relaxes to nothing would sum to one and, when they are read, to a little more: a solid of
+/// negative stiffness.
+constexpr double share_that_stays = 1e-2;
+
+PronySeries with_equilibrium(const PronySeries& series, double last_time, double share) {
+  const double least = share * series.at(last_time);
+  return series.equilibrium() >= least ? series : PronySeries(least, series.terms());
 }
 
 /// Throws InputError where the terms are too many, or do not follow the moduli.
@@ -203,8 +220,9 @@ MaterialCard material_card(const StoredComposite& composite, const CardSettings&
   MaterialCard card;
   card.name = card_name(composite.stage);
   card.density = composite.density;
-  card.shear = few.series[0];
-  card.bulk = few.series[1];
+  const double share = share_that_stays * settings.tolerance;
+  card.shear = with_equilibrium(few.series[0], times.end, share);
+  card.bulk = with_equilibrium(few.series[1], times.end, share);
   if (composite.shift) card.shift = with_reference(composite.shift->law, composite.shift->temperature);
   card.times = times;
   card.shear_deviation = few.deviations[0];

@@ -142,6 +142,16 @@ TEST_F(Export, WritesToAFileAndNotOverOne) {
             0);
 }
 
+TEST_F(Export, RefusesOptionsOfOtherFormats) {
+  const auto table = export_card("dma", {"--boundary", "displacement", "--units", "mm-t-s", "--poisson", "0.4"});
+  EXPECT_EQ(table.exit_code, 2);
+  EXPECT_THAT(table.errors, HasSubstr("--units: the format dma has none"));
+  EXPECT_THAT(table.errors, HasSubstr("--poisson: the format dma has none"));
+  const auto card = export_card("abaqus", {"--boundary", "displacement", "--step", "1 K"});
+  EXPECT_EQ(card.exit_code, 2);
+  EXPECT_THAT(card.errors, HasSubstr("--step: the format abaqus has none"));
+}
+
 TEST_F(Export, CsvServesAsTheMaterialOfADeck) {
   ASSERT_EQ(export_card("csv", {"--boundary", "displacement", "--poisson", "0.3", "--output", "terms.csv"}).exit_code,
             0);

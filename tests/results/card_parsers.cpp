@@ -263,7 +263,8 @@ ParsedCard parse_csv_card(const std::string& text) {
     if (std::stod(fields[1]) > 0.0) of_shear.push_back({time, std::stod(fields[1])});
     if (std::stod(fields[2]) > 0.0) of_bulk.push_back({time, std::stod(fields[2])});
   }
-  require(std::abs(shares - 1.0) < 1e-12, "shares that add up to one");
+  constexpr double of_twelve_digits = 1e-11;
+  require(std::abs(shares - 1.0) < of_twelve_digits, "shares that add up to one");
   card.shear = PronySeries(shear, of_shear);
   card.bulk = PronySeries(bulk, of_bulk);
   return card;

@@ -152,12 +152,30 @@ TEST(MaterialCard, RefusesWhatItDoesNotKnow) {
   for (const auto* mistake : {"tolerance: ", "times: ", "Poisson's ratio: "}) EXPECT_THAT(mistakes, HasSubstr(mistake));
 }
 
+TEST(MaterialCard, RefusesTimesWithoutResults) {
+  const auto composite = composite_of_cards();
+  for (const auto& times : {TimeWindow{1e-9, 1e-2}, TimeWindow{1e-7, 1.0}}) {
+    EXPECT_THAT(message_of<InputError>([&] { static_cast<void>(material_card(composite, {.times = times})); }),
+                HasSubstr("expected times of the results, from 1e-08 to 0.1 s"));
+  }
+}
+
+TEST_P(Card, OfAModulusThatRelaxesToNothingKeepsALittle) {
+  const auto& [name, format] = GetParam();
+  auto composite = composite_of_cards();
+  composite.shear = PronySeries(0.0, composite.shear.terms());
+  composite.dilatational = PronySeries(0.0, composite.dilatational->terms());
+  const CardSettings settings{.format = format};
+  const auto read = parse_card(std::string(name), text_of(material_card(composite, settings), settings));
+  EXPECT_GT(read.shear.equilibrium(), 0.0);
+  EXPECT_GT(read.bulk.equilibrium(), 0.0);
+  EXPECT_LT(deviation_of(read.shear, composite.shear, composite.times), 0.0102);
+}
+
 TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
   const auto composite = composite_of_cards();
-  const auto message = message_of<InputError>([&] {
-    static_cast<void>(
-        material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-6, .times = TimeWindow{1e-9, 1e3}}));
-  });
+  const auto message = message_of<InputError>(
+      [&] { static_cast<void>(material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-6})); });
   EXPECT_THAT(message, HasSubstr("LS-DYNA takes at most 17 terms"));
 }
 

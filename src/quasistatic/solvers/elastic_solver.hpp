@@ -77,8 +77,8 @@ class ElasticSolver {
   std::optional<double> least_energy_;  ///< of the present solve
 };
 
-/// The solver that the options ask for: direct or, as an iterative one, algebraic multigrid on several processes; on
-/// one process substructuring in 2 dimensions and fast transforms in 3.
+/// The solver that the options ask for: direct or, as an iterative one, substructuring in 2 dimensions; in 3 fast
+/// transforms on one process and algebraic multigrid on several.
 template <int dim>
 std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
                                                         const LinearOptions& options);

@@ -1,6 +1,7 @@
 #include "ls_dyna_card.hpp"
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -10,11 +11,18 @@
 namespace breccia::cards {
 namespace {
 
+/// The shortest form of an exponent: 3.88e9 for 3.88e+09.
+std::string with_short_exponent(const std::string& text) {
+  const auto exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
+}
+
 /// A number in a field of ten columns, with as many digits as fit.
 std::string field(double value) {
   constexpr int width = 10, most_digits = 9;
   for (int digits = most_digits; digits > 0; --digits) {
-    const auto text = fmt::format("{:.{}g}", value, digits);
+    const auto text = with_short_exponent(fmt::format("{:.{}g}", value, digits));
     if (text.size() < width) return fmt::format("{:>10}", text);
   }
   return fmt::format("{:>10.2e}", value);
