@@ -76,16 +76,21 @@ function(breccia_library)
   target_include_directories(breccia PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(breccia PUBLIC Eigen3::Eigen fmt::fmt)
-  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> ${libraries})
+  target_link_libraries(breccia PRIVATE $<BUILD_INTERFACE:breccia_options> OpenMP::OpenMP_CXX ${libraries})
 
-  install(TARGETS breccia EXPORT brecciaTargets)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(EXPORT brecciaTargets NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
+  # The components of the installation are the packages of packaging/DebianPackages.cmake.
+  install(TARGETS breccia EXPORT brecciaTargets
+    LIBRARY COMPONENT command NAMELINK_COMPONENT development
+    ARCHIVE COMPONENT development)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  install(EXPORT brecciaTargets
+    NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in
     ${PROJECT_BINARY_DIR}/brecciaConfig.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
   write_basic_package_version_file(${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/brecciaConfig.cmake ${PROJECT_BINARY_DIR}/brecciaConfigVersion.cmake ${PROJECT_SOURCE_DIR}/cmake/SparseFactors.cmake
-    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia)
+    DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia COMPONENT development)
 endfunction()
 
 # Tests spend their time in the library. Where several are compiled as one, names of one are no matter of another.

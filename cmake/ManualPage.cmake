@@ -1,10 +1,10 @@
 # Writes the manual page of the program: a template with what `breccia COMMAND --help` says of every command.
 #
-#   cmake -D PROGRAM=breccia -D VERSION=0.1.0 -D TEMPLATE=breccia.1.in -D OUTPUT=breccia.1 -P ManualPage.cmake
+#   cmake -D PROGRAM=[emulator;]breccia -D VERSION=0.1.0 -D TEMPLATE=breccia.1.in -D OUTPUT=breccia.1 -P ManualPage.cmake
 
 # help_of(VARIABLE ARGUMENT...): what the program prints.
 function(help_of variable)
-  execute_process(COMMAND "${PROGRAM}" ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${PROGRAM} ${ARGN} OUTPUT_VARIABLE text COMMAND_ERROR_IS_FATAL ANY)
   set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 

@@ -3,7 +3,7 @@
 
     examples/space/two_or_three.py [FIGURE]
 
-Five minutes of processor time. What has been run before is read and not run again. The program is `breccia` of the path, or
+Half an hour of processor time. What has been run before is read and not run again. The program is `breccia` of the path, or
 BRECCIA of the environment; results are in `results/space`, or the directory RESULTS of the environment."""
 
 import json
@@ -20,6 +20,7 @@ THREE, FOUR, GRAINS = "../pbx9501-3d.toml", "four-stages.toml", "../pbx9501-grai
 CASES = {  # name: deck, keys
     "three-24": (THREE, {"stages.*.cells": 24}),
     "three-48": (THREE, {}),
+    "three-96": (THREE, {"stages.*.cells": 96, "tests.fields": '"none"'}),
     "three-discs": (THREE, {"dimensions": 2, "stages.*.cells": 375}),
     "four-24": (FOUR, {"stages.*.cells": 24}),
     "four-32": (FOUR, {}),
@@ -87,7 +88,7 @@ def main():
         print(f"\n{name}, G [MPa]")
         for (stage, load), values in found[name].items():
             line(f"{stage} {load}", [value / MPA for value in values])
-    for spheres, discs in (("three-48", "three-discs"), ("four-32", "four-discs")):
+    for spheres, discs in (("three-48", "three-discs"), ("three-96", "three-discs"), ("four-32", "four-discs")):
         print(f"\n{spheres} over {discs}")
         for (stage, load), values in found[spheres].items():
             line(stage, ratio(values, found[discs][stage, load]), "{:.2f}")
@@ -105,7 +106,7 @@ def main():
         figure(
             [
                 ("measured", 'lc "#222222" lw 2 pt 7 ps 0.5', measured()),
-                ("spheres, three stages, 48 cells", 'lc "#c44e52" lw 2 pt 5 ps 0.5', found["three-48"][last]),
+                ("spheres, three stages, 96 cells", 'lc "#c44e52" lw 2 pt 5 ps 0.5', found["three-96"][last]),
                 ("spheres, three stages, 24 cells", 'lc "#c44e52" dt 2 pt 4 ps 0.5', found["three-24"][last]),
                 ("discs, three stages", 'lc "#c44e52" dt 3 lw 2 pt 6 ps 0.7', found["three-discs"][last]),
                 ("spheres, four stages, 32 cells", 'lc "#4c72b0" lw 2 pt 9 ps 0.6', found["four-32"][last]),

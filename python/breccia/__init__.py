@@ -12,6 +12,8 @@ import atexit as _atexit
 from . import _errors, _html, _native
 from ._calculations import pack, respond, run, solve
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
+from ._exports import Isochrone, export, isochrone
+from ._fits import master_curve, read_sweeps
 from ._native import (
     CreepCompliance,
     CreepFit,
@@ -28,18 +30,31 @@ from ._native import (
     fit,
     fit_creep,
     fit_dynamic,
-    master_curve,
     quantity,
     read_measured,
 )
-from ._study import Coating, Filler, Image, Material, Measurement, Packing, Stage, Study, Tests, read_study
+from ._stored import read_results, read_sweep_results
+from ._study import (
+    Coating,
+    Filler,
+    Image,
+    Material,
+    Measurement,
+    Packing,
+    Stage,
+    Study,
+    Tests,
+    read_study,
+    read_sweep,
+)
 
 __all__ = [
     "Coating", "CreepCompliance", "CreepFit", "Error", "FileError", "Filler", "Image", "InputError", "Interrupted",
-    "MasterCurve", "Material", "Measurement", "Microstructure", "NumericalError", "Packing", "PronySeries",
-    "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study", "TestResult", "Tests", "WilliamsLandelFerry",
-    "fit", "fit_creep", "fit_dynamic", "master_curve", "pack", "quantity", "read_measured",
-    "read_study", "respond", "run", "solve",
+    "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure", "NumericalError", "Packing",
+    "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study", "TestResult", "Tests",
+    "WilliamsLandelFerry",
+    "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "quantity", "read_measured",
+    "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run", "solve",
 ]
 
 # The classes of the library are public under the name of this package, also for pickle.
@@ -51,6 +66,7 @@ for _name in __all__:
 setattr(Result, "_repr_html_", _html.result_html)
 setattr(StageResult, "_repr_html_", _html.stage_html)
 setattr(PronySeries, "_repr_html_", _html.series_html)
+setattr(MasterCurve, "_repr_html_", _html.master_curve_html)
 setattr(Microstructure, "_repr_html_", _html.microstructure_html)
 setattr(Microstructure, "_repr_svg_", Microstructure.svg)
 

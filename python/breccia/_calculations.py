@@ -46,7 +46,7 @@ def run(study: Study, directory: PathLike, *, resume: bool = False, overwrite: b
     which a checkpoint is written and Interrupted raised. Ctrl-C writes a checkpoint, too. Raises as solve(), and
     FileError.
     """
-    limit = None if time_limit is None else _seconds("time_limit", time_limit)
+    limit = None if time_limit is None else si("time_limit", time_limit, "time")
     with shown(progress) as show:
         return _native.run(study._checked, os.fspath(directory), resume, overwrite, limit, threads, ignore_memory, show)
 
@@ -66,14 +66,14 @@ def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
         replaced["matrix"] = binder
     if bool(replaced) == (temperature is not None):
         raise InputError("respond: expected either other materials (binder, materials) or a temperature")
-    kelvin = None if temperature is None else _si("temperature", temperature, "temperature")
-    window = None if times is None else _window(times)
+    kelvin = None if temperature is None else si("temperature", temperature, "temperature")
+    covered = None if times is None else window("times", times, "time")
     solids = [(name, _solid(result, name, material)) for name, material in replaced.items()]
-    return _native.respond(result, solids, kelvin, window)
+    return _native.respond(result, solids, kelvin, covered)
 
 
-def _si(argument: str, value: Any, dimension: str) -> float:
-    """An argument that is a quantity as text, or a number."""
+def si(argument: str, value: Any, dimension: str) -> float:
+    """An argument that is a quantity as text, or a number, in the SI unit."""
     if not isinstance(value, str):
         return float(value)
     try:
@@ -82,14 +82,11 @@ def _si(argument: str, value: Any, dimension: str) -> float:
         raise InputError(f"{argument}: {error}") from None
 
 
-def _seconds(argument: str, value: Any) -> float:
-    return _si(argument, value, "time")
-
-
-def _window(times: Sequence[Quantity]) -> tuple[float, float]:
-    if isinstance(times, str) or len(times) != 2:
-        raise InputError(f"times: expected the first and the last one, got {times!r}")
-    return _seconds("times", times[0]), _seconds("times", times[1])
+def window(argument: str, ends: Sequence[Quantity], dimension: str) -> tuple[float, float]:
+    """An argument that is a first and a last quantity, in the SI unit."""
+    if isinstance(ends, str) or len(ends) != 2:
+        raise InputError(f"{argument}: expected the first and the last one, got {ends!r}")
+    return si(argument, ends[0], dimension), si(argument, ends[1], dimension)
 
 
 def _solid(result: _native.Result, replaced: str, material: AnyMaterial) -> _native.Solid:

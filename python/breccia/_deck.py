@@ -35,10 +35,30 @@ class Files:
         self._directory: tempfile.TemporaryDirectory[str] | None = None
         self._numbers = itertools.count(1)
 
-    def _path(self, name: str) -> Path:
+    @classmethod
+    def of(cls, contents: dict[str, bytes]) -> Files:
+        """Files with these contents, by their names."""
+        files = cls()
+        for name, content in contents.items():
+            files._path_in(name).write_bytes(content)
+        return files
+
+    @property
+    def place(self) -> str:
+        """Their directory; empty while there is no file."""
+        return "" if self._directory is None else self._directory.name
+
+    def contents(self) -> dict[str, bytes]:
+        """The contents of all files, by their names."""
+        return {path.name: path.read_bytes() for path in sorted(Path(self.place).iterdir())} if self.place else {}
+
+    def _path_in(self, name: str) -> Path:
         if self._directory is None:
             self._directory = tempfile.TemporaryDirectory(prefix="breccia-")
-        return Path(self._directory.name) / f"{next(self._numbers)}-{name}"
+        return Path(self._directory.name) / name
+
+    def _path(self, name: str) -> Path:
+        return self._path_in(f"{next(self._numbers)}-{name}")
 
     def image(self, labels: NDArray[Any]) -> str:
         """A file with labels, [y, x] with the top row first, or [z, y, x]."""

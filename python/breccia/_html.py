@@ -6,9 +6,10 @@ import html
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _native
-from ._plot import Band, Curve, Floats, plot
+from ._plot import Band, Curve, Floats, plain, plot, plot_over_temperature
 
 _BOUNDS = {"displacement": "upper bound", "traction": "lower bound", "periodic": "periodic"}
 
@@ -107,3 +108,23 @@ def series_html(series: _native.PronySeries) -> str:
 def microstructure_html(box: _native.Microstructure) -> str:
     """A microstructure for a notebook, 360 pixels wide."""
     return f'<div style="width:360px">{box.svg()}</div>'
+
+
+def master_curve_html(curve: _native.MasterCurve) -> str:
+    """A master curve for a notebook: the shifted data and their fit."""
+    frequency = np.geomspace(curve.angular_frequency[0], curve.angular_frequency[-1], 200)
+    fitted = curve.series.complex_modulus(frequency)
+    drawn = plot([Curve("M\u2032, measured", curve.angular_frequency, curve.storage, 0, marks=True),
+                  Curve("M\u2033, measured", curve.angular_frequency, curve.loss, 1, marks=True),
+                  Curve("M\u2032, fitted", frequency, fitted.real, 0),
+                  Curve("M\u2033, fitted", frequency, fitted.imag, 1)], abscissa="Angular frequency / (rad/s)")
+    return f"<div>{html.escape(repr(curve))}</div>{drawn}"
+
+
+def isochrone_html(modulus: NDArray[np.complex128], temperature: Floats, name: str, heading: str) -> str:
+    """Complex moduli over the temperature for a notebook: storage and loss modulus, and the loss tangent."""
+    celsius = temperature - 273.15
+    moduli = plot_over_temperature([Curve(f"{name}\u2032", celsius, modulus.real, 0),
+                                    Curve(f"{name}\u2033", celsius, modulus.imag, 1)])
+    tangent = plot_over_temperature([Curve("tan \u03b4", celsius, modulus.imag / modulus.real, 2)], plain)
+    return f"<div>{html.escape(heading)}</div><div style=\"display:flex;flex-wrap:wrap\">{moduli}{tangent}</div>"

@@ -1,11 +1,11 @@
-"""Plots of moduli as SVG: logarithmic axes, a band between bounds, no library."""
+"""Plots of moduli as SVG: logarithmic or linear axes, a band between bounds, no library."""
 
 from __future__ import annotations
 
 import html
 import math
 from dataclasses import dataclass
-from typing import Sequence
+from typing import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ _PREFIXES = {9: "G", 6: "M", 3: "k", 0: "", -3: "m"}
 
 @dataclass
 class Curve:
-    """A curve of a plot: values [Pa] at times [s] or frequencies [rad/s]."""
+    """A curve of a plot: values [Pa] or [-] at times [s], frequencies [rad/s] or temperatures [degC]."""
 
     label: str
     x: Floats
@@ -56,6 +56,39 @@ class _Axis:
         whole = range(math.ceil(self.first - 1e-9), math.floor(self.last + 1e-9) + 1)
         return list(whole)[:: max(1, math.ceil(len(whole) / most))]
 
+    def ticks(self) -> list[tuple[float, str]]:
+        """Places of whole decades, and what stands there."""
+        return [(float(self.place(np.array(10.0**decade))), _power(decade)) for decade in self.decades()]
+
+
+@dataclass
+class _LinearAxis:
+    """A linear axis from `first` to `last` on pixels from `begin` to `end`."""
+
+    first: float
+    last: float
+    begin: float
+    end: float
+
+    def place(self, values: Floats) -> Floats:
+        return np.asarray(self.begin + (values - self.first) / (self.last - self.first) * (self.end - self.begin))
+
+    def ticks(self) -> list[tuple[float, str]]:
+        """Places of round numbers, at most nine, and the numbers."""
+        power = 10.0 ** math.floor(math.log10((self.last - self.first) / 8))
+        step = next(power * times for times in (1, 2, 5, 10) if power * times >= (self.last - self.first) / 8)
+        first, last = math.ceil(self.first / step - 1e-9), math.floor(self.last / step + 1e-9)
+        return [(float(self.place(np.array(number * step))), f"{number * step:g}".replace("-", "\u2212"))
+                for number in range(first, last + 1)]
+
+
+def _linear_axis(values: Sequence[Floats], begin: float, end: float) -> _LinearAxis:
+    numbers = np.concatenate(values)
+    first, last = float(numbers.min()), float(numbers.max())
+    if first == last:  # a single value stands in the middle
+        first, last = first - 0.5, last + 0.5
+    return _LinearAxis(first, last, begin, end)
+
 
 def _axis(values: Sequence[Floats], begin: float, end: float, margin: float) -> _Axis:
     logs = np.log10(np.concatenate([value[np.isfinite(value) & (value > 0)] for value in values]))
@@ -66,7 +99,7 @@ def _axis(values: Sequence[Floats], begin: float, end: float, margin: float) -> 
 
 def _shown(curve: Curve) -> Curve:
     """The part of a curve that logarithmic axes can show, in few enough points for a page."""
-    good = np.isfinite(curve.x) & np.isfinite(curve.y) & (curve.x > 0) & (curve.y > 0)
+    good = np.isfinite(curve.x) & np.isfinite(curve.y) & (curve.y > 0)
     x, y = curve.x[good], curve.y[good]
     step = max(1, len(x) // 400)
     return Curve(curve.label, np.asarray(x[::step]), np.asarray(y[::step]), curve.colour, curve.dashes, curve.marks)
@@ -87,16 +120,15 @@ def _pascals(decade: int) -> str:
     return f"{10.0 ** (decade - prefix):g} {_PREFIXES[prefix]}Pa"
 
 
-def _grid(x: _Axis, y: _Axis, abscissa: str) -> list[str]:
+def _grid(x: _Axis | _LinearAxis, y: _Axis, abscissa: str, words: Callable[[int], str]) -> list[str]:
     parts = []
-    for decade in x.decades():
-        at = float(x.place(np.array(10.0**decade)))
+    for at, tick in x.ticks():
         parts.append(f'<line x1="{at:.1f}" x2="{at:.1f}" y1="{_TOP}" y2="{_HEIGHT - _BOTTOM}" stroke="#e4e7eb"/>')
-        parts.append(f'<text x="{at:.1f}" y="{_HEIGHT - _BOTTOM + 17}" text-anchor="middle">{_power(decade)}</text>')
+        parts.append(f'<text x="{at:.1f}" y="{_HEIGHT - _BOTTOM + 17}" text-anchor="middle">{tick}</text>')
     for decade in y.decades(6):
         at = float(y.place(np.array(10.0**decade)))
         parts.append(f'<line x1="{_LEFT}" x2="{_WIDTH - _RIGHT}" y1="{at:.1f}" y2="{at:.1f}" stroke="#e4e7eb"/>')
-        parts.append(f'<text x="{_LEFT - 8}" y="{at + 4:.1f}" text-anchor="end">{_pascals(decade)}</text>')
+        parts.append(f'<text x="{_LEFT - 8}" y="{at + 4:.1f}" text-anchor="end">{words(decade)}</text>')
     parts.append(f'<text x="{(_LEFT + _WIDTH - _RIGHT) / 2}" y="{_HEIGHT - 8}" text-anchor="middle">'
                  f"{html.escape(abscissa)}</text>")
     return parts
@@ -118,13 +150,31 @@ def _legend(curves: Sequence[Curve]) -> list[str]:
 
 
 def plot(curves: Sequence[Curve], bands: Sequence[Band] = (), abscissa: str = "Time / s") -> str:
-    """An SVG of curves of moduli."""
+    """An SVG of curves of moduli on logarithmic axes."""
+    positive = [Curve(curve.label, curve.x[curve.x > 0], curve.y[curve.x > 0], curve.colour, curve.dashes, curve.marks)
+                for curve in curves]
+    return _drawn(positive, bands, lambda values: _axis(values, _LEFT, _WIDTH - _RIGHT, 0.0), abscissa, _pascals)
+
+
+def plot_over_temperature(curves: Sequence[Curve], ordinate: Callable[[int], str] = _pascals) -> str:
+    """An SVG of curves over the temperature [degC], on a linear axis; ordinate: the words for whole decades."""
+    return _drawn(curves, (), lambda values: _linear_axis(values, _LEFT, _WIDTH - _RIGHT), "Temperature / \u00b0C",
+                  ordinate)
+
+
+def plain(decade: int) -> str:
+    """A whole decade of a number without a unit: 0.1."""
+    return f"{10.0**decade:g}"
+
+
+def _drawn(curves: Sequence[Curve], bands: Sequence[Band], axis: Callable[[Sequence[Floats]], _Axis | _LinearAxis],
+           abscissa: str, words: Callable[[int], str]) -> str:
     curves = [shown for shown in map(_shown, curves) if len(shown.x) > 0]
     if not curves:
         return ""
-    x = _axis([curve.x for curve in curves], _LEFT, _WIDTH - _RIGHT, 0.0)
+    x = axis([curve.x for curve in curves])
     y = _axis([curve.y for curve in curves], _HEIGHT - _BOTTOM, _TOP, 0.06)
-    parts = _grid(x, y, abscissa)
+    parts = _grid(x, y, abscissa, words)
     for band in bands:
         step = max(1, len(band.x) // 400)
         across, low, high = x.place(band.x[::step]), y.place(band.low[::step]), y.place(band.high[::step])

@@ -31,6 +31,14 @@ def _modulus(value: Any) -> Any:
     return _deck.quantity(value, "Pa")
 
 
+def _shift(value: Any) -> Any:
+    """A temperature shift as a deck has it; of a law alone, for moduli at its reference temperature."""
+    if isinstance(value, _native.WilliamsLandelFerry):
+        reference = f"{value.reference_temperature!r} K"
+        return {"law": "wlf", "c1": value.c1, "c2": f"{value.c2!r} K", "reference": reference, "temperature": reference}
+    return value
+
+
 class _Table:
     """A table of a deck."""
 
@@ -46,11 +54,13 @@ class Material(_Table):
     """A linear viscoelastic solid.
 
     bulk, shear: bulk and shear modulus [Pa]: a quantity, a PronySeries, or a table as in a deck, such as
-    {"prony": "binder.csv"}; density: [kg/m^3]; temperature_shift: a table as in a deck.
+    {"prony": "binder.csv"}; density: [kg/m^3]; temperature_shift: a table as in a deck, or the law of a master curve,
+    for moduli at its reference temperature.
     """
 
     def __init__(self, name: str, *, density: Quantity | None = None, bulk: Modulus | None = None,
-                 shear: Modulus | None = None, temperature_shift: Mapping[str, Any] | None = None, **keys: Any) -> None:
+                 shear: Modulus | None = None,
+                 temperature_shift: Mapping[str, Any] | _native.WilliamsLandelFerry | None = None, **keys: Any) -> None:
         self.name = name
         self.density = density
         self.bulk = bulk
@@ -60,7 +70,7 @@ class Material(_Table):
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         return {"density": _deck.quantity(self.density, "kg/m^3"), "bulk": _modulus(self.bulk),
-                "shear": _modulus(self.shear), "temperature_shift": self.temperature_shift,
+                "shear": _modulus(self.shear), "temperature_shift": _shift(self.temperature_shift),
                 **{key: _modulus(value) for key, value in self.keys.items()}}
 
     def solid(self, directory: PathLike = ".") -> _native.Solid:
@@ -79,7 +89,7 @@ class Coating(_Table):
         self.keys = keys
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
-        return {"material": _name(self.material), "thickness": _deck.quantity(self.thickness, "m"), **self.keys}
+        return {"material": name_of(self.material), "thickness": _deck.quantity(self.thickness, "m"), **self.keys}
 
 
 class Filler(_Table):
@@ -114,7 +124,7 @@ class Filler(_Table):
             sizes = {"diameter": _deck.quantity(self.diameter, "m")}
         elif isinstance(sizes, (list, tuple, np.ndarray)):
             sizes = {"list": _deck.quantities(np.asarray(sizes).tolist(), "m")}
-        return {"material": _name(self.material), "fraction": self.fraction, "sizes": sizes,
+        return {"material": name_of(self.material), "fraction": self.fraction, "sizes": sizes,
                 "from": _deck.quantity(self.smallest, "m"), "to": _deck.quantity(self.largest, "m"),
                 "gap": _deck.quantity(self.gap, "m"), "shape": self.shape,
                 "coating": None if self.coating is None else self.coating._table(files), **self.keys}
@@ -167,7 +177,7 @@ class Image(_Table):
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         file = self.labels if isinstance(self.labels, (str, os.PathLike)) else files.image(self.labels)
-        labels = [{"value": int(value), "material": _name(material)} for value, material in self.materials.items()]
+        labels = [{"value": int(value), "material": name_of(material)} for value, material in self.materials.items()]
         return {"method": "image", "file": file, "pixel": _deck.quantity(self.pixel, "m"), "labels": labels,
                 "periodic": self.periodic, **self.keys}
 
@@ -204,7 +214,7 @@ class Stage(_Table):
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
         fillers = [filler._table(files) for filler in self.fillers]
-        return {"name": self.name, "matrix": _name(self.matrix), "box": _deck.quantity(self.box, "m"),
+        return {"name": self.name, "matrix": name_of(self.matrix), "box": _deck.quantity(self.box, "m"),
                 "cells": self.cells, "filler": fillers[0] if len(fillers) == 1 else fillers or None,
                 "packing": None if self.packing is None else self.packing._table(files), **self.keys}
 
@@ -260,11 +270,12 @@ class Measurement(_Table):
         shear = self.shear
         if isinstance(shear, (tuple, list)):
             shear = {"curve": files.table({"time_s": np.asarray(shear[0]), "shear_modulus_Pa": np.asarray(shear[1])})}
-        return {"name": self.name, "shear": _modulus(shear), "stage": None if self.stage is None else _name(self.stage),
+        stage = None if self.stage is None else name_of(self.stage)
+        return {"name": self.name, "shear": _modulus(shear), "stage": stage,
                 "times": _deck.quantities(self.times, "s"), **self.keys}
 
 
-def _name(named: Any) -> str:
+def name_of(named: Any) -> str:
     """The name of a material or a stage."""
     return named if isinstance(named, str) else str(named.name)
 
@@ -285,13 +296,15 @@ class Study:
 
     The study is checked at once: InputError has a line for every mistake. dimensions: 2 (plane strain) or 3;
     materials: those that stages name by text; directory: what the names of files are relative to. read_study() reads a
-    study from a deck.
+    study from a deck. A study can be pickled; one from a deck is read again from there.
     """
 
     def __init__(self, stages: Stage | Iterable[Stage], tests: Tests, *, title: str | None = None,
                  dimensions: int | None = None, materials: Iterable[Material] = (),
                  measurements: Iterable[Measurement] = (), directory: PathLike = ".", **keys: Any) -> None:
         self._files = _deck.Files()
+        self._directory = os.fspath(Path(directory).absolute())
+        self._deck_path: str | None = None
         stages = [stages] if isinstance(stages, Stage) else list(stages)
         named = [material for stage in stages for material in stage._materials()]
         tables, mistakes = _by_name([*materials, *named], self._files)
@@ -299,18 +312,26 @@ class Study:
                 "stages": [stage._table(self._files) for stage in stages], "tests": tests._table(self._files),
                 "measurements": [measurement._table(self._files) for measurement in measurements]}
         try:
-            self._checked = _native.study_from_text(_deck.deck_text(deck), os.fspath(Path(directory).absolute()))
+            self._checked = _native.study_from_text(_deck.deck_text(deck), self._directory)
         except InputError as error:
             raise InputError("\n".join([*mistakes, str(error)])) from None
         if mistakes:
             raise InputError("\n".join(mistakes))
 
     @classmethod
-    def _of(cls, checked: _native.CheckedStudy) -> Study:
+    def _of(cls, checked: _native.CheckedStudy, deck: str) -> Study:
         study = cls.__new__(cls)
         study._files = _deck.Files()
+        study._directory = os.path.dirname(deck)
+        study._deck_path = deck
         study._checked = checked
         return study
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A study is pickled as its deck: of one that was read the path, of one that was built the text and arrays."""
+        if self._deck_path is not None:
+            return _read_again, (self._deck_path, self._checked.overrides, self._checked.hash)
+        return _built_again, (self._checked.deck, self._directory, self._files.contents(), self._files.place)
 
     @property
     def title(self) -> str:
@@ -341,14 +362,50 @@ class Study:
         return repr(self._checked)
 
 
+def _override_lines(overrides: Mapping[str, Any] | Iterable[str]) -> list[str]:
+    """Overrides as the command line has them."""
+    if isinstance(overrides, Mapping):
+        return [f"{key}={_deck.text_of(value)}" for key, value in overrides.items()]
+    return list(overrides)
+
+
 def read_study(deck: PathLike, overrides: Mapping[str, Any] | Iterable[str] = ()) -> Study:
-    """The study of a deck.
+    """The study of a deck; its sweep is ignored.
 
     overrides: values by the paths of their keys, {"stages.0.cells": 96, "tests.method": "quasistatic"}, or lines
-    "key.path=value" as after --set. Raises InputError with a line for every mistake, and FileError.
+    "key.path=value". Raises InputError with a line for every mistake, and FileError.
     """
-    if isinstance(overrides, Mapping):
-        lines = [f"{key}={_deck.text_of(value)}" for key, value in overrides.items()]
-    else:
-        lines = list(overrides)
-    return Study._of(_native.read_study(os.fspath(deck), lines))
+    path = os.path.abspath(deck)
+    return Study._of(_native.read_study(os.fspath(deck), _override_lines(overrides)), path)
+
+
+def read_sweep(deck: PathLike, overrides: Mapping[str, Any] | Iterable[str] = (), *,
+               keys: Mapping[str, Sequence[Any]] | None = None) -> dict[str, Study]:
+    """The studies of the sweep of a deck, by the names of its tasks.
+
+    overrides: as of read_study(); keys: further keys to sweep, with their values: {"stages.*.packing.seed": [1, 2]}.
+    Raises as read_study().
+    """
+    path = os.path.abspath(deck)
+    lines = [f"{key}={_deck.text_of(list(values))}" for key, values in (keys or {}).items()]
+    tasks = _native.read_sweep(os.fspath(deck), _override_lines(overrides), lines)
+    return {name: Study._of(study, path) for name, study in tasks}
+
+
+def _read_again(deck: str, overrides: list[str], hash_: str) -> Study:
+    """A pickled study that was read from a deck."""
+    study = Study._of(_native.read_study(deck, overrides), deck)
+    if study._checked.hash != hash_:
+        raise InputError(f"{deck}: the deck or a file that it names has changed since the study was pickled")
+    return study
+
+
+def _built_again(deck: str, directory: str, files: dict[str, bytes], place: str) -> Study:
+    """A pickled study that was built in Python, with the files of its arrays in a place of their own."""
+    study = Study.__new__(Study)
+    study._files = _deck.Files.of(files)
+    study._directory = directory
+    study._deck_path = None
+    text = deck.replace(place, study._files.place) if files else deck
+    study._checked = _native.study_from_text(text, directory)
+    return study

@@ -118,7 +118,7 @@ std::optional<TimeWindow> window_of(const std::optional<std::pair<double, double
 void add_matrices_of_study(const Solution& solution, std::map<std::string, Material>& materials) {
   for (const auto& one : solution.responses) {
     if (!std::holds_alternative<Material>(one.matrix)) continue;
-    for (const auto& [material, shift] : solution.materials) {
+    for (const auto& [material, shift] : solution.content.materials) {
       if (material.name == name_of(one.matrix)) materials.emplace(material.name, material);
     }
   }
@@ -128,11 +128,25 @@ void add_matrices_of_study(const Solution& solution, std::map<std::string, Mater
 std::map<std::string, Material> materials_at(const Solution& solution, double temperature) {
   std::map<std::string, Material> materials;
   for (const auto& name : varying_materials(solution.responses)) {
-    for (const auto& stored : solution.materials) {
+    for (const auto& stored : solution.content.materials) {
       if (stored.material.name == name) materials.insert_or_assign(name, at_temperature(stored, temperature));
     }
   }
   return materials;
+}
+
+/// Puts new materials in the place of those of a study. Those at another temperature keep their shift law; for others
+/// it is not known.
+void replace_materials(StudyContent& content, const std::map<std::string, Material>& materials,
+                       const std::optional<double>& temperature) {
+  for (auto& stored : content.materials) {
+    const auto found = materials.find(stored.material.name);
+    if (found == materials.end()) continue;
+    stored.material = found->second;
+    stored.material.name = found->first;
+    if (!temperature) stored.shift = std::nullopt;
+    if (stored.shift) stored.shift->temperature = *temperature;
+  }
 }
 
 std::shared_ptr<Solution> respond_with(const Solution& solution,
@@ -147,15 +161,17 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
   std::vector<NewMaterial> given;
   std::vector<Material> of_study;
   for (const auto& [name, material] : replaced) given.push_back({name, material});
-  for (const auto& [material, shift] : solution.materials) of_study.push_back(material);
+  for (const auto& [material, shift] : solution.content.materials) of_study.push_back(material);
+  const auto window = window_of(times);
   auto answer = std::make_shared<Solution>();
-  answer->title = solution.title;
-  answer->materials = solution.materials;
+  answer->content = solution.content;
+  answer->content.times = window.value_or(solution.content.times);
   return calculate([&] {
     auto materials =
         temperature ? materials_at(solution, *temperature) : by_replaced_material(given, solution.responses, of_study);
+    replace_materials(answer->content, materials, temperature);
     add_matrices_of_study(solution, materials);
-    for (auto& stage : respond(solution.responses, materials, window_of(times))) {
+    for (auto& stage : respond(solution.responses, materials, window)) {
       answer->stages.push_back({std::move(stage), std::nullopt});
     }
     return answer;

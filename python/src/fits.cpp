@@ -17,6 +17,7 @@
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
 
+#include "arguments.hpp"
 #include "materials.hpp"
 #include "views.hpp"
 
@@ -26,16 +27,17 @@ namespace {
 namespace py = pybind11;
 
 /// Numbers of a caller; a copy only where they are not contiguous doubles already.
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using ContiguousNumbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-std::span<const double> numbers_of(const char* name, const Numbers& array) {
+std::span<const double> numbers_of(const char* name, const ContiguousNumbers& array) {
   if (array.ndim() != 1)
     throw InputError(fmt::format("{}: expected a list, got an array of {} axes", name, array.ndim()));
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 /// Several lists of data of one length.
-void require_equal_lengths(const char* name, const Numbers& one, const char* other_name, const Numbers& other) {
+void require_equal_lengths(const char* name, const ContiguousNumbers& one, const char* other_name,
+                           const ContiguousNumbers& other) {
   if (one.size() == other.size()) return;
   throw InputError(
       fmt::format("expected as many values of {} as of {}, got {} and {}", name, other_name, one.size(), other.size()));
@@ -47,7 +49,7 @@ auto without_lock(const Work& work) {
   return work();
 }
 
-std::string in_words(const FitQuality& quality, const char* unit) {
+std::string quality_in_words(const FitQuality& quality, const char* unit) {
   return fmt::format("deviation from the data: median {:.2g} %, worst {:.2g} % at {:.4g} {}",
                      100.0 * quality.median_error, 100.0 * quality.worst_error, quality.worst_at, unit);
 }
@@ -80,7 +82,7 @@ void bind_quality(py::class_<Fit>& fit) {
           "Standard error of the fit at each value, from the scatter of the data, relative [-].");
 }
 
-py::tuple state_of(const FitQuality& quality) {
+py::tuple state_of_quality(const FitQuality& quality) {
   return py::make_tuple(quality.median_error, quality.worst_error, quality.worst_at, array_of(quality.fitted),
                         array_of(quality.standard_errors));
 }
@@ -102,10 +104,12 @@ void bind_results(py::module_& module) {
   bind_quality(relaxation);
   relaxation.def("__repr__", [](const RelaxationFit& fit) {
     return fmt::format("<breccia.RelaxationFit: {}; {}>", display_count(fit.series.terms().size(), "term"),
-                       in_words(fit.quality, "s or rad/s"));
+                       quality_in_words(fit.quality, "s or rad/s"));
   });
   relaxation.def(py::pickle(
-      [](const RelaxationFit& fit) { return py::make_tuple(python::state_of(fit.series), state_of(fit.quality)); },
+      [](const RelaxationFit& fit) {
+        return py::make_tuple(python::state_of(fit.series), state_of_quality(fit.quality));
+      },
       [](const py::tuple& state) {
         return RelaxationFit{series_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())};
       }));
@@ -114,14 +118,14 @@ void bind_results(py::module_& module) {
   bind_quality(creep);
   creep.def("__repr__", [](const CreepFit& fit) {
     return fmt::format("<breccia.CreepFit: {}; {}>", display_count(fit.compliance.terms().size(), "term"),
-                       in_words(fit.quality, "s"));
+                       quality_in_words(fit.quality, "s"));
   });
 }
 
 void bind_functions(py::module_& module) {
   module.def(
       "fit",
-      [](const Numbers& time, const Numbers& modulus, double ramp, double times_per_decade) {
+      [](const ContiguousNumbers& time, const ContiguousNumbers& modulus, double ramp, double times_per_decade) {
         require_equal_lengths("time", time, "modulus", modulus);
         const auto times = numbers_of("time", time), moduli = numbers_of("modulus", modulus);
         const auto options = options_of(ramp, times_per_decade);
@@ -132,7 +136,7 @@ void bind_functions(py::module_& module) {
       "ramp: duration [s] of the ramp by which the strain was applied; 0: a step.");
   module.def(
       "fit_creep",
-      [](const Numbers& time, const Numbers& compliance, double ramp, double times_per_decade) {
+      [](const ContiguousNumbers& time, const ContiguousNumbers& compliance, double ramp, double times_per_decade) {
         require_equal_lengths("time", time, "compliance", compliance);
         const auto times = numbers_of("time", time), compliances = numbers_of("compliance", compliance);
         const auto options = options_of(ramp, times_per_decade);
@@ -142,7 +146,8 @@ void bind_functions(py::module_& module) {
       "Fits a creep compliance [1/Pa] at rising times [s]; see fit().");
   module.def(
       "fit_dynamic",
-      [](const Numbers& frequency, const Numbers& storage, const Numbers& loss, double times_per_decade) {
+      [](const ContiguousNumbers& frequency, const ContiguousNumbers& storage, const ContiguousNumbers& loss,
+         double times_per_decade) {
         require_equal_lengths("angular_frequency", frequency, "storage", storage);
         require_equal_lengths("angular_frequency", frequency, "loss", loss);
         const auto frequencies = numbers_of("angular_frequency", frequency), stored = numbers_of("storage", storage),
@@ -180,7 +185,10 @@ void bind_master_curve(py::module_& module) {
       .def_readonly("c2_error", &WilliamsLandelFerryFit::c2_error, "Standard error of c2 [K].")
       .def(
           "shift_factor",
-          [](const WilliamsLandelFerryFit& self, double temperature) { return self.law.shift_factor(temperature); },
+          [](const WilliamsLandelFerryFit& self, double temperature) {
+            require({"temperature", "K", Range::not_negative()}, temperature);
+            return self.law.shift_factor(temperature);
+          },
           py::arg("temperature"), "a_T [-] at a temperature [K].")
       .def("__repr__", [](const WilliamsLandelFerryFit& self) {
         return fmt::format("<breccia.WilliamsLandelFerry: c1 = {:.4g}, c2 = {:.4g} K at {:.6g} K>", self.law.c1,

@@ -18,12 +18,17 @@
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
+#include "arguments.hpp"
 #include "views.hpp"
 
 namespace breccia::python {
 namespace {
 
 namespace py = pybind11;
+
+constexpr Expected any_time = {"time", "s", Range::not_negative()};
+constexpr Expected frequencies = {"angular_frequency", "rad/s", Range::not_negative()};
+constexpr Expected factors = {"factor", "", Range::positive()};
 
 /// The two numbers of each term, by the columns of an n x 2 array.
 template <class Term>
@@ -83,19 +88,32 @@ void bind_series(py::module_& module) {
       .def(
           "at",
           [](const PronySeries& series, const Numbers& time) {
+            require_each(any_time, time);
             return py::vectorize([&series](double t) { return series.at(t); })(time);
           },
           py::arg("time"), "Relaxation modulus [Pa] at times [s], a number or an array.")
       .def(
           "complex_modulus",
           [](const PronySeries& series, const Numbers& frequency) {
+            require_each(frequencies, frequency);
             return py::vectorize([&series](double omega) { return series.complex_modulus(omega); })(frequency);
           },
           py::arg("angular_frequency"),
           "Complex modulus M' + i M'' [Pa] at angular frequencies [rad/s], a number or an array.")
-      .def("shifted", &PronySeries::shifted, py::arg("factor"),
-           "The series with every relaxation time multiplied by a shift factor a_T.")
-      .def("scaled", &PronySeries::scaled, py::arg("factor"), "The series with every modulus multiplied by a factor.")
+      .def(
+          "shifted",
+          [](const PronySeries& series, double factor) {
+            require(factors, factor);
+            return series.shifted(factor);
+          },
+          py::arg("factor"), "The series with every relaxation time multiplied by a shift factor a_T.")
+      .def(
+          "scaled",
+          [](const PronySeries& series, double factor) {
+            require(factors, factor);
+            return series.scaled(factor);
+          },
+          py::arg("factor"), "The series with every modulus multiplied by a factor.")
       .def(
           "creep_compliance", [](const PronySeries& series) { return creep_compliance(series); },
           "The creep compliance of a solid with this modulus, by exact interconversion.")
@@ -133,12 +151,14 @@ void bind_compliance(py::module_& module) {
       .def(
           "at",
           [](const CreepCompliance& compliance, const Numbers& time) {
+            require_each(any_time, time);
             return py::vectorize([&compliance](double t) { return compliance.at(t); })(time);
           },
           py::arg("time"), "Creep compliance [1/Pa] at times [s], a number or an array.")
       .def(
           "complex_compliance",
           [](const CreepCompliance& compliance, const Numbers& frequency) {
+            require_each({"angular_frequency", "rad/s", Range::positive()}, frequency);
             return py::vectorize([&compliance](double omega) { return compliance.complex_compliance(omega); })(
                 frequency);
           },

@@ -2,11 +2,13 @@
 
 #include "calculations.hpp"
 #include "errors.hpp"
+#include "exports.hpp"
 #include "fits.hpp"
 #include "materials.hpp"
 #include "measured.hpp"
 #include "quantities.hpp"
 #include "results.hpp"
+#include "stored_results.hpp"
 #include "studies.hpp"
 
 PYBIND11_MODULE(_native, module) {
@@ -21,4 +23,6 @@ PYBIND11_MODULE(_native, module) {
   python::bind_studies(module);
   python::bind_results(module);
   python::bind_calculations(module);
+  python::bind_exports(module);
+  python::bind_stored_results(module);
 }

@@ -15,11 +15,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/nearest_name.hpp"
 
 #include "solution.hpp"
 #include "solution_state.hpp"
+#include "test_fields.hpp"
 #include "views.hpp"
 
 namespace breccia::python {
@@ -52,36 +54,12 @@ std::optional<double> seconds_of(const TestResult& test) {
   return seconds;
 }
 
-/// Fields of a lattice as a dictionary of views, [y, x, component] or [z, y, x, component].
-template <int dim>
-py::dict fields_of(const TimedFields<dim>& timed, std::size_t along, const py::object& owner) {
-  using Fields = LatticeFields<dim>;
-  const auto shape = [along](std::size_t components) {
-    std::vector<py::ssize_t> extents(static_cast<std::size_t>(dim), static_cast<py::ssize_t>(along));
-    if (components > 0) extents.push_back(static_cast<py::ssize_t>(components));
-    return extents;
-  };
-  const Fields& fields = timed.fields;
-  py::dict result;
-  result["time"] = timed.time;
-  result["phase"] = view_of(fields.phase.data(), shape(0), owner);
-  result["displacement"] = view_of(fields.displacement.front().data(), shape(static_cast<std::size_t>(dim)), owner);
-  result["strain"] = view_of(fields.strain.front().data(), shape(dim + Fields::shears), owner);
-  result["stress"] = view_of(fields.stress.front().data(), shape(3 + Fields::shears), owner);
-  return result;
-}
-
-py::list all_fields_of(const py::object& self) {
-  const auto& test = self.cast<const TestResult&>();
-  py::list fields;
-  const auto along = [](std::size_t places, double root) {
-    return static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(places), root)));
-  };
-  for (const auto& one : test.fields) fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 2.0), self));
-  for (const auto& one : test.volume_fields) {
-    fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 3.0), self));
-  }
-  return fields;
+/// The series of a test; results that were read from a directory have those of the preferred tests alone.
+const PronySeries& series_of_test(const TestResult& test) {
+  if (test.series.unrelaxed() > 0.0 || test.modulus.empty()) return test.series;
+  throw InputError(
+      "this test has no series: a directory of results has those of the preferred method and grid alone; fit() makes "
+      "one of its curve");
 }
 
 py::tuple curve_of(const py::object& owner, const TestResult& test) {
@@ -112,7 +90,7 @@ void bind_test(py::module_& module) {
             return view_of(self.cast<const TestResult&>().compliance, &CreepSample::compliance, self);
           },
           "Creep compliance at these times [1/Pa], of a traction boundary; else empty.")
-      .def_readonly("series", &TestResult::series, "Relaxation modulus, a PronySeries.")
+      .def_property_readonly("series", &series_of_test, "Relaxation modulus, a PronySeries.")
       .def_property_readonly(
           "error_estimate", &error_of,
           "Estimated relative error of the reduced basis or of the time steps [-]; NaN where unknown.")
@@ -126,10 +104,15 @@ void bind_test(py::module_& module) {
           },
           "Half width of the error band of an extrapolated curve at these times [Pa]; else empty.")
       .def_property_readonly("seconds", &seconds_of, "Wall time, of all loads together [s]; None of an extrapolation.")
-      .def_property_readonly("fields", &all_fields_of,
-                             "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load "
-                             "displacement [m], strain [-] (xx, yy, xy), stress [Pa] (xx, yy, zz, xy), in the order "
-                             "[y, x] of the material points, or [z, y, x] of the cells of a cube.")
+      .def_property_readonly(
+          "fields", &fields_of_test,
+          "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load displacement [m], "
+          "strain [-] (xx, yy, xy), stress [Pa] (xx, yy, zz, xy), in the order [y, x] of the material points, or "
+          "[z, y, x] of the cells of a cube.\n\n"
+          "Of grains with thin films: points [m] and their displacement [m]; part (0: triangle of a grain, 1: piece of "
+          "a film, 2: junction), area [m^2], strain, stress, work [Pa], slip, opening and flow [m] of each cell; and "
+          "corners, the points of all cells one after the other, those of cell i from first_corner[i] up to "
+          "first_corner[i + 1].")
       .def("__repr__",
            [](const TestResult& test) {
              return fmt::format("<breccia.TestResult: {}, {}, {}, {}; {} times>", name_of(test.id.load),
@@ -231,8 +214,8 @@ void bind_stage(py::module_& module) {
            }),
            load, boundary, method, grid, of_tests.c_str())
       .def("curve", of_test(&curve_of), load, boundary, method, grid, of_curve.c_str())
-      .def("prony", of_test([](const py::object&, const TestResult& test) { return test.series; }), load, boundary,
-           method, grid, of_series.c_str())
+      .def("prony", of_test([](const py::object&, const TestResult& test) { return series_of_test(test); }), load,
+           boundary, method, grid, of_series.c_str())
       .def("compliance", of_test([](const py::object& self, const TestResult& test) {
              return py::make_tuple(view_of(test.compliance, &CreepSample::time, self),
                                    view_of(test.compliance, &CreepSample::compliance, self));
@@ -265,7 +248,7 @@ std::vector<std::string> names_of(const Solution& solution) {
 void bind_solution(py::module_& module) {
   py::class_<Solution, std::shared_ptr<Solution>>(module, "Result",
                                                   "The results of a study: result[name] is that of a stage.")
-      .def_readonly("title", &Solution::title)
+      .def_property_readonly("title", [](const Solution& solution) { return solution.content.title; })
       .def_readonly("seconds", &Solution::seconds, "Wall time of the calculation [s]; None of a response.")
       .def_property_readonly(
           "stages",
@@ -281,7 +264,7 @@ void bind_solution(py::module_& module) {
           "materials",
           [](const Solution& solution) {
             std::vector<Material> materials;
-            for (const auto& stored : solution.materials) materials.push_back(stored.material);
+            for (const auto& stored : solution.content.materials) materials.push_back(stored.material);
             return materials;
           },
           "The materials of the study, a Solid each.")
@@ -315,7 +298,7 @@ void bind_solution(py::module_& module) {
       .def("__repr__",
            [](const Solution& solution) {
              const auto time = solution.seconds ? fmt::format(", in {}", display_duration(*solution.seconds)) : "";
-             return fmt::format("<breccia.Result {}: stage {}{}>", solution.title,
+             return fmt::format("<breccia.Result {}: stage {}{}>", solution.content.title,
                                 fmt::join(names_of(solution), ", stage "), time);
            })
       .def(py::pickle(&state_of_solution, &solution_from));

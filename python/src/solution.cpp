@@ -45,14 +45,9 @@ bool fits(const TestWords& words, const TestId& test) {
 
 std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result) {
   auto solution = std::make_shared<Solution>();
-  solution->title = study.title;
+  solution->content = study_content(study, result);
   solution->seconds = result.seconds;
   solution->responses = responses_of(study, result);
-  for (const auto& material : study.materials) {
-    const auto shift = study.temperature_shifts.find(material.name);
-    solution->materials.push_back(
-        {material, shift == study.temperature_shifts.end() ? std::nullopt : std::optional(shift->second)});
-  }
   for (auto& stage : result.stages) {
     const auto of_study = std::ranges::find(study.stages, stage.name, &Stage::name);
     auto box = box_of(*of_study, stage.microstructure);

@@ -7,7 +7,7 @@
 
 #include "breccia/homogenisation/respond.hpp"
 #include "breccia/homogenisation/study_result.hpp"
-#include "breccia/results/stored_materials.hpp"
+#include "breccia/results/composite.hpp"
 #include "breccia/study/study.hpp"
 
 #include "box.hpp"
@@ -22,11 +22,10 @@ struct SolvedStage {
 
 /// What a calculation returns to Python: results, and what is needed to ask them for other materials.
 struct Solution {
-  std::string title;
-  std::vector<SolvedStage> stages;
+  StudyContent content;
+  std::vector<SolvedStage> stages = {};
   std::optional<double> seconds = {};  ///< wall time [s]
   std::vector<StoredResponses> responses = {};
-  std::vector<StoredMaterial> materials = {};
 };
 
 /// The solution of a study from its result.

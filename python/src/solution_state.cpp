@@ -1,7 +1,5 @@
 #include "solution_state.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -19,6 +17,7 @@
 #include "breccia/error.hpp"
 #include "breccia/results/response_file.hpp"
 
+#include "fields_state.hpp"
 #include "materials.hpp"
 #include "views.hpp"
 #include "words.hpp"
@@ -29,7 +28,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 1;
+constexpr int format = 2;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {
@@ -87,48 +86,6 @@ std::vector<Pair> pairs_from(const py::tuple& columns) {
   return pairs;
 }
 
-/// A list of arrays of numbers as one array, and back.
-template <std::size_t count>
-py::array_t<double> flat(const std::vector<std::array<double, count>>& rows) {
-  const double* const first = rows.empty() ? nullptr : rows.front().data();
-  return py::array_t<double>({static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(count)}, first);
-}
-
-template <std::size_t count>
-std::vector<std::array<double, count>> rows_from(const py::handle& state) {
-  const auto numbers = state.cast<py::array_t<double, py::array::c_style>>();
-  std::vector<std::array<double, count>> rows(static_cast<std::size_t>(numbers.shape(0)));
-  for (std::size_t i = 0; i < rows.size(); ++i) std::copy_n(numbers.data() + i * count, count, rows[i].begin());
-  return rows;
-}
-
-template <int dim>
-py::list fields_of(const std::vector<TimedFields<dim>>& all) {
-  py::list states;
-  for (const auto& [time, fields] : all) {
-    const py::array_t<PhaseIndex> phases(static_cast<py::ssize_t>(fields.phase.size()), fields.phase.data());
-    states.append(py::make_tuple(time, phases, flat(fields.displacement), flat(fields.strain), flat(fields.stress)));
-  }
-  return states;
-}
-
-template <int dim>
-std::vector<TimedFields<dim>> fields_from(const py::list& states) {
-  constexpr std::size_t size = dim, shears = LatticeFields<dim>::shears;
-  std::vector<TimedFields<dim>> all;
-  for (const auto& one : states) {
-    const auto state = one.cast<py::tuple>();
-    auto& [time, fields] = all.emplace_back();
-    time = state[0].cast<double>();
-    const auto phases = state[1].cast<py::array_t<PhaseIndex>>();
-    fields.phase.assign(phases.data(), phases.data() + phases.size());
-    fields.displacement = rows_from<size>(state[2]);
-    fields.strain = rows_from<size + shears>(state[3]);
-    fields.stress = rows_from<3 + shears>(state[4]);
-  }
-  return all;
-}
-
 /// What Python shows of the computation of a test.
 py::tuple record_of(const TestResult& test) {
   if (const auto* const record = std::get_if<QuasistaticRecord>(&test.record)) {
@@ -182,8 +139,9 @@ py::dict state_of(const TestResult& test) {
   state["modulus"] = columns_of(test.modulus);
   state["compliance"] = columns_of(test.compliance);
   state["series"] = python::state_of(test.series);
-  state["fields"] = fields_of(test.fields);
-  state["volume_fields"] = fields_of(test.volume_fields);
+  state["fields"] = state_of_fields(test.fields);
+  state["volume_fields"] = state_of_fields(test.volume_fields);
+  state["film_fields"] = state_of_fields(test.film_fields);
   state["record"] = record_of(test);
   return state;
 }
@@ -201,6 +159,7 @@ TestResult test_from(const py::dict& state) {
   test.series = series_from(state["series"].cast<py::tuple>());
   test.fields = fields_from<2>(state["fields"].cast<py::list>());
   test.volume_fields = fields_from<3>(state["volume_fields"].cast<py::list>());
+  test.film_fields = film_fields_from(state["film_fields"].cast<py::list>());
   add_record(test, state["record"].cast<py::tuple>());
   return test;
 }
@@ -249,6 +208,7 @@ Comparison comparison_from(const py::dict& state) {
 
 py::dict state_of(const SolvedStage& stage);
 py::dict state_of(const StoredMaterial& stored);
+py::dict state_of(const StageContent& stage);
 
 /// The states of a list.
 template <class List>
@@ -327,15 +287,54 @@ StoredMaterial stored_material_from(const py::dict& state) {
   return stored;
 }
 
+py::dict state_of(const StageContent& stage) {
+  py::list shares;
+  for (const auto& [material, fraction, mass_fraction] : stage.shares) {
+    shares.append(py::make_tuple(material, fraction, mass_fraction));
+  }
+  py::dict state;
+  state["name"] = stage.name;
+  state["matrix"] = stage.matrix;
+  state["dimensions"] = stage.dimensions;
+  state["shares"] = shares;
+  return state;
+}
+
+StageContent stage_content_from(const py::dict& state) {
+  StageContent stage{state["name"].cast<std::string>(), state["matrix"].cast<std::string>(),
+                     state["dimensions"].cast<int>()};
+  for (const auto& one : state["shares"]) {
+    const auto share = one.cast<py::tuple>();
+    stage.shares.push_back({share[0].cast<std::string>(), share[1].cast<double>(), share[2].cast<double>()});
+  }
+  return stage;
+}
+
+py::dict state_of(const StudyContent& content) {
+  py::dict state;
+  state["title"] = content.title;
+  state["times"] = py::make_tuple(content.times.begin, content.times.end);
+  state["stages"] = states_of(content.stages);
+  state["materials"] = states_of(content.materials);
+  return state;
+}
+
+StudyContent content_from(const py::dict& state) {
+  const auto times = state["times"].cast<py::tuple>();
+  return {state["title"].cast<std::string>(),
+          {times[0].cast<double>(), times[1].cast<double>()},
+          all_from(state["stages"], &stage_content_from),
+          all_from(state["materials"], &stored_material_from)};
+}
+
 }  // namespace
 
 py::dict state_of_solution(const Solution& solution) {
   py::dict state;
   state["format"] = format;
-  state["title"] = solution.title;
+  state["content"] = state_of(solution.content);
   state["seconds"] = solution.seconds;
   state["stages"] = states_of(solution.stages);
-  state["materials"] = states_of(solution.materials);
   py::list responses;
   for (const auto& stored : solution.responses) {
     if (!stored.entries.empty()) responses.append(bytes_of(stored));
@@ -349,10 +348,9 @@ std::shared_ptr<Solution> solution_from(const py::dict& state) {
     throw InputError("pickle: this result is of another version of Breccia");
   }
   auto solution = std::make_shared<Solution>();
-  solution->title = state["title"].cast<std::string>();
+  solution->content = content_from(state["content"].cast<py::dict>());
   solution->seconds = state["seconds"].cast<std::optional<double>>();
   solution->stages = all_from(state["stages"], &stage_from);
-  solution->materials = all_from(state["materials"], &stored_material_from);
   for (const auto& one : state["responses"]) {
     solution->responses.push_back(responses_from(one.cast<std::string>()));
   }

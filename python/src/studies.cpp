@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "breccia/deck/read_study.hpp"
+#include "breccia/deck/sweep.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/study/identity.hpp"
 #include "breccia/study/study.hpp"
@@ -19,6 +21,22 @@ namespace breccia::python {
 namespace {
 
 namespace py = pybind11;
+
+/// What the arguments are called in messages.
+const ValueOrigins& origins_in_python() {
+  static const ValueOrigins origins = {.overrides = "overrides", .sweep_keys = "sweep"};
+  return origins;
+}
+
+/// The studies of a sweep by the names of its tasks, in their order.
+py::list tasks_of(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
+                  const std::vector<std::string>& keys) {
+  py::list tasks;
+  for (auto& task : read_sweep(deck, overrides, keys, origins_in_python()).tasks) {
+    tasks.append(py::make_tuple(task.name, std::make_shared<Study>(std::move(task.study))));
+  }
+  return tasks;
+}
 
 std::vector<std::string> stage_names(const Study& study) {
   std::vector<std::string> names;
@@ -39,6 +57,7 @@ void bind_studies(py::module_& module) {
       .def_property_readonly("hash", [](const Study& study) { return provenance_of(study).hash; })
       .def_property_readonly(
           "deck", [](const Study& study) { return study.provenance.deck_text; }, "Text of the deck.")
+      .def_property_readonly("overrides", [](const Study& study) { return study.provenance.overrides; })
       .def("__repr__", [](const Study& study) {
         return fmt::format("<breccia.Study {}: stage {}, {} to {}>", study.title,
                            fmt::join(stage_names(study), ", stage "), display_time(study.tests.first_time),
@@ -47,9 +66,10 @@ void bind_studies(py::module_& module) {
   module.def(
       "read_study",
       [](const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
-        return std::make_shared<Study>(read_study(deck, overrides));
+        return std::make_shared<Study>(read_study(deck, overrides, origins_in_python()));
       },
       py::arg("deck"), py::arg("overrides"));
+  module.def("read_sweep", &tasks_of, py::arg("deck"), py::arg("overrides"), py::arg("keys"));
   module.def(
       "study_from_text",
       [](const std::string& deck, const std::filesystem::path& directory) {

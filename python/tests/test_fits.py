@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import breccia
+from conftest import ROOT
 
 SERIES = breccia.PronySeries([(1e-3, 2e6), (1.0, 5e5)], equilibrium=1e5)
 
@@ -77,3 +78,37 @@ def test_quantities():
     assert breccia.quantity("19 degC", "temperature") == pytest.approx(292.15)
     with pytest.raises(breccia.InputError, match="expected a length"):
         breccia.quantity("1 s", "length")
+
+
+@pytest.mark.parametrize("call, message", [
+    (lambda: SERIES.scaled(-1), "factor: expected a positive number, got -1"),
+    (lambda: SERIES.scaled(0), "factor: expected a positive number, got 0"),
+    (lambda: SERIES.shifted(0), "factor: expected a positive number, got 0"),
+    (lambda: SERIES.shifted(np.inf), "factor: expected a positive number, got inf"),
+    (lambda: SERIES.at(-1), "time: expected a non-negative number in s, got -1"),
+    (lambda: SERIES.at([1.0, np.nan]), "time: expected a non-negative number in s, got nan"),
+    (lambda: SERIES.complex_modulus(-2.5), "angular_frequency: expected a non-negative number in rad/s, got -2.5"),
+    (lambda: SERIES.creep_compliance().at(-1), "time: expected a non-negative number in s, got -1"),
+    (lambda: SERIES.creep_compliance().complex_compliance(0),
+     "angular_frequency: expected a positive number in rad/s, got 0"),
+])
+def test_numbers_out_of_range_are_refused(call, message):
+    with pytest.raises(ValueError, match="^" + message) as error:
+        call()
+    assert isinstance(error.value, breccia.InputError)
+
+
+def test_sweeps_of_an_instrument_become_a_master_curve():
+    sweeps = breccia.read_sweeps(ROOT / "data" / "synthetic_dma.csv", kind="shear")
+    assert len(sweeps) == 11 and sweeps[0][0] == pytest.approx(232.15)
+    curve = breccia.master_curve(sweeps, "19 degC")
+    law = curve.williams_landel_ferry()
+    assert abs(law.c1 - 6.5) < 3 * law.c1_error and abs(law.c2 - 120.0) < 3 * law.c2_error
+    assert curve._repr_html_().count("<circle") > 300
+    binder = breccia.Material("binder", density=1480.0, bulk="3.6 GPa", shear=curve.series, temperature_shift=law)
+    study = breccia.Study(breccia.Stage("box", matrix=binder, box="1 mm", cells=4), breccia.Tests(times=(1e-3, 1.0)))
+    assert study.materials[0].shear.terms == pytest.approx(curve.series.terms, rel=1e-14)
+    with pytest.raises(breccia.InputError, match="reference_temperature: expected a temperature"):
+        breccia.master_curve(sweeps, "19 m")
+    with pytest.raises(breccia.InputError, match="expected storage and loss moduli"):
+        breccia.read_sweeps(ROOT / "data" / "pbx9501_binder_prony.csv")

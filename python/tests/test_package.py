@@ -22,8 +22,8 @@ def test_source_distribution_is_whole(tmp_path):
                    cwd=ROOT, capture_output=True, check=True)
     with tarfile.open(next(tmp_path.glob("breccia-*.tar.gz"))) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
-    needed = tracked("CMakeLists.txt", "setup.py", "pyproject.toml", "cmake", "include", "src", "third_party",
-                     "python/breccia", "python/src", "python/CMakeLists.txt", "examples/starter.toml", "LICENSE")
+    needed = tracked("CMakeLists.txt", "setup.py", "pyproject.toml", "cmake", "include", "packaging", "src", "third_party",
+                     "python/breccia", "python/src", "python/CMakeLists.txt", "python/METADATA.in", "examples/starter.toml", "LICENSE")
     assert needed and needed <= names, needed - names
 
 

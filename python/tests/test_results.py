@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import breccia
-from conftest import MODEL, OVERRIDES
+from conftest import FILMS, MODEL, OVERRIDES
 
 
 def test_lines_of_the_design():
@@ -104,6 +104,21 @@ def test_fields_hold_equilibrium(model):
     assert mean == pytest.approx([0.0, 0.0, 0.5], abs=1e-9)
     modulus = model["model"].prony(boundary="displacement").at(field["time"])
     assert field["stress"][..., 3].mean() == pytest.approx(modulus, rel=1e-3)
+
+
+def test_fields_of_grains_and_films_have_the_work_of_the_load():
+    study = breccia.read_study(FILMS, {"stages.0.box": "0.4 mm", "tests.times": ["1 us", "1 ms"],
+                                       "tests.fields": "last", "tests.loads": ["shear"]})
+    result = breccia.solve(study)
+    for test in (result["PBX-9501"].tests[0], pickle.loads(pickle.dumps(result))["PBX-9501"].tests[0]):
+        field = test.fields[-1]
+        cells = len(field["part"])
+        assert set(field["part"]) == {0, 1, 2} and field["time"] == 1e-3
+        assert field["strain"].shape == (cells, 3) and field["stress"].shape == (cells, 4)
+        assert field["first_corner"][-1] == len(field["corners"]) and field["corners"].max() < len(field["points"])
+        assert field["displacement"].shape == field["points"].shape
+        # The mean of the work over the box is the modulus.
+        assert (field["work"] * field["area"]).sum() / 0.4e-3**2 == pytest.approx(test.modulus[-1], rel=2e-3)
 
 
 def test_a_test_is_found_by_words(model):

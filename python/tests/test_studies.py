@@ -1,5 +1,6 @@
 """Studies from decks and from Python."""
 
+import pickle
 import re
 
 import numpy as np
@@ -125,3 +126,34 @@ def test_a_study_describes_itself(composite):
     assert [solid.name for solid in study.materials] == ["binder", "particle"]
     assert "[materials.binder]" in study.deck
     assert "matrix=" in repr(composite) and "breccia.Filler" in repr(composite.fillers)
+
+
+def test_studies_can_be_pickled(binder, particle, tmp_path):
+    read = breccia.read_study(MODEL, OVERRIDES)
+    again = pickle.loads(pickle.dumps(read))
+    assert again._checked.hash == read._checked.hash and again.deck == read.deck
+    pixels = np.zeros((8, 8), dtype=np.uint8)
+    pixels[2:6, 2:6] = 1
+    scan = breccia.Stage("scan", matrix=binder,
+                         packing=breccia.Image(pixels, pixel="0.1 mm", materials={0: binder, 1: particle}))
+    built = breccia.Study(scan, breccia.Tests(times=(1e-3, 1e-2), boundaries="displacement"), title="built")
+    state = pickle.dumps(built)
+    curve = breccia.solve(built)["scan"].curve()
+    del built, scan
+    copied = pickle.loads(state)
+    assert np.array_equal(breccia.solve(copied)["scan"].curve(), curve) and copied.title == "built"
+    assert np.array_equal(breccia.solve(pickle.loads(pickle.dumps(copied)))["scan"].curve(), curve)
+    deck = tmp_path / "deck.toml"
+    deck.write_text(copied.deck)
+    state = pickle.dumps(breccia.read_study(deck))
+    deck.write_text(deck.read_text().replace('"built"', '"other"').replace("0.01 s", "0.02 s"))
+    with pytest.raises(breccia.InputError, match="has changed since the study was pickled"):
+        pickle.loads(state)
+
+
+def test_overrides_are_named_as_arguments():
+    with pytest.raises(breccia.InputError) as error:
+        breccia.read_study(MODEL, {"stages.modle.cells": 3, "tests.method": "slow"})
+    assert any(line.startswith("overrides stages.modle.cells=3: ") for line in error.value.mistakes)
+    assert any(line.startswith("overrides tests.method=\"slow\": ") for line in error.value.mistakes)
+    assert "--set" not in str(error.value)

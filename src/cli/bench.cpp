@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "breccia/benchmark/kernel_benchmark.hpp"
 #include "breccia/discretisation/cell_shape.hpp"
@@ -116,6 +117,11 @@ std::vector<std::string> names_of(const std::vector<InstructionSet>& sets) {
   return names;
 }
 
+/// The type of an option that takes one or more of these words, as its help shows it.
+std::string one_or_more_of(const std::vector<std::string>& words) {
+  return fmt::format("{} ...", fmt::join(words, "|"));
+}
+
 }  // namespace
 
 void add_bench(CLI::App& application) {
@@ -137,18 +143,18 @@ void add_bench(CLI::App& application) {
   command
       ->add_option("--instructions", arguments->instructions,
                    "instruction sets of the total-lagrangian formulation (default: the one that a run uses)")
-      ->type_name("NAME ...")
-      ->check(CLI::IsMember(names_of(supported_instruction_sets())));
+      ->type_name(one_or_more_of(names_of({InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})))
+      ->check(CLI::IsMember(names_of(supported_instruction_sets())).description(""));
   command->add_option("--formulation", arguments->formulations, "formulations to measure (default: both)")
-      ->type_name("NAME ...")
+      ->type_name(one_or_more_of(known_formulations()))
       ->check(CLI::IsMember(known_formulations()).description(""));
   command->add_option("--dimensions", arguments->dimensions, "dimensions of the box: 2 (the default), 3, or both")
-      ->type_name("N ...")
+      ->type_name("2|3 ...")
       ->check(CLI::IsMember(std::vector<int>{2, 3}).description(""));
   command
       ->add_option("--mixing", arguments->mixings,
                    "cells along interfaces: series (mixed cells, the default), points, or both")
-      ->type_name("NAME ...")
+      ->type_name("series|points ...")
       ->check(CLI::IsMember(std::vector<std::string>{"series", "points"}).description(""));
   command
       ->add_option("--seconds", arguments->seconds, "approximate time of all measurements together, in s (default: 10)")

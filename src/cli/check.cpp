@@ -14,10 +14,10 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/available_memory.hpp"
-#include "breccia/homogenisation/expected_snapshots.hpp"
 #include "breccia/homogenisation/film_estimate.hpp"
 #include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/quasistatic_time.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
 #include "breccia/homogenisation/test_requests.hpp"
@@ -73,26 +73,10 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells) {
   return {text, seconds, bytes};
 }
 
-bool is_direct(const Study& study, const Stage& stage, double unknowns) {
-  return study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions);
-}
-
-/// Approximate wall time [s] on a core of the year 2020, by an empirical formula.
-double quasistatic_time(const Study& study, const Stage& stage, double unknowns) {
-  const auto loads = static_cast<double>(loads_of(study, stage).size());
-  constexpr double warm_up_decades = 3.0;
-  const double snapshots = expected_snapshots(study.tests, stage);
-  const bool direct = is_direct(study, stage, unknowns);
-  const double factorisation = direct ? 2.2e-6 : 1.2e-6, solve = direct ? 0.8e-6 : 1.5e-6;
-  if (study.tests.quasistatic.solver == Solver::reduced) return snapshots * unknowns * (factorisation + solve * loads);
-  const double decades = warm_up_decades + std::log10(study.tests.last_time / study.tests.first_time);
-  const double solves = 1.5 * decades * study.tests.quasistatic.steps_per_decade;
-  return solves * unknowns * (factorisation + solve) * loads;
-}
-
 Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
   const double unknowns = quasistatic_unknowns(stage, cells);
-  const double bytes = quasistatic_memory(study, stage, cells), seconds = quasistatic_time(study, stage, unknowns);
+  const double bytes = quasistatic_memory(study, stage, cells);
+  const double seconds = quasistatic_time(study, stage, boundary, cells);
   return {fmt::format("  {} {}, quasi-static: {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
                       bound_of(boundary), cells_in_words(stage, cells), unknowns, memory(bytes),
                       display_duration(seconds, 1)),
@@ -172,7 +156,10 @@ TellingLength telling_length(const Stage& stage, const StageMicrostructure& pack
     if (mixing == Mixing::points) return {gap, in_a_gap};
     if (!packed.spheres) return {gap, in_a_gap, {}, {}, "ellipsoids"};
     const double fraction = packed.fraction, diameter = packed.mean_diameter();
-    constexpr auto across_a_sphere = "across the mean sphere";
+    const auto* across_a_sphere =
+        is_sphere_error_measured(fraction)
+            ? "across the mean sphere"
+            : "across the mean sphere, by a rule that is extrapolated from 30 to 50 % of spheres";
     if (!cells_per_diameter_for(0.1, fraction)) return {diameter, across_a_sphere, {}, {}, "spheres close to jamming"};
     return {diameter, across_a_sphere, [fraction](double cells) { return expected_sphere_error(cells, fraction); },
             [fraction](double error) { return *cells_per_diameter_for(error, fraction); }};

@@ -61,6 +61,7 @@ void warn_of_missing_plots(const std::string& addition);
 /// The subcommands: each function adds its subcommand to the application, with a callback that does the work.
 void add_bench(CLI::App& application);
 void add_check(CLI::App& application);
+void add_completion(CLI::App& application);
 void add_examples(CLI::App& application);
 void add_export(CLI::App& application);
 void add_fit(CLI::App& application);

@@ -246,9 +246,11 @@ void add_export(CLI::App& application) {
   command->add_option("--boundary", arguments->boundary, "the boundary condition, if the stage has several")
       ->check(CLI::IsMember(names_of_words<Boundary>()).description(""))
       ->type_name(fmt::format("{}", fmt::join(names_of_words<Boundary>(), "|")));
+  auto shear_loads = names_of_words<Load>();
+  std::erase(shear_loads, name_of(Load::bulk));
   command->add_option("--load", arguments->load, "the load of shear that gives G(t) (default: shear)")
       ->check(CLI::IsMember(names_of_words<Load>()).description(""))
-      ->type_name("LOAD");
+      ->type_name(fmt::format("{}", fmt::join(shear_loads, "|")));
   command
       ->add_option("--tolerance", arguments->tolerance,
                    "how far G(t) and K(t) may deviate, which decides on the number of terms (default: \"1 %\")")

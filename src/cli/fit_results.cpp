@@ -15,22 +15,12 @@
 #include "breccia/report/modulus_plot.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
+#include "fit_page.hpp"
+
 namespace breccia::cli {
 namespace {
 
 constexpr int points_per_decade = 20;
-
-std::string file_stem(CurveKind kind) {
-  switch (kind) {
-    case CurveKind::relaxation:
-      return "relaxation";
-    case CurveKind::creep:
-      return "creep";
-    case CurveKind::dynamic:
-      return "dynamic";
-  }
-  return {};
-}
 
 /// The name of a column of a modulus or compliance: "shear_modulus_Pa".
 std::string column_of(const char* name, ModulusKind kind) {
@@ -222,6 +212,10 @@ class Writer {
       names_.push_back(name);
     }
   }
+  void page(const std::string& name, const std::string& text) {
+    write_text(results_.place() / name, text);
+    names_.push_back(name);
+  }
   /// Moves the files into the directory and returns their names.
   std::vector<std::string> commit() {
     results_.commit();
@@ -233,7 +227,7 @@ class Writer {
     const auto& [directory, source, options, overwrite] = destination;
     const std::vector<std::string> files = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
                                             "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
-                                            "relaxation.svg", "creep.svg",       "dynamic.svg"};
+                                            "relaxation.svg", "creep.svg",       "dynamic.svg",       "report.html"};
     refuse_to_replace(directory, files, {&source, 1});
     return {.command = "fit",
             .source = options.empty() ? source.string() : fmt::format("{} ({})", source.string(), options),
@@ -247,6 +241,18 @@ class Writer {
 };
 
 }  // namespace
+
+std::string word_for(CurveKind kind) {
+  switch (kind) {
+    case CurveKind::relaxation:
+      return "relaxation";
+    case CurveKind::creep:
+      return "creep";
+    case CurveKind::dynamic:
+      return "dynamic";
+  }
+  return {};
+}
 
 std::string_view compliance_symbol(ModulusKind kind) {
   if (kind == ModulusKind::young) return "D";
@@ -295,7 +301,7 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
                  fmt::format("Data and fit; deviations and standard errors are relative. {}", origin));
   }
   const auto curve = converted(result, kind, points_per_decade);
-  writer.table(file_stem(kind) + ".csv", curve_columns(kind, curve, result.kind), fmt::format("{} {}", origin, reach));
+  writer.table(word_for(kind) + ".csv", curve_columns(kind, curve, result.kind), fmt::format("{} {}", origin, reach));
   if (result.master_curve) {
     writer.table("shift_factors.csv", shift_columns(result), fmt::format("Shift factors a_T. {}", origin));
   }
@@ -309,8 +315,9 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
   if (!result.quality || kind != result.measured) {
     auto plot = empty_plot(kind, title);
     draw(plot, kind, curve, result.kind);
-    writer.picture(file_stem(kind) + ".svg", plot);
+    writer.picture(word_for(kind) + ".svg", plot);
   }
+  writer.page("report.html", fit_report(title, data, result));
   return writer.commit();
 }
 

@@ -17,6 +17,9 @@ namespace breccia::cli {
 /// The viscoelastic function of a curve.
 enum class CurveKind { relaxation, creep, dynamic };
 
+/// "relaxation", "creep" or "dynamic".
+std::string word_for(CurveKind kind);
+
 /// The result of `breccia fit`.
 struct FitResult {
   CurveKind measured = CurveKind::relaxation;

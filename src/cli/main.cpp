@@ -8,6 +8,7 @@
 #include <thread>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
@@ -16,6 +17,7 @@
 #include "command.hpp"
 #include "help.hpp"
 #include "misuse.hpp"
+#include "version.hpp"
 
 namespace {
 
@@ -55,6 +57,7 @@ void add_commands(CLI::App& application) {
   cli::add_export(application);
   cli::add_bench(application);
   cli::add_examples(application);
+  cli::add_completion(application);
   cli::add_help(application);
   for (auto* command : application.get_subcommands({})) command->group("Commands");
 }
@@ -62,7 +65,8 @@ void add_commands(CLI::App& application) {
 int run(int argc, char** argv) {
   CLI::App application(what_breccia_does, "breccia");
   name_parts_of_help(application);
-  application.set_version_flag("--version", "breccia " BRECCIA_VERSION, "print the version");
+  application.set_version_flag("--version", breccia::cli::version_text,
+                               "print the version, the build and the kernels of this machine");
   application.require_subcommand(0, 1);
   add_commands(application);
   application.footer(breccia::cli::where_to_begin());
@@ -122,9 +126,19 @@ void end_all(const Outcome& outcome) {
   if (!parallel::is_alone()) parallel::abort(static_cast<int>(outcome.exit_code));
 }
 
+/// Has memory of large fields given back to the system as soon as it is freed. Left to itself, the C library keeps
+/// freed blocks of up to 32 MB, between which others do not fit.
+void give_back_large_blocks() noexcept {
+#ifdef M_MMAP_THRESHOLD
+  constexpr int large = 4 << 20;
+  mallopt(M_MMAP_THRESHOLD, large);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  give_back_large_blocks();
   const auto outcome = guarded_run(argc, argv);
   if (outcome.exit_code != breccia::ExitCode::done) end_all(outcome);
   breccia::parallel::stop();

@@ -12,6 +12,7 @@
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/io/display.hpp"
+#include "breccia/io/units.hpp"
 #include "breccia/study/gap.hpp"
 
 namespace breccia::cli {

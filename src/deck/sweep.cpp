@@ -123,9 +123,9 @@ void warn_of_gaps_on_grids(Sweep& sweep) {
 }  // namespace
 
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& further_keys) {
-  Deck document(deck, overrides);
-  for (const auto& key : further_keys) document.add("sweep", "--sweep", key);
+                 const std::vector<std::string>& further_keys, const ValueOrigins& origins) {
+  Deck document(deck, overrides, origins);
+  for (const auto& key : further_keys) document.add("sweep", origins.sweep_keys, key);
   const auto keys = read_keys(document.root());
   document.root().accept_all_keys();  // unknown keys are reported by the tasks
   auto mistakes = document.mistakes();

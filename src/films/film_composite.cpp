@@ -56,7 +56,7 @@ void FilmSolver::prepare(std::span<const double> parameters) {
   ++effort_.factorisations;
 }
 
-FilmVector FilmSolver::solve_forces(const FilmVector& forces, const FilmVector& /*guess*/) {
+FilmVector FilmSolver::solve_forces(Load /*load*/, const FilmVector& forces, const FilmVector& /*guess*/) {
   const auto& film_operator = composite_->film_operator();
   Eigen::VectorXd right_side = Eigen::VectorXd::Zero(film_operator.unknowns() + film_operator.pressures());
   right_side.head(film_operator.unknowns()) = forces.unknowns();
@@ -68,13 +68,13 @@ FilmVector FilmSolver::solve_forces(const FilmVector& forces, const FilmVector& 
 }
 
 FilmVector FilmSolver::solve(Load load, const FilmVector& guess) {
-  if (composite_->boundary() == Boundary::traction) return solve_forces(composite_->load_forces(load), guess);
+  if (composite_->boundary() == Boundary::traction) return solve_forces(load, composite_->load_forces(load), guess);
   // The forces of the uniform strain include those of its pressures. The pressures that are found are the others.
   auto prescribed = composite_->zero();
   prescribed.set_macroscopic(1.0);
   auto forces = composite_->forces(parameters_, load, prescribed);
   forces.scale(-1.0);
-  auto solution = solve_forces(forces, guess);
+  auto solution = solve_forces(load, forces, guess);
   solution.set_macroscopic(1.0);
   return solution;
 }

@@ -58,8 +58,8 @@ class FilmSolver {
 
   /// The same as prepare(): each binder has factors of its own.
   void take(std::span<const double> parameters) { prepare(parameters); }
-  /// The fluctuations and flows for these forces on them.
-  [[nodiscard]] FilmVector solve_forces(const FilmVector& forces, const FilmVector& guess);
+  /// The fluctuations and flows for these forces on them, in a time step under a load. The factors need no guess.
+  [[nodiscard]] FilmVector solve_forces(Load load, const FilmVector& forces, const FilmVector& guess);
   /// Modulus [Pa] from the energy of a solution for the present binder.
   [[nodiscard]] double modulus(Load load, const FilmVector& solution) const;
 

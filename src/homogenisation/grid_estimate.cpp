@@ -65,4 +65,9 @@ std::optional<double> cells_per_diameter_for(double error, double fraction) {
   return rule ? std::optional(rule->cells_for(error)) : std::nullopt;
 }
 
+bool is_sphere_error_measured(double fraction) {
+  constexpr double least = 0.30, most = 0.50, about = 0.02;
+  return fraction > least - about && fraction < most + about;
+}
+
 }  // namespace breccia

@@ -141,11 +141,11 @@ double bytes_of_cube(const Study& study, const Stage& stage, double strains) {
   const double whole = vector + strains;
   // The phases of the points and the kinds of the cells.
   constexpr double cells = (8.0 * sizeof(PhaseIndex) + sizeof(std::uint32_t)) / 3.0;
-  // The vectors of a basis have no strains of phases. Products of their forces take three vectors and the copies of two
-  // for the threads; conjugate gradients take less. The rest is what runs of 48 and 96 cells a side take beside, such
-  // as the lists by which the nodes are distributed over the processes (docs/three-dimensions.md).
-  constexpr double rest = 36.0;
-  double bytes = cells + 3.0 * whole + 2.0 * vector + rest;
+  // The vectors of a basis have no strains of phases. Products of their forces take three vectors with strains and one
+  // without; conjugate gradients, which keep five without, take less. The rest is what a run of 96 cells a side takes
+  // beside (docs/three-dimensions.md).
+  constexpr double rest = 20.0;
+  double bytes = cells + 3.0 * whole + vector + rest;
   if (study.tests.quasistatic.solver == Solver::stepping) {
     bytes += whole * (1.0 + vectors_of_stepping(study, stage));
   } else {
@@ -182,7 +182,7 @@ double quasistatic_memory(const Study& study, const Stage& stage, int cells) {
   constexpr double vector = sizeof(double);
   const double strains = vector * modes / stage.dimensions * share_of_mixed_cells(study, stage, cells);
   const bool is_direct =
-      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), 1, stage.dimensions);
+      study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions);
   // Sparse Cholesky factors of a square grid, ordered by nested dissection.
   const double factors = is_direct ? 640.0 + 60.0 * std::log2(unknowns) : 0.0;
   if (stage.dimensions == 3) return unknowns * (factors + bytes_of_cube(study, stage, strains));

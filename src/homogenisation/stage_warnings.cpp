@@ -87,7 +87,7 @@ std::optional<NarrowGap> narrow_gap(const Stage& stage, const StageMicrostructur
                    packed.wall_gap,
                    {1.0,
                     "a nearly incompressible matrix cannot be squeezed out between the wall and the particles, and "
-                    "the upper bound at long times comes out up to twice too high"}};
+                    "the upper bound at long times comes out too high, with half a cell by a third"}};
 }
 
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,

@@ -58,8 +58,9 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   constexpr double turn = 2.0 * std::numbers::pi, minute = 60.0;
   if (unit == "rpm") return {turn / minute};
   if (counts_cycles) {
-    const double factor = parse_quantity(fmt::format("1 {}", unit), Dimension::frequency);
-    if (is_in_hertz(unit)) return {turn * factor};
+    if (is_in_hertz(unit)) return {turn * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
+    const bool has_radians = unit.find("rad") != std::string_view::npos;
+    if (!has_radians) static_cast<void>(parse_quantity(fmt::format("1 {}", unit), Dimension::frequency));
     throw InputError(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit));
   }
   if (unit == "1/s" || unit == "s-1" || unit == "s^-1") return {};

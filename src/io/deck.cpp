@@ -34,7 +34,7 @@ void add_unknown_keys(const DeckState& state, std::vector<Mistake>& mistakes) {
 
 }  // namespace
 
-Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides)
+Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides, const ValueOrigins& origins)
     : state_(std::make_unique<DeckState>()) {
   std::error_code is_no_name_of_a_file;  // too long, for example
   if (!std::filesystem::exists(path, is_no_name_of_a_file))
@@ -47,18 +47,22 @@ Deck::Deck(const std::filesystem::path& path, const std::vector<std::string>& ov
   detail::refuse_binary(path, state_->text);
   detail::require_utf8(path, state_->text);
   state_->root = detail::parse_deck(path, state_->text);
-  for (const auto& text : overrides) detail::apply_override(state_->root, text, state_->mistakes);
+  for (const auto& text : overrides) {
+    detail::apply_override(state_->root, origins.overrides, text, state_->mistakes);
+  }
 }
 
 Deck Deck::from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
-                     const std::vector<std::string>& overrides) {
+                     const std::vector<std::string>& overrides, const ValueOrigins& origins) {
   auto state = std::make_unique<DeckState>();
   state->path = directory / name;
   state->text = text;
   detail::require_utf8(name, text);
   state->root = detail::parse_deck(name, text);
   detail::set_place(state->root, {.option = name});
-  for (const auto& entry : overrides) detail::apply_override(state->root, entry, state->mistakes);
+  for (const auto& entry : overrides) {
+    detail::apply_override(state->root, origins.overrides, entry, state->mistakes);
+  }
   return Deck(std::move(state));
 }
 

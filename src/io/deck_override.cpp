@@ -109,8 +109,9 @@ std::optional<KeyAndValue> split_entry(std::string_view entry) {
 
 }  // namespace
 
-void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes) {
-  const Place place{fmt::format("--set {}", override_text)};
+void apply_override(DeckTable& root, const std::string& origin, const std::string& override_text,
+                    std::vector<Mistake>& mistakes) {
+  const Place place{fmt::format("{} {}", origin, override_text)};
   const auto entry = split_entry(override_text);
   const auto steps = entry ? split_path(entry->key) : std::nullopt;
   if (!steps) {

@@ -8,8 +8,10 @@
 
 namespace breccia::detail {
 
-/// Applies an override `key.path=value` to the tree, or adds a mistake.
-void apply_override(DeckTable& root, const std::string& override_text, std::vector<Mistake>& mistakes);
+/// Applies an override `key.path=value` to the tree, or adds a mistake. `origin`: what overrides are called
+/// (ValueOrigins).
+void apply_override(DeckTable& root, const std::string& origin, const std::string& override_text,
+                    std::vector<Mistake>& mistakes);
 
 /// Applies a setting to the tree and returns the paths of the values that it has set, or adds mistakes.
 std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, std::vector<Mistake>& mistakes);

@@ -152,6 +152,10 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
   const auto unit = parse_unit(is_angle && quantity.unit == "deg" ? "degree" : quantity.unit);
   if (!unit && quantity.unit.starts_with(',')) return hint(quantity, dimension);
   if (!unit) return fmt::format(": unknown unit \"{}\"{}", quantity.unit, hint(quantity, dimension));
+  // UDUNITS-2 takes a radian for the number 1, and rad/s for Hz.
+  if (dimension == Dimension::frequency && quantity.unit.find("rad") != std::string::npos) {
+    return ": a frequency counts cycles, 1 Hz is 6.2832 rad/s";
+  }
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
   if (!converter) return hint(quantity, dimension);
   const bool is_difference = dimension == Dimension::temperature_difference;

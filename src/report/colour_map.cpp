@@ -37,4 +37,17 @@ std::array<Rgb, 256> perceptual_colours() {
   return colours;
 }
 
+std::array<Rgb, 256> diverging_colours() {
+  constexpr double dark = 0.42, light = 0.96, blue = 262.0, red = 30.0;
+  constexpr double chroma = 0.13;  // the largest that sRGB has for the darkest colours of both hues
+  std::array<Rgb, 256> colours;
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const double place = 2.0 * static_cast<double>(i) / (colours.size() - 1.0) - 1.0;
+    const double size = std::abs(place);
+    const double hue = (place < 0.0 ? blue : red) * std::numbers::pi / 180.0;
+    colours[i] = from_oklab(std::lerp(light, dark, size), chroma * size * std::cos(hue), chroma * size * std::sin(hue));
+  }
+  return colours;
+}
+
 }  // namespace breccia

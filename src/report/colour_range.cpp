@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "colour_map.hpp"
+
 namespace breccia {
 namespace {
 
@@ -31,6 +33,17 @@ ColourRange::ColourRange(ColourScale scale, const std::vector<double>& values) :
   to_ = middle == 0.0 ? 1.0 : std::max(0.5 * middle, 1.5 * middle);
 }
 
+ColourRange ColourRange::diverging_if_signed(ColourScale scale, const std::vector<double>& values) {
+  const ColourRange range(scale, values);
+  constexpr double part = 0.02;
+  const bool is_signed = std::min(-range.from_, range.to_) > part * (range.to_ - range.from_);
+  return scale == ColourScale::linear && is_signed ? ColourRange(ColourScale::diverging, values) : range;
+}
+
+std::array<Rgb, 256> ColourRange::colours() const {
+  return scale_ == ColourScale::diverging ? diverging_colours() : perceptual_colours();
+}
+
 double ColourRange::value_at(double share) const {
   return is_logarithmic() ? from_ * std::pow(to_ / from_, share) : std::lerp(from_, to_, share);
 }
@@ -38,6 +51,10 @@ double ColourRange::value_at(double share) const {
 std::uint8_t ColourRange::index_of(double value) const {
   constexpr double last = 255.0;
   if (is_logarithmic() && value <= 0.0) return 0;
+  if (scale_ == ColourScale::diverging) {
+    const double share = 0.5 + 0.5 * std::clamp(value, from_, to_) / std::max(std::abs(from_), std::abs(to_));
+    return static_cast<std::uint8_t>(std::lround(last * share));
+  }
   const double share =
       is_logarithmic() ? std::log(value / from_) / std::log(to_ / from_) : (value - from_) / (to_ - from_);
   return static_cast<std::uint8_t>(std::lround(last * std::clamp(share, 0.0, 1.0)));

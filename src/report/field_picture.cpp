@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "colour_map.hpp"
 #include "colour_range.hpp"
 #include "embedded_png.hpp"
 #include "map_frame.hpp"
+#include "outlines.hpp"
 
 namespace breccia {
 namespace {
@@ -49,7 +50,7 @@ std::string encoded_map(const Raster& raster, const ColourRange& colours) {
       pixels.push_back(colours.index_of(raster.values[row * raster.columns + column]));
     }
   }
-  return embedded_png(raster.columns, pixels, perceptual_colours());
+  return embedded_png(raster.columns, pixels, colours.colours());
 }
 
 void require_square(const std::vector<double>& values, std::size_t columns) {
@@ -68,9 +69,21 @@ std::string field_picture(const FieldPicture& picture) {
   require_square(picture.values, picture.columns);
   constexpr std::size_t most_columns = 600;
   const auto raster = reduced(picture.values, picture.columns, most_columns);
-  const ColourRange colours(picture.scale, raster.values);
-  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
-                     {{.image = encoded_map(raster, colours)}}, raster.values, colours);
+  const auto colours = ColourRange::diverging_if_signed(picture.scale, raster.values);
+  PlacedMap map{.image = encoded_map(raster, colours)};
+  if (!picture.phases.empty()) {
+    if (picture.phases.size() != picture.values.size()) {
+      throw InputError(
+          fmt::format("picture of a field: {} phases of {} values", picture.phases.size(), picture.values.size()));
+    }
+    map.outlines = outlines_of(picture.phases, picture.columns, most_columns);
+  }
+  return framed_maps({.title = picture.title,
+                      .quantity = picture.quantity,
+                      .unit_size = picture.unit_size,
+                      .side = picture.side,
+                      .load = picture.load},
+                     {std::move(map)}, raster.values, colours);
 }
 
 std::string field_cuts_picture(const FieldCutsPicture& picture) {
@@ -88,11 +101,12 @@ std::string field_cuts_picture(const FieldCutsPicture& picture) {
   const auto place = [&](std::size_t normal, double x, double y, const char* caption) {
     return PlacedMap{encoded_map(rasters[normal], colours), x, y, side, caption};
   };
-  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
-                     {place(2, 0.0, first, "seen along z: x to the right, y up"),
-                      place(0, second, first, "seen along x: y to the right, z up"),
-                      place(1, 0.0, second, "seen along y: z to the right, x up")},
-                     values, colours);
+  return framed_maps(
+      {.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size, .side = picture.side},
+      {place(2, 0.0, first, "seen along z: x to the right, y up"),
+       place(0, second, first, "seen along x: y to the right, z up"),
+       place(1, 0.0, second, "seen along y: z to the right, x up")},
+      values, colours);
 }
 
 }  // namespace breccia

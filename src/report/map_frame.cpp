@@ -1,6 +1,8 @@
 #include "map_frame.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 
@@ -8,17 +10,22 @@
 
 #include "breccia/io/display.hpp"
 
-#include "colour_map.hpp"
+#include "bar_ticks.hpp"
 #include "embedded_png.hpp"
 #include "markup.hpp"
+#include "picture_frame.hpp"
 
 namespace breccia {
 namespace {
 
-std::string encoded_bar() {
+/// The colours of the bar from its top.
+std::string encoded_bar(const ColourRange& colours) {
   std::vector<std::uint8_t> pixels(256);
-  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(255 - i);
-  return embedded_png(1, pixels, perceptual_colours());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    pixels[i] =
+        colours.index_of(colours.value_at(1.0 - static_cast<double>(i) / (static_cast<double>(pixels.size()) - 1.0)));
+  }
+  return embedded_png(1, pixels, colours.colours());
 }
 
 /// The place of an element, nothing for that of the picture.
@@ -33,9 +40,64 @@ std::string drawn_map(const PlacedMap& map) {
 <rect {0}width="{1}" height="{1}" fill="none" stroke="#222" stroke-width="2"/>
 )svg",
       place, map.side, map.image);
+  if (!map.outlines.empty()) {
+    svg += fmt::format(
+        "<path transform=\"translate({} {}) scale({})\" d=\"{}\" fill=\"none\" stroke=\"#000\" "
+        "stroke-opacity=\"0.55\" stroke-width=\"1.2\" vector-effect=\"non-scaling-stroke\"/>\n",
+        map.x, map.y, map.side, map.outlines);
+  }
   if (map.caption.empty()) return svg;
   return svg + fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"26\" fill=\"#222\">{}</text>\n", map.x, map.y - 10.0,
                            as_markup(map.caption));
+}
+
+/// The corners of the unit square, from the lower left one on, after a load; y upwards.
+std::array<std::array<double, 2>, 4> deformed(DrawnLoad load) {
+  constexpr double size = 0.25;
+  switch (load) {
+    case DrawnLoad::shear:
+      return {{{0.0, 0.0}, {1.0, 0.0}, {1.0 + size, 1.0}, {size, 1.0}}};
+    case DrawnLoad::stretch:
+      return {{{-0.5 * size, 0.5 * size},
+               {1.0 + 0.5 * size, 0.5 * size},
+               {1.0 + 0.5 * size, 1.0 - 0.5 * size},
+               {-0.5 * size, 1.0 - 0.5 * size}}};
+    case DrawnLoad::dilatation:
+      return {{{-0.5 * size, -0.5 * size},
+               {1.0 + 0.5 * size, -0.5 * size},
+               {1.0 + 0.5 * size, 1.0 + 0.5 * size},
+               {-0.5 * size, 1.0 + 0.5 * size}}};
+    case DrawnLoad::none:
+      break;
+  }
+  return {};
+}
+
+/// The load: the square as it was, dashed, and as it is deformed.
+std::string drawn_load(DrawnLoad load) {
+  if (load == DrawnLoad::none) return {};
+  constexpr double left = 900.0, bottom = 1140.0, side = 64.0;
+  std::string path;
+  for (const auto& [x, y] : deformed(load)) {
+    path += fmt::format("{}{:.6g} {:.6g}", path.empty() ? "M" : "L", left + side * x, bottom - side * y);
+  }
+  return fmt::format(
+      R"svg(<text x="884" y="1122" font-size="30" fill="#222" text-anchor="end">load:</text>
+<path d="M{0} {1}h{2}v-{2}h-{2}z" fill="none" stroke="#222" stroke-width="1.5" stroke-dasharray="6 5"/>
+<path d="{3}z" fill="none" stroke="#222" stroke-width="3"/>
+)svg",
+      left, bottom, side, path);
+}
+
+/// A scale bar of a round length, for a map of this side in units of the drawing.
+std::string drawn_scale_bar(double side, double drawn) {
+  if (!(side > 0.0)) return {};
+  const double length = scale_bar_length(side);
+  const double width = length / side * drawn;
+  return fmt::format(R"svg(<rect id="scale-bar" y="1100" width="{0:.6g}" height="10" fill="#222"/>
+<text x="{1:.6g}" y="1118" font-size="34" fill="#222">{2}</text>
+)svg",
+                     width, width + 18.0, with_micro_sign(length));
 }
 
 }  // namespace
@@ -52,25 +114,29 @@ std::string framed_maps(const MapWords& words, const std::vector<PlacedMap>& map
   // The bar is to the right of the maps.
   fmt::format_to(
       out,
-      R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1240 1150" font-family="sans-serif" role="img" aria-labelledby="title">
+      R"svg(<svg xmlns="http://www.w3.org/2000/svg" viewBox="-20 -70 1290 1240" font-family="sans-serif" role="img" aria-labelledby="title">
 <title id="title">{0}</title>
-<rect x="-20" y="-70" width="1240" height="1150" fill="#fff"/>
+<rect x="-20" y="-70" width="1290" height="1240" fill="#fff"/>
 <text y="-24" font-size="34" fill="#222">{0}</text>
 {1}<image x="1030" width="40" height="1000" preserveAspectRatio="none" href="{2}"/>
 <rect x="1030" width="40" height="1000" fill="none" stroke="#222" stroke-width="2"/>
 )svg",
-      as_markup(words.title), drawn_maps, encoded_bar());
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      as_markup(words.title), drawn_maps, encoded_bar(colours));
+  for (const auto& [share, label] : bar_ticks(colours, words.unit_size)) {
     const double y = 1000.0 * (1.0 - share);
-    fmt::format_to(out, R"svg(<path d="M1070 {0}h10" stroke="#222" stroke-width="2"/>
-<text x="1086" y="{1}" font-size="30" fill="#222">{2}</text>
+    fmt::format_to(out, R"svg(<path d="M1070 {0:.6g}h10" stroke="#222" stroke-width="2"/>
+<text x="1086" y="{1:.6g}" font-size="30" fill="#222">{2}</text>
 )svg",
-                   y, y + 11.0, written(colours.value_at(share)));
+                   y, y + 11.0, label);
   }
-  fmt::format_to(out, R"svg(<text y="1046" font-size="30" fill="#222">{}; it goes from {} to {}</text>
-</svg>
+  fmt::format_to(
+      out,
+      R"svg(<text transform="translate(1240 500) rotate(-90)" font-size="30" fill="#222" text-anchor="middle">{0}</text>
+<text y="1046" font-size="30" fill="#222">{0}; it goes from {1} to {2}</text>
+{3}{4}</svg>
 )svg",
-                 as_markup(words.quantity), written(lowest), written(highest));
+      as_markup(words.quantity), written(lowest), written(highest), drawn_scale_bar(words.side, maps.front().side),
+      drawn_load(words.load));
   return svg;
 }
 

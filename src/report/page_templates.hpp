@@ -6,6 +6,8 @@ namespace breccia {
 
 /// Pages with their style, their scripts and the plotting library in them. Made when the program is built.
 
+/// `page/fit.html`
+std::string_view fit_page_template();
 /// `page/study.html`
 std::string_view study_page_template();
 /// `page/sweep.html`

@@ -14,7 +14,8 @@ namespace {
 constexpr double margin = 20.0;
 constexpr double strip = 70.0;
 
-/// The longest of 1, 2, 5 times a power of ten that is at most a quarter of the side.
+}  // namespace
+
 double scale_bar_length(double side) {
   const double longest = side / 4.0;
   const double power = std::pow(10.0, std::floor(std::log10(longest) + 1e-9));
@@ -28,8 +29,6 @@ std::string with_micro_sign(double length) {
   const auto [number, prefix, scale] = with_prefix(length);
   return fmt::format("{:.3g} {}m", number, prefix == "u" ? "µ" : prefix);
 }
-
-}  // namespace
 
 double picture_scale(double side) {
   if (!(side > 0.0) || !std::isfinite(side)) {

@@ -14,6 +14,12 @@ inline constexpr std::string_view matrix_colour = "#f3e9d8";
 /// Units of the drawing per metre for a box of this side [m]. Throws InputError if it is not positive and finite.
 double picture_scale(double side);
 
+/// The length of a scale bar: the longest of 1, 2, 5 times a power of ten that is at most a quarter of the side [m].
+double scale_bar_length(double side);
+
+/// A length as text: "500 µm".
+std::string with_micro_sign(double length);
+
 /// SVG picture of a box with a scale bar below. `shapes` are the elements inside, in the units of the drawing with y
 /// downwards, clipped at its sides; `style` are the attributes that they share; `content` is what the title names.
 std::string framed_picture(double side, std::string_view content, std::string_view style, std::string_view shapes);

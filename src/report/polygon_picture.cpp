@@ -8,7 +8,6 @@
 
 #include "breccia/error.hpp"
 
-#include "colour_map.hpp"
 #include "colour_range.hpp"
 #include "embedded_png.hpp"
 #include "map_frame.hpp"
@@ -121,10 +120,10 @@ std::string polygon_picture(const PolygonPicture& picture) {
     if (const auto value = value_at(number)) values.push_back(*value);
   }
   if (values.empty()) throw InputError("picture of polygons: no polygon in the box has a value");
-  const ColourRange colours(picture.scale, values);
+  const auto colours = ColourRange::diverging_if_signed(picture.scale, values);
   // Grey takes the place of the lowest colour, from which the next one does not differ to the eye.
   constexpr std::uint8_t grey = 0;
-  auto palette = perceptual_colours();
+  auto palette = colours.colours();
   palette[grey] = {72, 72, 72};
   std::vector<std::uint8_t> pixels;
   pixels.reserve(canvas.pixels().size());
@@ -132,7 +131,11 @@ std::string polygon_picture(const PolygonPicture& picture) {
     const auto value = value_at(number);
     pixels.push_back(value ? std::max<std::uint8_t>(grey + 1, colours.index_of(*value)) : grey);
   }
-  return framed_maps({.title = picture.title, .quantity = picture.quantity, .unit_size = picture.unit_size},
+  return framed_maps({.title = picture.title,
+                      .quantity = picture.quantity,
+                      .unit_size = picture.unit_size,
+                      .side = picture.side,
+                      .load = picture.load},
                      {{.image = embedded_png(columns, pixels, palette)}}, values, colours);
 }
 

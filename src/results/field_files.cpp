@@ -108,9 +108,13 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
     const auto& [time, points] = fields[i];
     const auto& record = records[i];
     write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
-    const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldPicture picture) {
+    const auto draw = [&, &points = fields[i].fields, title = field_title(stage, test, time)](const std::string& file,
+                                                                                              FieldPicture picture) {
       picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns());
       picture.title = title;
+      picture.side = stage.side;
+      picture.load = drawn_load(test.load);
+      picture.phases.assign(points.phase.begin(), points.phase.end());
       write_text(directory / file, field_picture(picture));
     };
     draw(record.stress_picture, stress_map(points, test.boundary, test.load));

@@ -47,6 +47,11 @@ FieldQuantity strain_in_space(Load load, double mean) {
   return strain_over_load("Equivalent shear strain", load, mean);
 }
 
+DrawnLoad drawn_load(Load load) {
+  if (load == Load::bulk) return DrawnLoad::dilatation;
+  return load == Load::shear ? DrawnLoad::shear : DrawnLoad::stretch;
+}
+
 std::string field_title(const Stage& stage, const TestId& test, double time) {
   const auto [number, prefix, scale] = with_prefix(time);
   return fmt::format("{}, {}, {}, {:.3g} {}s", stage.name, bound_of(test.boundary),

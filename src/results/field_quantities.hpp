@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "breccia/report/field_picture.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/test_id.hpp"
 
@@ -24,6 +25,9 @@ FieldQuantity strain_quantity(Load load, double mean);
 FieldQuantity stress_in_space(Boundary boundary, Load load, double mean);
 /// In a cube: the equivalent shear strain over the mean shear strain or dilatation of the load, which is given.
 FieldQuantity strain_in_space(Load load, double mean);
+
+/// How a load is drawn below a map of a square.
+DrawnLoad drawn_load(Load load);
 
 /// The title of a map of a test at a time [s].
 std::string field_title(const Stage& stage, const TestId& test, double time);

@@ -139,6 +139,7 @@ std::vector<FieldRecord> write_film_fields(const fs::path& directory, const Stud
       auto picture = picture_of(cells, map);
       picture.title = field_title(stage, test, fields[i].time);
       picture.side = stage.side;
+      picture.load = drawn_load(test.load);
       picture.is_periodic = test.boundary == Boundary::periodic;
       write_text(directory / file, polygon_picture(picture));
     };

@@ -18,7 +18,7 @@ namespace {
 constexpr double zero_celsius = 273.15;
 
 /// The law of the composite, with the temperature of the study as its reference.
-WilliamsLandelFerry law_of(const StoredComposite& composite) {
+WilliamsLandelFerry law_of(const Composite& composite) {
   if (composite.shift) return with_reference(composite.shift->law, composite.shift->temperature);
   throw InputError(
       fmt::format("stage {}: its moduli at other temperatures are not known: the binder has no shift with the "
@@ -38,7 +38,7 @@ double celsius(double kelvin) {
 
 }  // namespace
 
-TemperatureRange temperatures_covered(const StoredComposite& composite, double omega) {
+TemperatureRange temperatures_covered(const Composite& composite, double omega) {
   const auto law = law_of(composite);
   constexpr double hottest = 2000.0;  // beyond any polymer; the law may never reach the slowest frequency
   const TemperatureRange covered = {temperature_at(law, -std::log10(omega * composite.times.begin)),
@@ -49,7 +49,7 @@ TemperatureRange temperatures_covered(const StoredComposite& composite, double o
                   composite.times.begin, composite.times.end));
 }
 
-std::vector<IsochronalSample> isochronal_curve(const StoredComposite& composite, double omega,
+std::vector<IsochronalSample> isochronal_curve(const Composite& composite, double omega,
                                                const std::optional<TemperatureRange>& temperatures, double step) {
   std::vector<std::string> mistakes;
   if (!(omega > 0.0 && std::isfinite(omega)))
@@ -69,6 +69,12 @@ std::vector<IsochronalSample> isochronal_curve(const StoredComposite& composite,
   }
   const auto range = temperatures.value_or(
       TemperatureRange{zero_celsius + step * std::ceil(celsius(covered.begin) / step), covered.end});
+  if (range.begin > range.end + rounding) {
+    throw InputError(fmt::format(
+        "step: at {:.4g} rad/s the times of the study, {:.3g} to {:.3g} s, cover {:.4g} to {:.4g} degC only, without a "
+        "multiple of {:g} K; expected a smaller step",
+        omega, composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end), step));
+  }
   constexpr double most_samples = 1e5;
   if ((range.end - range.begin) / step > most_samples) throw InputError("step: too small for these temperatures");
   const auto bulk = composite.bulk();
@@ -87,7 +93,7 @@ std::vector<IsochronalSample> isochronal_curve(const StoredComposite& composite,
   return samples;
 }
 
-std::string table_of(const std::vector<IsochronalSample>& samples, const StoredComposite& composite, double omega) {
+std::string table_of(const std::vector<IsochronalSample>& samples, const Composite& composite, double omega) {
   auto text = fmt::format(
       "# {}, stage {}: {} boundary ({}), load {}, at {:.6g} Hz; by breccia {}\n"
       "# From the moduli at {} K by the shift of the binder, without a vertical shift\n",

@@ -63,7 +63,7 @@ double bulk_over_shear(double poisson) {
   return 2.0 * (1.0 + poisson) / (3.0 * (1.0 - 2.0 * poisson));
 }
 
-BulkOfCard bulk_of_card(const StoredComposite& composite, const CardSettings& settings) {
+BulkOfCard bulk_of_card(const Composite& composite, const CardSettings& settings) {
   if (settings.bulk) {
     return {PronySeries(*settings.bulk), false,
             fmt::format("K is elastic, {}, as it was given", display(*settings.bulk, "Pa"))};
@@ -78,7 +78,7 @@ BulkOfCard bulk_of_card(const StoredComposite& composite, const CardSettings& se
                                     : "K(t) is that of the bulk test, K(t) + G(t)/3, less G(t)/3"};
 }
 
-void refuse_settings(const StoredComposite& composite, const CardSettings& settings) {
+void refuse_settings(const Composite& composite, const CardSettings& settings) {
   std::vector<std::string> mistakes;
   if (!(settings.tolerance > 0.0 && settings.tolerance < 1.0)) {
     mistakes.push_back(fmt::format("tolerance: expected a share above 0 and below 1, got {}", settings.tolerance));
@@ -154,8 +154,8 @@ void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSetti
                   percent(settings.tolerance)));
 }
 
-std::vector<std::string> origin_of(const StoredComposite& composite, const CardSettings& settings,
-                                   const MaterialCard& card, const BulkOfCard& bulk) {
+std::vector<std::string> origin_of(const Composite& composite, const CardSettings& settings, const MaterialCard& card,
+                                   const BulkOfCard& bulk) {
   const auto units = settings.units == CardUnits::m_kg_s ? "m, kg, s, Pa, K" : "mm, t, s, MPa, K";
   std::vector<std::string> lines = {
       fmt::format("{}, stage {}: {} boundary ({}), load {}; by breccia {}", composite.title, composite.stage,
@@ -209,7 +209,7 @@ std::size_t most_terms(CardFormat format) {
   return format == CardFormat::ls_dyna ? of_ls_dyna : std::numeric_limits<std::size_t>::max();
 }
 
-MaterialCard material_card(const StoredComposite& composite, const CardSettings& settings) {
+MaterialCard material_card(const Composite& composite, const CardSettings& settings) {
   refuse_settings(composite, settings);
   const auto bulk = bulk_of_card(composite, settings);
   const auto times = settings.times.value_or(composite.times);

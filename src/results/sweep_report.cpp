@@ -1,5 +1,8 @@
 #include "breccia/results/sweep_report.hpp"
 
+#include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
+#include "breccia/io/csv.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/page.hpp"
@@ -51,6 +55,36 @@ std::vector<std::vector<TaskCurve>> stored_curves(const fs::path& directory, con
   return curves;
 }
 
+/// The measurements that the finished tasks are compared with, each of them once for a stage.
+Json measurements_of(const fs::path& directory, const Json& tasks) {
+  Json measurements = Json::array();
+  std::set<std::pair<std::string, std::string>> known;
+  for (const auto& task : tasks) {
+    if (task.at("state") != "done") continue;
+    const auto file = directory / task.at("name").get<std::string>() / "comparison.csv";
+    if (!is_there(file)) continue;
+    const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
+    std::map<std::pair<std::string, std::string>, std::map<double, double>> measured;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      measured[{table.text("stage")[row], table.text("measurement")[row]}][table.numbers("time_s")[row]] =
+          table.numbers("measured_Pa")[row];
+    }
+    for (const auto& [name, values] : measured) {
+      if (!known.insert(name).second) continue;
+      std::vector<double> times, moduli;
+      for (const auto& [time, modulus] : values) {
+        times.push_back(time);
+        moduli.push_back(modulus);
+      }
+      measurements.push_back({{"stage", name.first},
+                              {"measurement", name.second},
+                              {"time_s", rounded(std::move(times))},
+                              {"measured_Pa", rounded(std::move(moduli))}});
+    }
+  }
+  return measurements;
+}
+
 Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vector<TaskCurve>>& curves_of_tasks) {
   Json curves = Json::array(), tables = Json::object();
   for (std::size_t task = 0; task < curves_of_tasks.size(); ++task) {
@@ -60,7 +94,11 @@ Json data_of(const fs::path& directory, Json sweep, const std::vector<std::vecto
   for (const auto& key : sweep.at("keys")) text_columns.push_back(key.get<std::string>());
   auto spread = table_for_page(directory / "spread.csv", text_columns);
   if (!spread.empty()) tables["spread.csv"] = std::move(spread);
-  return {{"sweep", std::move(sweep)}, {"curves", std::move(curves)}, {"tables", std::move(tables)}};
+  auto measurements = measurements_of(directory, sweep.at("tasks"));
+  return {{"sweep", std::move(sweep)},
+          {"curves", std::move(curves)},
+          {"tables", std::move(tables)},
+          {"measurements", std::move(measurements)}};
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ std::vector<FieldRecord> write_volume_fields(const fs::path& directory, const St
                                                        .unit_size = quantity.unit_size,
                                                        .columns = static_cast<std::size_t>(grid.cells[0]),
                                                        .cuts = middle_cuts(grid, quantity.values),
-                                                       .scale = quantity.scale}));
+                                                       .scale = quantity.scale,
+                                                       .side = stage.side}));
     };
     draw(record.stress_picture, stress_in_cells(fields[i].fields.stress, test.load, test.boundary));
     draw(record.strain_picture, strain_in_cells(fields[i].fields.strain, test.load));

@@ -269,9 +269,11 @@ class Content {
     add_all(tolerance, most_snapshots);
   }
   void add(const LinearOptions& options) {
-    const auto& [method, most_unknowns_direct, most_unknowns_direct_in_3d, most_in_3d_on_several, tolerance,
-                 energy_tolerance, threads] = options;
-    add_all(method, most_unknowns_direct, most_in_3d_on_several, tolerance);
+    const auto& [method, most_unknowns_direct, most_unknowns_direct_in_3d, tolerance, energy_tolerance, threads] =
+        options;
+    // A limit for several processes that there once was stays in the content of all studies.
+    constexpr std::int64_t most_on_several = 3'000'000;
+    add_all(method, most_unknowns_direct, most_on_several, tolerance);
     static_cast<void>(threads);
     // A study with the defaults keeps the content that it had before there were three dimensions.
     const LinearOptions defaults;

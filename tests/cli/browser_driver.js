@@ -64,10 +64,27 @@ async function paste(text) {
   return at("spectrum-complaint").textContent;
 }
 
+/// The page of a fit.
+async function lookAtFit() {
+  see("title", document.querySelector("h1").textContent);
+  const master = () => at("master-plot");
+  see("sweeps", new Set(master().data.filter(({mode}) => mode === "markers").map(({name}) => name)).size);
+  see("axis of the master curve", master().layout.xaxis.title.text);
+  const [before] = master().data[0].x;
+  move(at("reference"), 29);
+  await wait(100);
+  see("axis at another reference", master().layout.xaxis.title.text);
+  see("shift of the master curve", master().data[0].x[0] / before);
+  see("figures of the fit", [...document.querySelectorAll(".plot")].filter((plot) => plot.data?.length > 0).length);
+}
+
 /// The page of a sweep.
 async function lookAtSweep() {
   see("title", document.querySelector("h1").textContent);
   see("curves", at("curve-plot").data.length);
+  see("measured in the sweep", at("curve-plot").data.at(-1).name.replace("&lt;", "<"));
+  see("ratios to the measurement", [...document.querySelectorAll("#task-table th")].filter((one) =>
+    one.textContent.includes("over measured")).length);
   see("links", document.querySelectorAll('#task-table a[href$="/report.html"]').length);
   const last = at("key-plot").data.map((trace) => trace.y.at(-1));
   move(at("key-slider"), 0);
@@ -86,16 +103,21 @@ function showQuantity(name) {
   at("quantity").dispatchEvent(new Event("change"));
 }
 
-/// The curves of a stage can be left out.
+/// The first screen has the result of the last stage; the other stage can be added.
 async function lookAtStages() {
   see("title", document.querySelector("h1").textContent);
-  const chip = document.querySelector('input[data-choice="A"]');
-  see("curves of stage A", shownTraces("A, "));
-  chip.click();
+  see("answer", at("answer").textContent.split(" at ")[0].replace(/[\d.]+/g, "x"));
+  see("warnings", [...document.querySelectorAll("#warnings > li")].length);
+  see("picture beside the figure", document.querySelector("#result-picture figcaption").textContent.split(":")[0]);
+  see("rows of moduli", document.querySelectorAll("#moduli tbody tr").length);
+  const {annotations} = at("curve-plot")._fullLayout;
+  see("names at the ends", annotations.map(({text}) => text.replaceAll("<br>", " ").replace("&lt;", "<")).filter((text) =>
+    !text.startsWith("ρ")).join("; "));
+  see("area between the bounds", at("curve-plot").data.filter(({fill}) => fill === "toself").length);
+  see("curves of stage A at first", shownTraces("A, "));
+  document.querySelector('input[data-choice="A"]').click();
   await wait(100);
-  see("curves of stage A when it is off", shownTraces("A, "));
-  chip.click();
-  await wait(100);
+  see("curves of stage A when it is on", shownTraces("A, "));
 }
 
 /// What was measured stands in the figure, in the tables and in what is saved.
@@ -142,6 +164,19 @@ async function lookAtStorageModulus() {
   see("storage modulus", at("curve-plot").data.some((trace) => trace.name.includes("G′")));
   const picture = decodeURIComponent(await Plotly.toImage(at("curve-plot"), {format: "svg"}));
   see("figure as SVG", picture.includes("<svg"));
+}
+
+/// The same over the frequency in Hz, and over the temperature at one frequency.
+async function lookAtAxes() {
+  const titleOfAxis = () => at("curve-plot").layout.xaxis.title.text;
+  const frequencies = titleOfAxis();
+  at("axis").value = "temperature";
+  at("axis").dispatchEvent(new Event("change"));
+  await wait(100);
+  see("axes", `${frequencies}; ${titleOfAxis()} at ${at("abscissa").value} Hz`);
+  const storage = at("curve-plot").data.find((trace) => trace.name === "B, upper bound, G′");
+  see("softer when warmer", storage.x.every((celsius, i) => i === 0 || (celsius > storage.x[i - 1] &&
+    storage.y[i] <= storage.y[i - 1])));
 }
 
 async function lookAtDeviation() {
@@ -211,6 +246,7 @@ async function look() {
   await zoomInTime();
   await hoverOverCurve();
   await lookAtStorageModulus();
+  await lookAtAxes();
   await lookAtDeviation();
   await lookAtRuns();
   await changeTemperature();
@@ -323,7 +359,8 @@ async function lookAtFieldView(figure) {
   const field = views.stages.S.fields["fields.vtkhdf"];
   see("colours of cells", await showsCells(canvas, field, views.colours.match(/.{6}/g)));
   see("legend of colours", figure.querySelector(".colour-words").textContent);
-  see("ticks of colours", figure.querySelectorAll(".colour-ticks span").length);
+  const ticks = [...figure.querySelectorAll(".colour-ticks span")].map(({textContent: text}) => text.replace("−", "-"));
+  see("ticks of colours are round", ticks.length > 2 && ticks.every((text) => /^-?(0|[1-9]\d?0*|0\.0*[1-9]\d?)$/.test(text)));
   await chooseIn(figure, ".view-quantity", 2);
   see("materials in a section", [0, 0.47].map((right) => colourAt(canvas, right, right)).join(" "));
   see("legend of materials", figure.querySelector(".legend").textContent);
@@ -346,6 +383,7 @@ async function lookAtSpace() {
 function lookAtPage() {
   if (JSON.parse(at("data").textContent).views !== undefined) return lookAtSpace();
   if (at("task-table") !== null) return lookAtSweep();
+  if (at("master-plot") !== null) return lookAtFit();
   return at("material") === null ? look() : lookAtInterphase();
 }
 

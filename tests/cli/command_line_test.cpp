@@ -1,10 +1,15 @@
 #include <regex>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/dynamics/instruction_set.hpp"
+
 #include "command.hpp"
 #include "good_deck.hpp"
+#include "scoped_variable.hpp"
 #include "temporary_directory.hpp"
 
 namespace breccia {
@@ -23,10 +28,33 @@ class CommandLine : public testing::Test {
   test::TemporaryDirectory directory;
 };
 
-TEST_F(CommandLine, VersionAndHelp) {
+TEST_F(CommandLine, VersionTellsTheBuildAndTheKernels) {
   const auto version = run({"--version"});
-  EXPECT_EQ(version.exit_code, 0);
-  EXPECT_THAT(version.output, testing::MatchesRegex("breccia [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_EQ(version.exit_code, 0) << version.errors;
+  EXPECT_THAT(version.output, StartsWith("breccia " BRECCIA_VERSION "\nbuild      "));
+  EXPECT_THAT(version.output, testing::ContainsRegex("\nbuild      (commit [0-9a-f]+(-dirty)?, )?(GNU|Clang) [0-9.]+, "
+                                                     "[A-Za-z]+, [a-z0-9_]+\n"));
+  std::vector<std::string_view> supported;
+  for (const auto set : supported_instruction_sets()) supported.push_back(name_of(set));
+  EXPECT_THAT(version.output, HasSubstr(fmt::format("\nkernels    {} on this processor; in use: {}\n",
+                                                    fmt::join(supported, ", "), name_of(chosen_instruction_set()))));
+  EXPECT_THAT(version.output, testing::ContainsRegex("\nlibraries  Eigen 3[0-9.]+, .*HDF5 1[0-9.]+, .*PETSc 3[0-9.]+, "
+                                                     "MUMPS [0-9.]+, METIS 5[0-9.]+, .*FFTW 3[0-9.]+\n"));
+}
+
+TEST_F(CommandLine, VersionTellsTheKernelsThatTheEnvironmentChooses) {
+  {
+    const test::ScopedVariable baseline("BRECCIA_INSTRUCTION_SET", "baseline");
+    EXPECT_THAT(run({"--version"}).output, HasSubstr("; in use: baseline\n"));
+  }
+  const test::ScopedVariable unknown("BRECCIA_INSTRUCTION_SET", "sse9");
+  const auto refused = run({"--version"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("BRECCIA_INSTRUCTION_SET: expected baseline, avx2 or avx512"));
+  EXPECT_EQ(refused.output, "");
+}
+
+TEST_F(CommandLine, Help) {
   const auto help = run({"--help"});
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_THAT(help.output, HasSubstr("check"));
@@ -117,6 +145,8 @@ TEST_F(CommandLine, MistypedCommands) {
       {{}, 2, "a command is required"},
       {{"chek", "deck.toml"}, 2, R"(unknown command "chek", did you mean "check"?)"},
       {{"deck.toml"}, 2, "unknown command \"deck.toml\""},
+      {{"completion"}, 2, "SHELL is required"},
+      {{"completion", "fish"}, 2, "SHELL: fish not in {bash,zsh}"},
       {{"help", "chek"}, 2, R"(unknown command "chek", did you mean "check"?)"},
       {{"--verison"}, 2, R"(unknown option "--verison", did you mean "--version"?)"},
       {{"-v"}, 2, R"(unknown option "-v", did you mean "--version"?)"},

@@ -233,6 +233,10 @@ TEST_F(Export, RefusesTemperaturesThatTheRunDoesNotCover) {
   for (const auto* option : {"--frequency: ", "--temperatures: ", "--step: "}) {
     EXPECT_THAT(options.errors, HasSubstr(option));
   }
+  // At this frequency the times cover -27 to -2 degC, between two multiples of 50.
+  const auto empty = export_card("dma", {"--boundary", "displacement", "--frequency", "1e-6 Hz", "--step", "50 K"});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_THAT(empty.errors, ::testing::ContainsRegex("cover -27.* to -1.* degC only, without a multiple of 50 K"));
 }
 
 TEST_F(Export, RefusesUnknownFormatsAndDirectories) {

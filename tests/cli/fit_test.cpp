@@ -78,7 +78,7 @@ TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
   const auto outcome = run({"g.csv", "--to", "creep"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g-fit: prony.csv, retardation.csv, fit.csv, creep.csv, "
-                                        "fit.svg, creep.svg"));
+                                        "fit.svg, creep.svg, report.html"));
   EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "shear_compliance_1_per_Pa", creep), 3e-3);
   EXPECT_LT(worst_difference(result("results/g-fit/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
   for (const auto* name : {"fit.svg", "creep.svg"}) {

@@ -48,6 +48,15 @@ TEST(StudyText, MistakesHaveItsNameInPlaceOfALine) {
   }
 }
 
+TEST(StudyText, OverridesAreCalledAsTheirOriginSays) {
+  const test::DeckDirectory directory;
+  const auto message = test::message_of<InputError>([&] {
+    static_cast<void>(study_from_text(test::join(test::materials, test::stage, test::tests), directory.path(),
+                                      {"stages.0.cells=1"}, {.overrides = "overrides"}));
+  });
+  EXPECT_THAT(message, HasSubstr("overrides stages.0.cells=1: stages.HB-1.cells: expected an"));
+}
+
 TEST(StudyDeck, TheTitleDefaultsToTheNameOfTheDeck) {
   const test::DeckDirectory directory;
   EXPECT_EQ(directory.study(test::join(test::materials, test::stage, test::tests)).title, "deck");

@@ -65,6 +65,8 @@ TEST(Units, RefuseWhatIsNotAQuantityOfTheDimension) {
       {"30 mm", Dimension::angle, "expected an angle, got \"30 mm\""},
       {"10 Hz", Dimension::time, "expected a time, got \"10 Hz\""},
       {"10 s", Dimension::frequency, "expected a frequency, got \"10 s\""},
+      {"10 rad/s", Dimension::frequency,
+       "expected a frequency, got \"10 rad/s\": a frequency counts cycles, 1 Hz is 6.2832 rad/s"},
       {"120 m", Dimension::temperature, "expected a temperature, got \"120 m\""},
       {"3.6 Gpa", Dimension::pressure,
        R"(expected a pressure, got "3.6 Gpa": unknown unit "Gpa", did you mean "GPa"?)"},

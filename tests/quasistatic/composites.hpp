@@ -4,11 +4,14 @@
 #include <cmath>
 #include <vector>
 
+#include "breccia/discretisation/load.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia::test {
+
+inline constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
 
 /// The model composite of the paper (its Fig. 2 and Table 1) with n x n cells.
 inline QuasistaticProblem<2> model_composite(int n, Volumetric volumetric, Boundary boundary) {

@@ -10,6 +10,7 @@
 
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
+#include "breccia/error.hpp"
 
 #include "composites.hpp"
 #include "operator/vector_values.hpp"
@@ -107,6 +108,60 @@ TEST(CondensedVectors, DoTheWorkOfWholeOnes) {
     sphere.whole().add_to(whole_sum, weights);
     EXPECT_NEAR(work(forces, sum), work(forces, whole_sum), 1e-11 * std::abs(work(forces, whole_sum)));
   }
+}
+
+// A solution that is all but another one, as snapshots close to each other have it: what is left of it is normalised.
+TEST(CondensedVectors, HoldWhereTheyAreNearlyDependent) {
+  constexpr double apart = 1e-6;
+  const CellComposite<3> composite(sphere(Boundary::periodic), std::vector<VaryingPhase>{{0, "soft"}});
+  constexpr auto load = CondensedSphere::load;
+  CellSolver<3> solver(composite, {.method = LinearMethod::direct, .tolerance = 1e-14});
+  auto condensed = composite.no_vectors(load);
+  StoredVectors<Displacement> whole;
+  for (const double shear : {2.0, 2.0 * (1.0 + apart), 2.0 * (1.0 + 2.0 * apart)}) {
+    const std::vector<double> parameters = {shear, 4.0};
+    solver.prepare(parameters);
+    auto vector = solver.solve(load, composite.zero());
+    Eigen::VectorXd of_earlier = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(whole.size()));
+    if (whole.size() > 0) {
+      of_earlier[0] = -1.0 / apart;
+      vector.scale(1.0 / apart);
+      vector.add(of_earlier[0], whole.at(0));
+    }
+    condensed.add(vector.copy(), {parameters, of_earlier});
+    whole.add(std::move(vector), {parameters, of_earlier});
+  }
+  // What is left of the strains has lost as many digits.
+  constexpr double rounding = 1e-15 / apart;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    const auto expected = strains_of(whole.at(i));
+    const double largest = std::abs(*std::ranges::max_element(expected, {}, [](double x) { return std::abs(x); }));
+    EXPECT_LT(largest_difference(strains_of(condensed.at(i)), expected), 100.0 * rounding * largest) << i;
+  }
+  const auto forces = composite.forces(std::vector<double>{0.7, 4.0}, load, whole.at(0));
+  const auto found = condensed.works(forces), expected = whole.works(forces);
+  EXPECT_LT((found - expected).cwiseAbs().maxCoeff(), 100.0 * rounding * expected.cwiseAbs().maxCoeff());
+}
+
+TEST(CondensedVectors, RefuseAStateThatTheyCannotHaveSaved) {
+  const test::TemporaryDirectory directory;
+  CondensedSphere sphere(Boundary::periodic);
+  const auto zero = [&] { return sphere.composite().zero(); };
+  const auto path = directory.path() / "state.h5";
+  const auto save = [&](const std::vector<double>& of_earlier, const std::vector<double>& parameters) {
+    StateWriter writer(path, {"deck", "version"});
+    writer.write("/basis/vectors", std::int64_t{1});
+    quasistatic::save(writer, "/basis/vector/0", sphere.whole().at(0));
+    writer.write("/basis/vector/0/of_earlier", of_earlier);
+    writer.write("/basis/vector/0/parameters", parameters);
+    writer.commit();
+  };
+  save({}, {2.0, 4.0});
+  EXPECT_NO_THROW(sphere.empty().restore(StateReader(path), "/basis", zero));
+  save({1.0}, {2.0, 4.0});
+  EXPECT_THROW(sphere.empty().restore(StateReader(path), "/basis", zero), FileError) << "there are none before it";
+  save({}, {2.0});
+  EXPECT_THROW(sphere.empty().restore(StateReader(path), "/basis", zero), FileError) << "two moduli vary";
 }
 
 TEST(CondensedVectors, KeepTheirBitsInAState) {

@@ -20,7 +20,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
+using test::shear_and_bulk;
 
 /// random_composite with mixed cells.
 QuasistaticProblem<2> mixed_composite(int n, std::uint64_t seed, Boundary boundary) {
@@ -31,7 +31,7 @@ QuasistaticProblem<2> mixed_composite(int n, std::uint64_t seed, Boundary bounda
   return problem;
 }
 
-SampledResponses<2> sampled(const QuasistaticProblem<2>& problem, double tolerance) {
+SampledResponses<2> sampled_mixture(const QuasistaticProblem<2>& problem, double tolerance) {
   return sample_responses(problem, shear_and_bulk,
                           matrix_path(0, carson_path(problem.materials.front(), test::relaxation_window)),
                           {.tolerance = tolerance});
@@ -42,7 +42,7 @@ class MixedCells : public testing::TestWithParam<Boundary> {};
 // The strains of the phases are kept with the snapshots: reduced responses are those of the stiffness at every modulus.
 TEST_P(MixedCells, TheReducedResponseIsThatOfSingleElasticSolutions) {
   const auto problem = mixed_composite(30, 1, GetParam());
-  const auto responses = sampled(problem, 1e-6).responses;
+  const auto responses = sampled_mixture(problem, 1e-6).responses;
   for (const auto& moduli : carson_path(problem.materials.front(), test::relaxation_window)) {
     const auto exact = sample_responses(problem, shear_and_bulk, matrix_path(0, std::array{moduli})).responses;
     for (std::size_t l = 0; l < 2; ++l) {
@@ -53,7 +53,7 @@ TEST_P(MixedCells, TheReducedResponseIsThatOfSingleElasticSolutions) {
 
 TEST_P(MixedCells, TheReducedResponseInTimeAgreesWithStepping) {
   const auto problem = mixed_composite(24, 2, GetParam());
-  const auto responses = sampled(problem, 1e-6).responses;
+  const auto responses = sampled_mixture(problem, 1e-6).responses;
   const auto times = test::logarithmic(1e-3 * test::relaxation_window.begin, test::relaxation_window.end, 60);
   const auto steps = run_log_time_stepping(problem, shear_and_bulk, times).responses;
   for (std::size_t l = 0; l < 2; ++l) {
@@ -70,9 +70,9 @@ TEST_P(MixedCells, TheReducedResponseInTimeAgreesWithStepping) {
 TEST_P(MixedCells, TheIterativeSolverFindsTheSame) {
   if (GetParam() == Boundary::periodic) GTEST_SKIP() << "covered by the other two";
   auto problem = mixed_composite(40, 1, GetParam());
-  const auto direct = sampled(problem, 1e-5).responses;
+  const auto direct = sampled_mixture(problem, 1e-5).responses;
   problem.linear.method = LinearMethod::iterative;
-  const auto iterative = sampled(problem, 1e-5).responses;
+  const auto iterative = sampled_mixture(problem, 1e-5).responses;
   const auto path = carson_path(problem.materials.front(), test::relaxation_window);
   for (std::size_t i = 0; i < path.size(); i += 10) {
     EXPECT_NEAR(iterative[0].modulus(path[i]) / direct[0].modulus(path[i]), 1.0, 1e-5);
@@ -82,7 +82,7 @@ TEST_P(MixedCells, TheIterativeSolverFindsTheSame) {
 // Mean stress and mean strain of the fields are those of the curve.
 TEST_P(MixedCells, TheMeanOfTheFieldsIsThatOfTheResponse) {
   const auto problem = mixed_composite(24, 1, GetParam());
-  const auto result = sampled(problem, 1e-7);
+  const auto result = sampled_mixture(problem, 1e-7);
   const double time = 1e-5;
   const auto fields = result.fields(0, std::span(problem.materials).first(1), time);
   double stress = 0.0, strain = 0.0;
@@ -154,7 +154,7 @@ TEST(MixedCellsOfARegularArray, NeedFewSnapshots) {
 TEST(MixedCellsRefuse, VolumetricStrainsOfPoints) {
   auto problem = mixed_composite(20, 1, Boundary::displacement);
   problem.volumetric = Volumetric::standard;
-  EXPECT_THROW((void)sampled(problem, 1e-3), InputError);
+  EXPECT_THROW((void)sampled_mixture(problem, 1e-3), InputError);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace breccia {
 namespace {
 
-constexpr std::array shear_and_bulk = {Load::shear, Load::bulk};
+using test::shear_and_bulk;
 
 std::vector<ReducedResponse> sampled(const QuasistaticProblem<2>& problem, double tolerance = 1e-6) {
   return sample_responses(problem, shear_and_bulk,

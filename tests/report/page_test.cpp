@@ -26,6 +26,12 @@ TEST(ReportPage, OfASweepIsAnother) {
   EXPECT_THAT(study_page("T", "{}"), Not(HasSubstr("sweepFigure")));
 }
 
+TEST(ReportPage, OfAFitIsAnother) {
+  const auto page = fit_page("T", "{}");
+  EXPECT_THAT(page, AllOf(HasSubstr("Plotly"), HasSubstr("default-src 'none'"), HasSubstr("blackFigure")));
+  EXPECT_THAT(page, AllOf(Not(HasSubstr("<!--SCRIPTS-->")), Not(HasSubstr("sweepFigure"))));
+}
+
 TEST(ReportPage, TextCannotLeaveItsPlace) {
   const auto page = study_page("a </title><script>b & c", R"({"deck_text":"</script><script>d"})");
   EXPECT_THAT(page, HasSubstr("<title>a &lt;/title>&lt;script>b &amp; c</title>"));

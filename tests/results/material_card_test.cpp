@@ -20,13 +20,13 @@ namespace {
 using ::testing::HasSubstr;
 
 /// A composite that relaxes in shear from 2.4 GPa to 12 MPa over ten decades, and in bulk a little.
-StoredComposite composite_of_cards() {
+Composite composite_of_cards() {
   std::vector<MaxwellTerm> shear, bulk;
   for (int k = -9; k < 3; ++k) {
     shear.push_back({2.0 * std::pow(10.0, k), 2e8 * std::exp(-0.1 * (k + 3) * (k + 3)) + 1e6});
     bulk.push_back({2.0 * std::pow(10.0, k), 5e7});
   }
-  StoredComposite composite;
+  Composite composite;
   composite.title = "Composite";
   composite.stage = "HB-1";
   composite.dimensions = 3;

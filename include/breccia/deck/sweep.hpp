@@ -38,8 +38,9 @@ struct Sweep {
 };
 
 /// Reads a deck with overrides as read_study() does, with its `[sweep]` and with further swept keys
-/// `key.path=[value, ...]`. Throws InputError with one line for every mistake in any task, and FileError.
+/// `key.path=[value, ...]`. `origins`: what overrides and further keys are called in messages. Throws InputError with
+/// one line for every mistake in any task, and FileError.
 Sweep read_sweep(const std::filesystem::path& deck, const std::vector<std::string>& overrides,
-                 const std::vector<std::string>& further_keys);
+                 const std::vector<std::string>& further_keys, const ValueOrigins& origins = {});
 
 }  // namespace breccia

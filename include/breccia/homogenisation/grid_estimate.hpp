@@ -23,5 +23,7 @@ double cells_per_film_for(double error);
 std::optional<double> expected_sphere_error(double cells_per_diameter, double fraction);
 /// Nothing for fractions close to jamming.
 std::optional<double> cells_per_diameter_for(double error, double fraction);
+/// Was the rule of spheres measured about this fraction [-], or is it extrapolated to it?
+bool is_sphere_error_measured(double fraction);
 
 }  // namespace breccia

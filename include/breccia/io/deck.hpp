@@ -146,12 +146,13 @@ class Deck {
   /// that selects an element of an array is its index from 0 or, for tables, its `name`; the step `*` stands for every
   /// element of an array and every entry of a table. Throws InputError when the file does not exist or is not TOML, and
   /// FileError when it cannot be read. Overrides whose path does not exist are reported by finish().
-  explicit Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+  explicit Deck(const std::filesystem::path& path, const std::vector<std::string>& overrides = {},
+                const ValueOrigins& origins = {});
   /// A deck that a program has put together: its text, its name in messages, and the directory that the files it names
   /// are relative to. A mistake is reported with the name in place of line and column. Throws InputError when the text
   /// is not TOML.
   static Deck from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory,
-                        const std::vector<std::string>& overrides = {});
+                        const std::vector<std::string>& overrides = {}, const ValueOrigins& origins = {});
   Deck(const Deck&) = delete;
   Deck& operator=(const Deck&) = delete;
   Deck(Deck&&) noexcept;

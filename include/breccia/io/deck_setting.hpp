@@ -12,9 +12,15 @@ namespace breccia {
 
 /// A place in a deck, by line and column, or on the command line.
 struct Place {
-  std::string option;  ///< such as `--set key.path=value`; empty for a place in the deck
+  std::string option;  ///< such as `--set key.path=value` (ValueOrigins); empty for a place in the deck
   std::uint32_t line = 0;
   std::uint32_t column = 0;
+};
+
+/// What values beside those of a deck are called in messages, by whoever has taken them from a user.
+struct ValueOrigins {
+  std::string overrides = "--set";     ///< of an override `key.path=value`
+  std::string sweep_keys = "--sweep";  ///< of a swept key `key.path=[value, ...]`
 };
 
 /// A mistake and its place.

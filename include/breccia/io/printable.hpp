@@ -9,8 +9,8 @@ namespace breccia {
 /// text can be neither a value of a table nor part of a file name.
 bool is_printable(std::string_view text);
 
-/// The text on one line, safe for a terminal: control characters are written as \u000a, bytes that are not UTF-8 as
-/// \xe9.
+/// The text on one line, safe for a terminal: control characters are written as `\u000a`, bytes that are not UTF-8 as
+/// `\xe9`.
 std::string printable(std::string_view text);
 
 }  // namespace breccia

@@ -31,12 +31,14 @@ concept SteppableComposite = AffineComposite<Composite> &&
   { composite.varying_forces(p, load, u) } -> std::same_as<typename Composite::Vector>;  // sum_i p_i K_i u
 };
 
-/// Solves for displacements under any forces on the unknowns, for one choice of the moduli p_i after the other. The
-/// macroscopic part of what solve_forces() returns is undefined; it may start from the guess.
+/// Solves for displacements under any forces on the unknowns, for one choice of the moduli p_i after the other: in a
+/// time step under a load, whose unit strain or stress is prescribed. The macroscopic part of what solve_forces()
+/// returns is undefined; it may start from the guess.
 template <class Solver, class Vector>
-concept StepSolver = requires(Solver& solver, std::span<const double> p, const Vector& forces, Vector guess) {
+concept StepSolver = requires(Solver& solver, std::span<const double> p, Load load, const Vector& forces,
+                              Vector guess) {
   solver.take(p);
-  { solver.solve_forces(forces, std::move(guess)) } -> std::same_as<Vector>;
+  { solver.solve_forces(load, forces, std::move(guess)) } -> std::same_as<Vector>;
 };
 
 /// Integrates the response to one load through time (theory, Eq. 17). The internal variable h of a Maxwell term is a
@@ -151,7 +153,7 @@ class LogTimeIntegrator {
     }
     auto guess = copied(displacement_);
     guess.add(1.0, increment_);
-    auto next = solver.solve_forces(right, std::move(guess));
+    auto next = solver.solve_forces(load_, right, std::move(guess));
     next.set_macroscopic(prescribed.macroscopic());
     return next;
   }

@@ -18,8 +18,7 @@ namespace breccia {
 enum class LinearMethod {
   automatic,  ///< direct up to a number of unknowns (LinearOptions), iterative above
   direct,     ///< sparse Cholesky factors (MUMPS) precondition conjugate gradients, which then need a step or two
-  iterative   ///< conjugate gradients: on substructures; in 3 dimensions with fast transforms, or with algebraic
-              ///< multigrid (GAMG) on several processes
+  iterative   ///< conjugate gradients: on substructures; in 3 dimensions with fast transforms
 };
 
 template <>
@@ -32,17 +31,14 @@ struct LinearOptions {
   std::int64_t most_unknowns_direct = 250'000;
   /// The same in 3 dimensions, where the factors fill up.
   std::int64_t most_unknowns_direct_in_3d = 3'000;
-  /// The same in 3 dimensions on several processes, where the iterative method is a slower one.
-  std::int64_t most_unknowns_direct_in_3d_on_several = 3'000'000;
   double tolerance = 1e-10;  ///< of the residual relative to the load, in the Euclidean norm [-]
-  /// In 3 dimensions the iterative method on one process also ends when the error of the fluctuation, in the energy
-  /// norm and relative to the fluctuation, is below this [-]. The relative error of a modulus is its square.
+  /// In 3 dimensions the iterative method ends when the error of the fluctuation, in the energy norm and
+  /// relative to the fluctuation, is below this [-]; theory, section 18, tells the error of a modulus that it leaves.
   double energy_tolerance = 1e-6;
   int threads = 0;  ///< of each process, for the iterative method; 0: all that there are
 
-  [[nodiscard]] bool is_direct(std::int64_t unknowns, int processes, int dimensions = 2) const noexcept {
-    const auto most_in_3d = processes > 1 ? most_unknowns_direct_in_3d_on_several : most_unknowns_direct_in_3d;
-    const auto most = dimensions > 2 ? most_in_3d : most_unknowns_direct;
+  [[nodiscard]] bool is_direct(std::int64_t unknowns, int dimensions = 2) const noexcept {
+    const auto most = dimensions > 2 ? most_unknowns_direct_in_3d : most_unknowns_direct;
     return method == LinearMethod::direct || (method == LinearMethod::automatic && unknowns <= most);
   }
 };

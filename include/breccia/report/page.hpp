@@ -15,4 +15,7 @@ std::string study_page_with_views(std::string_view title, std::string_view data)
 /// The report of a sweep, in the same way.
 std::string sweep_page(std::string_view title, std::string_view data);
 
+/// The report of a fit (docs/fitting.md), in the same way.
+std::string fit_page(std::string_view title, std::string_view data);
+
 }  // namespace breccia

@@ -21,8 +21,9 @@ struct PolygonPicture {
   std::string quantity = {};  ///< with the unit of the labels
   double unit_size = 1.0;     ///< unit of the labels in the unit of the values
   ColourScale scale = ColourScale::linear;
-  double side = 0.0;                      ///< of the box [m], from the origin to (side, side)
-  bool is_periodic = false;               ///< whether what reaches beyond a side is drawn again at the opposite one
+  double side = 0.0;         ///< of the box [m], from the origin to (side, side)
+  bool is_periodic = false;  ///< whether what reaches beyond a side is drawn again at the opposite one
+  DrawnLoad load = DrawnLoad::none;
   std::vector<MapPolygon> polygons = {};  ///< later ones are drawn above earlier ones
 };
 

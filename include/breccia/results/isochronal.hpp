@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/results/stored_composite.hpp"
+#include "breccia/results/composite.hpp"
 
 namespace breccia {
 
@@ -27,15 +27,15 @@ struct IsochronalSample {
 /// The temperatures at which the reduced angular frequency a_T omega is among the frequencies 1/t of the times of the
 /// study. Throws InputError where the composite has no shift law, or where no temperature at which the law holds has
 /// such a frequency.
-TemperatureRange temperatures_covered(const StoredComposite& composite, double omega);
+TemperatureRange temperatures_covered(const Composite& composite, double omega);
 
 /// The moduli at an angular frequency omega [rad/s] over the temperature, as an analyser (DMA) shows them: M*(omega, T)
 /// = M*(a_T omega, T_0), T_0 being the temperature of the study (theory, Eq. 28b). The samples are `step` [K] apart.
 /// Throws InputError with all mistakes, also for temperatures that are not covered.
-std::vector<IsochronalSample> isochronal_curve(const StoredComposite& composite, double omega,
+std::vector<IsochronalSample> isochronal_curve(const Composite& composite, double omega,
                                                const std::optional<TemperatureRange>& temperatures, double step);
 
 /// The samples as a table, with comments on where they are from.
-std::string table_of(const std::vector<IsochronalSample>& samples, const StoredComposite& composite, double omega);
+std::string table_of(const std::vector<IsochronalSample>& samples, const Composite& composite, double omega);
 
 }  // namespace breccia

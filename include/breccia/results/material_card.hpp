@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/results/stored_composite.hpp"
+#include "breccia/results/composite.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
@@ -66,7 +66,7 @@ std::size_t most_terms(CardFormat format);
 /// InputError with all mistakes in the settings; where there is neither a bulk test nor a bulk modulus or a Poisson's
 /// ratio; where the series cannot follow the moduli within the tolerance with as many terms as the format has; and
 /// where a series without negative terms cannot follow the K(t) of a composite in plane strain.
-MaterialCard material_card(const StoredComposite& composite, const CardSettings& settings);
+MaterialCard material_card(const Composite& composite, const CardSettings& settings);
 
 /// The text of the card in the format and units of the settings.
 std::string text_of(const MaterialCard& card, const CardSettings& settings);

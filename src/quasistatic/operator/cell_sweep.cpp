@@ -5,11 +5,12 @@
 
 #include <omp.h>
 
+#include "breccia/parallel/first_exception.hpp"
+
 namespace breccia::quasistatic {
 
 void CellSweep::add_forces(const CellModuli& moduli, const Input& displacement, const Output& forces,
                            int threads) const {
-  // Memory is taken here: where it is short among the threads, the program could not say so.
   std::vector<Row> rows(static_cast<std::size_t>(threads), Row(cells_[0]));
   for_slabs(threads, [&](int thread, int first_plane, int end_plane) {
     add_slab(moduli, first_plane, end_plane, displacement, forces, rows[static_cast<std::size_t>(thread)]);
@@ -26,10 +27,12 @@ void CellSweep::for_slabs(int threads, const std::function<void(int, int, int)>&
     const int first = slab * planes_of_slab;
     work(thread, first, std::min(first + planes_of_slab, cells_[2]));
   };
+  parallel::FirstException failure;
   for (const int parity : {0, 1}) {
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int slab = parity; slab < paired; slab += 2) take(omp_get_thread_num(), slab);
+    for (int slab = parity; slab < paired; slab += 2) failure.run([&] { take(omp_get_thread_num(), slab); });
   }
+  failure.rethrow();
   if (paired < slabs) take(0, paired);
 }
 

@@ -17,6 +17,8 @@ class Displacement {
   /// A displacement of the same nodes that is zero.
   [[nodiscard]] Displacement zero() const;
   [[nodiscard]] Displacement copy() const;
+  /// The fluctuation, which must not be changed, for another displacement.
+  [[nodiscard]] NodalVector shared_fluctuation() const { return fluctuation_.shared(); }
 
   /// Amplitude a of the macroscopic part [-].
   [[nodiscard]] double macroscopic() const noexcept { return macroscopic_; }

@@ -20,9 +20,6 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
       threads_(threads > 0 ? threads : omp_get_max_threads()) {
   find_kinds(discretisation);
   find_first_strains();
-  check(VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(first_strain_.back()), PETSC_DETERMINE,
-                     zero_phase_strains_.put()),
-        "making strains of phases");
 }
 
 template <int dim>
@@ -71,7 +68,9 @@ void ElasticOperator<dim>::for_mixed_cells(Action&& action) const {
 template <int dim>
 NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
   NodalVector phase_strains;
-  check(VecDuplicate(zero_phase_strains_.get(), phase_strains.put()), "making strains of phases");
+  check(
+      VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(first_strain_.back()), PETSC_DETERMINE, phase_strains.put()),
+      "making strains of phases");
   check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
   return phase_strains;
 }
@@ -239,7 +238,7 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
                                             const Displacement& displacement) const requires(dim == 3) {
   const auto strain = unit_strain<dim>(load);
   std::optional<SeenField> moved(std::in_place, nodes_, threads_), exerted;
-  moved->read(nodes_.local_copy(displacement.fluctuation()).get(), displacement.macroscopic(), strain);
+  moved->read(nodes_, displacement.fluctuation(), displacement.macroscopic(), strain);
   exerted.emplace(nodes_, threads_);
 
   const auto cells = collect_cells(moduli, [&](std::size_t kind) {
@@ -257,11 +256,8 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
 
   double macroscopic = exerted->work_on(strain);
   MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  const auto local = nodes_.local_zeros();
-  exerted->write(local.get());
-  exerted.reset();
   auto on_nodes = nodes_.zeros();
-  nodes_.sum_up(local.get(), on_nodes.get());
+  exerted->sum_up(nodes_, on_nodes.get());
   return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
 }
 

@@ -46,6 +46,8 @@ class ElasticOperator {
 
   /// A displacement, or forces, all zero.
   [[nodiscard]] Displacement zero() const { return {0.0, nodes_.zeros(), zero_strains_of_phases()}; }
+  /// Strains of the phases of the mixed cells of each process, cell by cell, all zero.
+  [[nodiscard]] NodalVector zero_strains_of_phases() const;
   /// The displacement with the uniform strain of a load, in all phases.
   [[nodiscard]] Displacement uniform_strain(Load load) const;
   /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
@@ -112,7 +114,6 @@ class ElasticOperator {
 
   void find_kinds(const Discretisation<dim>& discretisation);
   void find_first_strains();
-  [[nodiscard]] NodalVector zero_strains_of_phases() const;
   /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
@@ -144,7 +145,6 @@ class ElasticOperator {
   std::vector<std::uint32_t> kind_of_;                ///< by cell
   std::vector<std::size_t> first_strain_;             ///< of the mixed cells, by plane of cells of this process
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
-  NodalVector zero_phase_strains_;  ///< the zero from which vectors of strains of phases are made
 };
 
 template <int dim>

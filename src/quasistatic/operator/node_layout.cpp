@@ -5,6 +5,7 @@
 #include <petscdmda.h>
 
 #include "operator/block_division.hpp"
+#include "operator/plane_division.hpp"
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -37,37 +38,29 @@ void give_whole_blocks(DM nodes, const Grid<2>& grid, bool wraps) {
   check(DMDASetOwnershipRanges(nodes, columns.data(), rows.data(), nullptr), what);
 }
 
+/// Gives every process whole planes of nodes, if there are enough of them.
+void give_whole_planes(DM nodes, const Index<3>& nodes_along) {
+  constexpr const char* what = "distributing the nodes over the processes";
+  const auto division = PlaneDivision::among(parallel::ranks(), nodes_along[2]);
+  if (!division) return;
+  std::vector<PetscInt> planes;
+  for (int process = 0; process < division->processes(); ++process) planes.push_back(division->planes(process));
+  const PetscInt across = nodes_along[0], up = nodes_along[1];
+  check(DMDASetNumProcs(nodes, 1, 1, division->processes()), what);
+  check(DMDASetOwnershipRanges(nodes, &across, &up, planes.data()), what);
+}
+
 }  // namespace
 
 template <int dim>
 NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(grid), boundary_(boundary) {
   parallel::start();
-  constexpr const char* what = "distributing the nodes over the processes";
-  const auto end = boundary_ == Boundary::periodic ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_NONE;
-  std::array<PetscInt, 3> sizes = {1, 1, 1};
-  std::ranges::copy(nodes_along(), sizes.begin());
-  check(DMDACreate(PETSC_COMM_WORLD, nodes_.put()), what);
-  check(DMSetDimension(nodes_.get(), dim), what);
-  check(DMDASetSizes(nodes_.get(), sizes[0], sizes[1], sizes[2]), what);
-  check(DMDASetBoundaryType(nodes_.get(), end, end, dim > 2 ? end : DM_BOUNDARY_NONE), what);
-  check(DMDASetDof(nodes_.get(), dim), what);
-  check(DMDASetStencilType(nodes_.get(), DMDA_STENCIL_BOX), what);
-  check(DMDASetStencilWidth(nodes_.get(), 1), what);
-  if constexpr (dim == 2) give_whole_blocks(nodes_.get(), grid_, boundary_ == Boundary::periodic);
-  check(DMSetUp(nodes_.get()), what);
-
-  const auto range = [&](auto&& corners) {
-    std::array<PetscInt, 3> begin{}, size{};
-    check(corners(nodes_.get(), &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]), what);
-    Range nodes;
-    for (std::size_t axis = 0; axis < dim; ++axis) {
-      nodes.begin[axis] = begin[axis];
-      nodes.end[axis] = begin[axis] + size[axis];
-    }
-    return nodes;
-  };
-  owned_ = range(DMDAGetCorners);
-  seen_ = range(DMDAGetGhostCorners);
+  if (dim == 3 && parallel::ranks() == 1) {
+    find_ranges_of_whole_box();
+  } else {
+    nodes_ = distributed();
+    find_ranges_of_distributed();
+  }
   cells_ = owned_;
   for (std::size_t axis = 0; axis < dim; ++axis) cells_.end[axis] = std::min(owned_.end[axis], grid_.cells[axis]);
   for (int node = 0; node < Shape::nodes; ++node) {
@@ -80,6 +73,58 @@ NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(gr
       if (is_held(node, component)) held_.push_back(place);
     }
   });
+}
+
+template <int dim>
+NodeGrid NodeLayout<dim>::distributed() const {
+  constexpr const char* what = "distributing the nodes over the processes";
+  const auto end = boundary_ == Boundary::periodic ? DM_BOUNDARY_PERIODIC : DM_BOUNDARY_NONE;
+  std::array<PetscInt, 3> sizes = {1, 1, 1};
+  std::ranges::copy(nodes_along(), sizes.begin());
+  NodeGrid nodes;
+  check(DMDACreate(PETSC_COMM_WORLD, nodes.put()), what);
+  check(DMSetDimension(nodes.get(), dim), what);
+  check(DMDASetSizes(nodes.get(), sizes[0], sizes[1], sizes[2]), what);
+  check(DMDASetBoundaryType(nodes.get(), end, end, dim > 2 ? end : DM_BOUNDARY_NONE), what);
+  check(DMDASetDof(nodes.get(), dim), what);
+  check(DMDASetStencilType(nodes.get(), DMDA_STENCIL_BOX), what);
+  check(DMDASetStencilWidth(nodes.get(), 1), what);
+  if constexpr (dim == 2) {
+    give_whole_blocks(nodes.get(), grid_, boundary_ == Boundary::periodic);
+  } else {
+    give_whole_planes(nodes.get(), nodes_along());
+  }
+  check(DMSetUp(nodes.get()), what);
+  return nodes;
+}
+
+template <int dim>
+void NodeLayout<dim>::find_ranges_of_distributed() {
+  const auto range = [&](auto&& corners) {
+    std::array<PetscInt, 3> begin{}, size{};
+    check(corners(nodes_.get(), &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]),
+          "distributing the nodes over the processes");
+    Range nodes;
+    for (std::size_t axis = 0; axis < dim; ++axis) {
+      nodes.begin[axis] = begin[axis];
+      nodes.end[axis] = begin[axis] + size[axis];
+    }
+    return nodes;
+  };
+  owned_ = range(DMDAGetCorners);
+  seen_ = range(DMDAGetGhostCorners);
+}
+
+/// Those of the grid of nodes that PETSc makes for one process.
+template <int dim>
+void NodeLayout<dim>::find_ranges_of_whole_box() noexcept {
+  owned_.end = nodes_along();
+  seen_ = owned_;
+  if (boundary_ != Boundary::periodic) return;
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    --seen_.begin[axis];
+    ++seen_.end[axis];
+  }
 }
 
 template <int dim>
@@ -136,26 +181,59 @@ typename NodeLayout<dim>::CellValues NodeLayout<dim>::held_mask(const Index<dim>
 
 template <int dim>
 NodalVector NodeLayout<dim>::zeros() const {
+  constexpr const char* what = "making a nodal vector";
   NodalVector nodal;
-  check(DMCreateGlobalVector(nodes_.get(), nodal.put()), "making a nodal vector");
-  check(VecSet(nodal.get(), 0.0), "making a nodal vector");
+  if (nodes_.get() != nullptr) {
+    check(DMCreateGlobalVector(nodes_.get(), nodal.put()), what);
+  } else {
+    const auto values = static_cast<PetscInt>(unknowns());
+    check(VecCreate(PETSC_COMM_WORLD, nodal.put()), what);
+    check(VecSetSizes(nodal.get(), values, values), what);
+    check(VecSetBlockSize(nodal.get(), dim), what);
+    check(VecSetType(nodal.get(), VECSTANDARD), what);
+  }
+  check(VecSet(nodal.get(), 0.0), what);
   return nodal;
 }
 
 template <int dim>
 NodalVector NodeLayout<dim>::local_zeros() const {
+  constexpr const char* what = "making a nodal vector";
   NodalVector local;
-  check(DMCreateLocalVector(nodes_.get(), local.put()), "making a nodal vector");
-  check(VecSet(local.get(), 0.0), "making a nodal vector");
+  if (nodes_.get() != nullptr) {
+    check(DMCreateLocalVector(nodes_.get(), local.put()), what);
+  } else {
+    PetscInt values = dim;
+    for (std::size_t axis = 0; axis < dim; ++axis) values *= seen_.end[axis] - seen_.begin[axis];
+    check(VecCreateSeq(PETSC_COMM_SELF, values, local.put()), what);
+  }
+  check(VecSet(local.get(), 0.0), what);
   return local;
 }
 
 template <int dim>
 NodalVector NodeLayout<dim>::local_copy(Vec nodal) const {
-  NodalVector local;
-  check(DMCreateLocalVector(nodes_.get(), local.put()), "making a nodal vector");
-  check(DMGlobalToLocal(nodes_.get(), nodal, INSERT_VALUES, local.get()), "exchanging nodal values");
+  auto local = local_zeros();
+  if (nodes_.get() != nullptr) {
+    check(DMGlobalToLocal(nodes_.get(), nodal, INSERT_VALUES, local.get()), "exchanging nodal values");
+    return local;
+  }
+  const ReadValues values(nodal);
+  const WriteValues copies(local.get());
+  for_seen_nodes([&](std::size_t in_local, std::size_t in_nodal) {
+    std::copy_n(values.data() + in_nodal, dim, copies.data() + in_local);
+  });
   return local;
+}
+
+template <int dim>
+template <class Action>
+void NodeLayout<dim>::for_seen_nodes(const Action& action) const {
+  std::size_t in_local = 0;
+  for_each_index(seen_.begin, seen_.end, [&](const Index<dim>& node) {
+    action(in_local, nodal_place_of(node));
+    in_local += dim;
+  });
 }
 
 /// Place of the lowest node of a cell among the nodes that this process sees.
@@ -188,14 +266,19 @@ std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::places_of(const 
 }
 
 template <int dim>
+std::size_t NodeLayout<dim>::nodal_place_of(Index<dim> node) const noexcept {
+  for (std::size_t axis = 0; axis < dim; ++axis) {
+    if (node[axis] < 0) node[axis] += owned_.end[axis];
+    if (node[axis] >= owned_.end[axis]) node[axis] -= owned_.end[axis];
+  }
+  return static_cast<std::size_t>(dim * place_in<dim>(node, owned_.begin, owned_.end));
+}
+
+template <int dim>
 std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_places_of(const Index<dim>& cell) const noexcept {
   std::array<std::size_t, Shape::nodes> places{};
   for (std::size_t n = 0; n < places.size(); ++n) {
-    auto node = sum<dim>(cell, Shape::corner(static_cast<int>(n)));
-    for (std::size_t axis = 0; axis < dim; ++axis) {
-      if (node[axis] == owned_.end[axis]) node[axis] = 0;  // the last nodes of a periodic box are its first
-    }
-    places[n] = static_cast<std::size_t>(dim * place_in<dim>(node, owned_.begin, owned_.end));
+    places[n] = nodal_place_of(sum<dim>(cell, Shape::corner(static_cast<int>(n))));
   }
   return places;
 }
@@ -211,15 +294,27 @@ void NodeLayout<dim>::add_to_cell(const Index<dim>& cell, const CellValues& valu
 
 template <int dim>
 void NodeLayout<dim>::sum_up(Vec local, Vec nodal) const {
-  check(DMLocalToGlobal(nodes_.get(), local, ADD_VALUES, nodal), "adding nodal forces");
-  double* values = nullptr;
-  check(VecGetArray(nodal, &values), "writing nodal values");
-  for (const auto place : held_) values[place] = 0.0;
-  check(VecRestoreArray(nodal, &values), "writing nodal values");
+  if (nodes_.get() != nullptr) {
+    check(DMLocalToGlobal(nodes_.get(), local, ADD_VALUES, nodal), "adding nodal forces");
+  } else {
+    const ReadValues added(local);
+    const WriteValues values(nodal);
+    for_seen_nodes([&](std::size_t in_local, std::size_t in_nodal) {
+      for (std::size_t i = 0; i < dim; ++i) values.data()[in_nodal + i] += added.data()[in_local + i];
+    });
+  }
+  hold(nodal);
+}
+
+template <int dim>
+void NodeLayout<dim>::hold(Vec nodal) const {
+  const WriteValues values(nodal);
+  for (const auto place : held_) values.data()[place] = 0.0;
 }
 
 template <int dim>
 std::vector<double> NodeLayout<dim>::gathered(Vec nodal) const {
+  if (nodes_.get() == nullptr) return on_first_process(nodal);
   constexpr const char* what = "gathering nodal values";
   NodalVector in_rows;
   check(DMDACreateNaturalVector(nodes_.get(), in_rows.put()), what);
@@ -230,9 +325,10 @@ std::vector<double> NodeLayout<dim>::gathered(Vec nodal) const {
 
 template <int dim>
 Matrix NodeLayout<dim>::make_matrix() const {
+  const auto nodes = distributed();
   Matrix matrix;
-  check(DMSetMatType(nodes_.get(), MATAIJ), "making the stiffness matrix");
-  check(DMCreateMatrix(nodes_.get(), matrix.put()), "making the stiffness matrix");
+  check(DMSetMatType(nodes.get(), MATAIJ), "making the stiffness matrix");
+  check(DMCreateMatrix(nodes.get(), matrix.put()), "making the stiffness matrix");
   check(MatSetOption(matrix.get(), MAT_SPD, PETSC_TRUE), "making the stiffness matrix");
   return matrix;
 }
@@ -251,11 +347,12 @@ void NodeLayout<dim>::add_to_matrix(const Index<dim>& cell, const typename Shape
 template <int dim>
 void NodeLayout<dim>::attach_rigid_motions(Mat matrix) const {
   constexpr const char* what = "setting up the rigid motions";
+  const auto nodes = distributed();
   std::array<double, 3> end{};
   std::ranges::copy(grid_.cells, end.begin());
-  check(DMDASetUniformCoordinates(nodes_.get(), 0.0, end[0], 0.0, end[1], 0.0, end[2]), what);
+  check(DMDASetUniformCoordinates(nodes.get(), 0.0, end[0], 0.0, end[1], 0.0, end[2]), what);
   Vec coordinates = nullptr;
-  check(DMGetCoordinates(nodes_.get(), &coordinates), what);
+  check(DMGetCoordinates(nodes.get(), &coordinates), what);
   PetscHandle<MatNullSpace, MatNullSpaceDestroy> rigid_motions;
   check(MatNullSpaceCreateRigidBody(coordinates, rigid_motions.put()), what);
   check(MatSetNearNullSpace(matrix, rigid_motions.get()), what);

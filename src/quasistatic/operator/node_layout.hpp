@@ -74,10 +74,15 @@ class NodeLayout {
   [[nodiscard]] std::array<std::size_t, Shape::nodes> places_of(const Index<dim>& cell) const noexcept;
   /// The same in a nodal vector of a single process.
   [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_places_of(const Index<dim>& cell) const noexcept;
+  /// Place of the first component of a node that a single process sees, in a nodal vector: the nodes before the first
+  /// ones of a periodic box are its last ones, those behind the last ones its first.
+  [[nodiscard]] std::size_t nodal_place_of(Index<dim> node) const noexcept;
   /// Adds to the values at the nodes of a cell, among those with the nodes of neighbouring processes.
   void add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept;
   /// Adds what all processes have in such vectors to a nodal vector, and sets its held components to zero.
   void sum_up(Vec local, Vec nodal) const;
+  /// Sets the held components of a nodal vector to zero.
+  void hold(Vec nodal) const;
   /// Values of all nodes of the box, the components of one node after those of the other, in the order of
   /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
   /// process; empty on the others.
@@ -93,14 +98,21 @@ class NodeLayout {
  private:
   /// Nodes of the box along an axis; of a periodic box without the last one.
   [[nodiscard]] Index<dim> nodes_along() const noexcept;
+  /// The nodes as PETSc distributes them.
+  [[nodiscard]] NodeGrid distributed() const;
+  void find_ranges_of_distributed();
+  void find_ranges_of_whole_box() noexcept;
+  /// Calls action(place in a local vector, place in a nodal vector) for the nodes that a single process sees.
+  template <class Action>
+  void for_seen_nodes(const Action& action) const;
   [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
 
   Grid<dim> grid_;
   Boundary boundary_;
-  NodeGrid nodes_;
-  Range owned_;  ///< nodes that belong to this process
-  Range cells_;  ///< cells whose lowest node belongs to this process
-  Range seen_;   ///< nodes of this process and their neighbours
+  NodeGrid nodes_;  ///< empty for a cube on one process, where its lists would take more memory than a nodal vector
+  Range owned_;     ///< nodes that belong to this process
+  Range cells_;     ///< cells whose lowest node belongs to this process
+  Range seen_;      ///< nodes of this process and their neighbours
   std::array<int, std::size_t{1} << dim>
       offsets_{};                  ///< places of the nodes of a cell among those seen, from the lowest
   std::vector<std::size_t> held_;  ///< places of the held components among those of this process

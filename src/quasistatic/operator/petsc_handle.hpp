@@ -27,6 +27,11 @@ class PetscHandle {
   }
 
   [[nodiscard]] Object get() const noexcept { return object_; }
+  /// Another owner of the same object, which lives as long as one of them.
+  [[nodiscard]] PetscHandle shared() const {
+    parallel::check(PetscObjectReference(reinterpret_cast<PetscObject>(object_)), "sharing an object of PETSc");
+    return PetscHandle(object_);
+  }
   /// Address at which a creating function of PETSc stores the new object.
   [[nodiscard]] Object* put() noexcept { return &object_; }
 

@@ -39,16 +39,64 @@ void SeenField::for_nodes_of_plane(int third, std::size_t place, const Work& wor
   }
 }
 
-void SeenField::read(Vec local, double amount, const Strain<3>& strain) {
-  const ReadValues values(local);
+/// place_of_node(node, its place here) is that of its first component among the values.
+template <class PlaceOf>
+void SeenField::read_values(const double* values, const PlaceOf& place_of_node, double amount,
+                            const Strain<3>& strain) {
   for_planes([&](int third, std::size_t first_place) {
     for_nodes_of_plane(third, first_place, [&](const Index<3>& node, std::size_t place) {
       const auto motion = affine_motion(strain, node);
-      for (std::size_t i = 0; i < 3; ++i) values_[i][place] = amount * motion[i] + values.data()[3 * place + i];
+      const double* of_node = values + place_of_node(node, place);
+      for (std::size_t i = 0; i < 3; ++i) values_[i][place] = amount * motion[i] + of_node[i];
     });
   });
 }
 
+void SeenField::read(const NodeLayout<3>& nodes, Vec nodal, double amount, const Strain<3>& strain) {
+  if (parallel::ranks() == 1) {
+    const auto in_nodal = [&](const Index<3>& node, std::size_t) { return nodes.nodal_place_of(node); };
+    read_values(ReadValues(nodal).data(), in_nodal, amount, strain);
+    return;
+  }
+  const auto local = nodes.local_copy(nodal);
+  const auto in_local = [](const Index<3>&, std::size_t place) { return 3 * place; };
+  read_values(ReadValues(local.get()).data(), in_local, amount, strain);
+}
+
+void SeenField::sum_up(const NodeLayout<3>& nodes, Vec nodal) const {
+  if (parallel::ranks() > 1) {
+    const auto local = nodes.local_zeros();
+    write(local.get());
+    nodes.sum_up(local.get(), nodal);
+    return;
+  }
+  {
+    const WriteValues values(nodal);
+    // The planes of nodes outside the box, which are others in it, follow those.
+    const auto& own = nodes.own_nodes();
+    const auto is_inside = [&](int third) { return third >= own.begin[2] && third < own.end[2]; };
+    for_planes([&](int third, std::size_t first_place) {
+      if (is_inside(third)) add_plane(nodes, third, first_place, values.data());
+    });
+    for (int plane = 0; plane < arrays_.nodes[2]; ++plane) {
+      const int third = begin_[2] + plane;
+      if (!is_inside(third)) {
+        add_plane(nodes, third, static_cast<std::size_t>(plane) * arrays_.plane, values.data());
+      }
+    }
+  }
+  nodes.hold(nodal);
+}
+
+/// Adds the values of a plane to a nodal vector of a single process.
+void SeenField::add_plane(const NodeLayout<3>& nodes, int third, std::size_t first_place, double* nodal) const {
+  for_nodes_of_plane(third, first_place, [&](const Index<3>& node, std::size_t place) {
+    double* of_node = nodal + nodes.nodal_place_of(node);
+    for (std::size_t i = 0; i < 3; ++i) of_node[i] += values_[i][place];
+  });
+}
+
+/// Writes the values to a local vector.
 void SeenField::write(Vec local) const {
   const WriteValues values(local);
   for_planes([&](int, std::size_t first_place) {

@@ -30,14 +30,19 @@ class SeenField {
     return {values_[0].data() + place, values_[1].data() + place, values_[2].data() + place};
   }
 
-  /// Takes the values of a local vector plus the affine motion of an amount of a strain.
-  void read(Vec local, double amount, const Strain<3>& strain);
-  /// Writes the values to a local vector.
-  void write(Vec local) const;
+  /// Takes the values of a nodal vector plus the affine motion of an amount of a strain.
+  void read(const NodeLayout<3>& nodes, Vec nodal, double amount, const Strain<3>& strain);
+  /// Adds the values that all processes have to a nodal vector, whose held components become zero. A single process
+  /// needs no copy of the field for it, nor read() one of the vector.
+  void sum_up(const NodeLayout<3>& nodes, Vec nodal) const;
   /// The work of the values, as forces, on the affine motion of a strain.
   [[nodiscard]] double work_on(const Strain<3>& strain) const;
 
  private:
+  template <class PlaceOf>
+  void read_values(const double* values, const PlaceOf& place_of_node, double amount, const Strain<3>& strain);
+  void write(Vec local) const;
+  void add_plane(const NodeLayout<3>& nodes, int third, std::size_t first_place, double* nodal) const;
   /// Calls work(third index, first place) for all planes of nodes.
   template <class Work>
   void for_planes(const Work& work) const;

@@ -86,8 +86,8 @@ void CellSolver<dim>::prepare(std::span<const double> parameters) {
 }
 
 template <int dim>
-Displacement CellSolver<dim>::solve_forces(const Forces& forces, Displacement guess) {
-  return solver_->solve(forces.copy(), std::move(guess));
+Displacement CellSolver<dim>::solve_forces(Load load, const Forces& forces, Displacement guess) {
+  return solver_->solve(forces.copy(), std::move(guess), least_energy(load));
 }
 
 template <int dim>
@@ -102,15 +102,10 @@ void CellSolver<dim>::restore_preconditioner(const StateReader& state, const std
 
 template <int dim>
 Displacement CellSolver<dim>::solve(Load load, Displacement guess) {
-  const auto& elastic_operator = composite_->elastic_operator();
-  const bool is_strained = elastic_operator.boundary() != Boundary::traction;
-  if (!is_strained) {
-    auto solution = solver_->solve(elastic_operator.load_forces(load), std::move(guess));
-    solution.set_macroscopic(0.0);
-    return solution;
-  }
-  auto solution = solver_->solve(held_back(load), std::move(guess), least_energy(load));
-  solution.set_macroscopic(1.0);
+  const bool is_strained = composite_->boundary() != Boundary::traction;
+  auto forces = is_strained ? held_back(load) : composite_->load_forces(load);
+  auto solution = solver_->solve(std::move(forces), std::move(guess), least_energy(load));
+  solution.set_macroscopic(is_strained ? 1.0 : 0.0);
   return solution;
 }
 
@@ -126,9 +121,10 @@ Forces CellSolver<dim>::held_back(Load load) const {
 }
 
 /// Twice the energy of a box of one material with the least moduli of all, under the uniform strain of a load; less in
-/// plane strain under `bulk`.
+/// plane strain under `bulk`. Nothing under a traction boundary, which prescribes no strain.
 template <int dim>
-double CellSolver<dim>::least_energy(Load load) const {
+std::optional<double> CellSolver<dim>::least_energy(Load load) const {
+  if (composite_->boundary() == Boundary::traction) return std::nullopt;
   const auto modulus = load == Load::bulk ? &Moduli::bulk : &Moduli::shear;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& of_phase : moduli_) least = std::min(least, of_phase.*modulus);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -70,7 +71,7 @@ class CellSolver {
 
   /// Takes moduli, and keeps the preconditioner of earlier ones as long as it serves.
   void take(std::span<const double> parameters);
-  [[nodiscard]] Displacement solve_forces(const Forces& forces, Displacement guess);
+  [[nodiscard]] Displacement solve_forces(Load load, const Forces& forces, Displacement guess);
   void save_preconditioner(StateWriter& state, const std::string& group) const;
   void restore_preconditioner(const StateReader& state, const std::string& group);
 
@@ -79,7 +80,7 @@ class CellSolver {
 
  private:
   [[nodiscard]] Forces held_back(Load load) const;
-  [[nodiscard]] double least_energy(Load load) const;
+  [[nodiscard]] std::optional<double> least_energy(Load load) const;
 
   const CellComposite<dim>* composite_;
   std::unique_ptr<ElasticSolver<dim>> solver_;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/parallel/first_exception.hpp"
+
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -27,83 +29,113 @@ NodalVector no_values() {
 
 }  // namespace
 
-/// The strains of the phases of one mixed cell after the other, in each of the vectors.
-class CondensedVectors::CellStrains {
+/// The values of some vectors at the nodes of the cells of this process.
+class CondensedVectors::ValuesAtNodes {
  public:
-  CellStrains(const CondensedVectors& vectors, std::size_t count)
-      : vectors_(&vectors), of_cell_(count), of_phases_(count) {}
-
-  /// Finds those of a cell of a kind, from the values of each vector at its nodes.
-  template <class ValuesOf>
-  void find(std::uint32_t kind, const ValuesOf& values_of) {
-    for (std::size_t i = 0; i < of_cell_.size(); ++i) {
-      of_cell_[i].noalias() = vectors_->elastic_operator_->modes() * values_of(i);
-      const auto& [displacement, origin, shares] = vectors_->vectors_[i];
-      Modes own = of_cell_[i];
-      for (std::size_t k = 0; k < i; ++k)
-        own.noalias() -= origin.of_earlier[static_cast<Eigen::Index>(k)] * of_cell_[k];
-      const auto& of_kind = shares[kind];
-      auto& strains = of_phases_[i];
-      strains.resize(Shape::modes * static_cast<Eigen::Index>(of_kind.size()));
-      for (std::size_t phase = 0; phase < of_kind.size(); ++phase) {
-        const auto place = Shape::modes * static_cast<Eigen::Index>(phase);
-        strains.segment<Shape::modes>(place) = of_kind[phase].deviatoric * own;
-        strains[place + Shape::modes - 1] = of_kind[phase].volumetric * own[Shape::modes - 1];
-      }
-      for (std::size_t k = 0; k < i; ++k) strains += origin.of_earlier[static_cast<Eigen::Index>(k)] * of_phases_[k];
+  ValuesAtNodes(const CondensedVectors& vectors, std::size_t count)
+      : nodes_(&vectors.elastic_operator_->nodes()),
+        is_alone_(parallel::ranks() == 1),
+        affine_(CellShape<3>::affine_motion(unit_strain<3>(vectors.load_))) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& displacement = vectors.vectors_[i].displacement;
+      const Vec nodal = displacement.fluctuation();
+      const bool fluctuates = length_of(nodal) > 0;
+      // One process reads the values where they are, several need those of their neighbours.
+      if (fluctuates && !is_alone_) local_.push_back(nodes_->local_copy(nodal));
+      const auto& values = values_.emplace_back(fluctuates && !is_alone_ ? local_.back().get() : nodal);
+      vectors_.push_back({displacement.macroscopic(), fluctuates ? values.data() : nullptr});
     }
   }
 
-  /// Those of all phases but the first in a vector.
-  [[nodiscard]] const Eigen::VectorXd& in(std::size_t vector) const noexcept { return of_phases_[vector]; }
+  /// The displacements of the nodes of a cell, a column for each vector.
+  void find(const Index<3>& cell, ValuesOfCell& of_cell) const {
+    const auto places = is_alone_ ? nodes_->nodal_places_of(cell) : nodes_->places_of(cell);
+    for (std::size_t i = 0; i < vectors_.size(); ++i) {
+      const auto& [macroscopic, values] = vectors_[i];
+      auto column = of_cell.col(static_cast<Eigen::Index>(i));
+      column = macroscopic * affine_;
+      if (values == nullptr) continue;
+      for (std::size_t n = 0; n < places.size(); ++n) {
+        column.segment<3>(static_cast<Eigen::Index>(3 * n)) += Eigen::Map<const Eigen::Vector3d>(values + places[n]);
+      }
+    }
+  }
 
  private:
-  using Shape = CellShape<3>;
+  struct OfVector {
+    double macroscopic;
+    const double* fluctuation;  ///< null where there is none
+  };
 
-  const CondensedVectors* vectors_;
-  std::vector<Modes> of_cell_;
-  std::vector<Eigen::VectorXd> of_phases_;
+  const NodeLayout<3>* nodes_;
+  bool is_alone_;
+  CellShape<3>::Values affine_;
+  std::vector<NodalVector> local_;
+  std::deque<ReadValues> values_;
+  std::vector<OfVector> vectors_;
 };
 
 template <class Work>
 void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) const {
-  const auto& nodes = elastic_operator_->nodes();
-  // One process reads the values where they are, several need those of their neighbours.
-  const bool is_alone = parallel::ranks() == 1;
-  std::vector<NodalVector> local;
-  std::deque<ReadValues> values;
-  std::vector<bool> fluctuates;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec nodal = vectors_[i].displacement.fluctuation();
-    fluctuates.push_back(length_of(nodal) > 0);
-    if (!fluctuates.back()) {
-      values.emplace_back(nodal);
-      continue;
-    }
-    if (!is_alone) local.push_back(nodes.local_copy(nodal));
-    values.emplace_back(is_alone ? nodal : local.back().get());
-  }
-  const CellShape<3>::Values affine = CellShape<3>::affine_motion(unit_strain<3>(load_));
-#pragma omp parallel num_threads(elastic_operator_->threads())
-  {
-    CellStrains strains(*this, count);
-#pragma omp for schedule(dynamic, 1)
-    for (int plane = 0; plane < elastic_operator_->planes(); ++plane) {
+  const ValuesAtNodes values(*this, count);
+  parallel::FirstException failure;
+#pragma omp parallel for num_threads(elastic_operator_->threads()) schedule(dynamic, 1)
+  for (int plane = 0; plane < elastic_operator_->planes(); ++plane) {
+    failure.run([&] {
+      ValuesOfCell of_cell(ValuesOfCell::RowsAtCompileTime, count);
       elastic_operator_->for_mixed_cells_of_planes(
-          plane, plane + 1, [&](const Index<3>& cell, const MixedCell<3>& mixed, std::size_t first) {
-            const auto places = is_alone ? nodes.nodal_places_of(cell) : nodes.places_of(cell);
-            strains.find(elastic_operator_->kind_of_cell(cell), [&](std::size_t i) {
-              CellShape<3>::Values u = vectors_[i].displacement.macroscopic() * affine;
-              if (!fluctuates[i]) return u;
-              for (std::size_t n = 0; n < places.size(); ++n) {
-                u.segment<3>(static_cast<Eigen::Index>(3 * n)) += values[i].range(places[n], 3);
-              }
-              return u;
-            });
-            work(plane, strains, first, mixed.unknowns());
+          plane, plane + 1, [&](const Index<3>& cell, const MixedCell<3>& /*mixed*/, std::size_t first) {
+            values.find(cell, of_cell);
+            work(plane, of_cell, MixedStrains{elastic_operator_->kind_of_cell(cell), first});
           });
+    });
+  }
+  failure.rethrow();
+}
+
+/// By kind of cell.
+std::vector<CondensedVectors::SharesOfPhases> CondensedVectors::shares_of_kinds(std::size_t count) const {
+  std::vector<SharesOfPhases> by_kind;
+  for (const auto& mixed : elastic_operator_->mixed_kinds()) {
+    auto& of_kind = by_kind.emplace_back(mixed ? mixed->mixture().size() - 1 : 0, OfVectors(2, count));
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t phase = 0; phase < of_kind.size(); ++phase) {
+        const auto& [volumetric, deviatoric] = vectors_[i].shares[by_kind.size() - 1][phase];
+        of_kind[phase].col(static_cast<Eigen::Index>(i)) << volumetric, deviatoric;
+      }
     }
   }
+  return by_kind;
+}
+
+/// The amounts b_ji of the earlier vectors, by row j.
+Eigen::MatrixXd CondensedVectors::amounts_of_earlier(std::size_t count) const {
+  Eigen::MatrixXd amounts = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
+  for (Eigen::Index j = 0; j < amounts.rows(); ++j) {
+    amounts.row(j).head(j) = vectors_[static_cast<std::size_t>(j)].origin.of_earlier.transpose();
+  }
+  return amounts;
+}
+
+/// The D_i of Eq. 77 of the theory, by kind of cell.
+std::vector<CondensedVectors::SharesOfPhases> CondensedVectors::shares_in_sum(const Eigen::VectorXd& weights) const {
+  const auto count = weights.size();
+  const auto earlier = amounts_of_earlier(static_cast<std::size_t>(count));
+  Eigen::VectorXd amounts = weights;
+  for (Eigen::Index j = count - 1; j >= 0; --j) amounts.head(j) += amounts[j] * earlier.row(j).head(j).transpose();
+  auto by_kind = shares_of_kinds(static_cast<std::size_t>(count));
+  for (auto& of_kind : by_kind) {
+    for (auto& shares : of_kind) {
+      const OfVectors own = shares;
+      for (Eigen::Index i = 0; i < count; ++i) {
+        shares.col(i) = weights[i] * own.col(i);
+        for (Eigen::Index j = i + 1; j < count; ++j) {
+          shares.col(i) += amounts[j] * earlier(j, i) * (own.col(i) - own.col(j));
+        }
+      }
+    }
+  }
+  return by_kind;
 }
 
 std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOrigin& origin) const {
@@ -134,29 +166,47 @@ void CondensedVectors::add(Displacement vector, VectorOrigin origin) {
 }
 
 Displacement CondensedVectors::at(std::size_t place) const {
-  auto vector = elastic_operator_->zero();
+  const auto& condensed = vectors_[place].displacement;
+  const bool fluctuates = length_of(condensed.fluctuation()) > 0;
+  Displacement vector(condensed.macroscopic(),
+                      fluctuates ? condensed.shared_fluctuation() : elastic_operator_->nodes().zeros(),
+                      elastic_operator_->zero_strains_of_phases());
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(place) + 1);
   weights[static_cast<Eigen::Index>(place)] = 1.0;
-  add_to(vector, weights);
+  add_phase_strains(weights, vector.phase_strains());
   return vector;
 }
 
 Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
   const auto count = static_cast<Eigen::Index>(size());
-  // By plane of cells, so that the sums have the same bits for any number of threads.
-  Eigen::MatrixXd on_phases = Eigen::MatrixXd::Zero(count, elastic_operator_->planes());
+  const auto shares = shares_of_kinds(size());
+  const auto earlier = amounts_of_earlier(size());
+  // The first sum of Eq. 76, by plane of cells, so that the sums have the same bits for any number of threads.
+  Eigen::MatrixXd of_own = Eigen::MatrixXd::Zero(count, elastic_operator_->planes());
   {
     const ReadValues on_strains(forces.phase_strains());
-    for_mixed_cells(size(), [&](int plane, const CellStrains& strains, std::size_t first, Eigen::Index unknowns) {
-      const auto of_cell = on_strains.range(first, unknowns);
-      for (Eigen::Index i = 0; i < count; ++i) {
-        on_phases(i, plane) += of_cell.dot(strains.in(static_cast<std::size_t>(i)));
+    for_mixed_cells(size(), [&](int plane, const ValuesOfCell& values, const MixedStrains& strains) {
+      Eigen::VectorXd volumetric(count), deviatoric(count);
+      auto first = strains.first;
+      for (const auto& of_phase : shares[strains.kind]) {
+        const auto on_phase = on_strains.range(first, Shape::modes);
+        const Shape::Values on_deviator = deviators().transpose() * on_phase.head<Shape::modes - 1>();
+        const Shape::Values on_volume = volume().transpose() * on_phase[Shape::modes - 1];
+        volumetric.noalias() = values.transpose() * on_volume;
+        deviatoric.noalias() = values.transpose() * on_deviator;
+        first += Shape::modes;
+        for (Eigen::Index j = 0; j < count; ++j) {
+          const auto amounts = earlier.row(j).head(j);
+          of_own(j, plane) += of_phase(0, j) * (volumetric[j] - amounts.dot(volumetric.head(j))) +
+                              of_phase(1, j) * (deviatoric[j] - amounts.dot(deviatoric.head(j)));
+        }
       }
     });
   }
-  Eigen::VectorXd works = on_phases.rowwise().sum();
+  Eigen::VectorXd works = of_own.rowwise().sum();
   check(MPI_Allreduce(MPI_IN_PLACE, works.data(), static_cast<int>(count), MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD),
         "adding up works");
+  for (Eigen::Index j = 0; j < count; ++j) works[j] += earlier.row(j).head(j).dot(works.head(j));
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
     double on_nodes = 0.0;
@@ -168,17 +218,25 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
   return works;
 }
 
+void CondensedVectors::add_phase_strains(const Eigen::VectorXd& weights, Vec phase_strains) const {
+  const auto shares = shares_in_sum(weights);
+  const WriteValues all_strains(phase_strains);
+  for_mixed_cells(static_cast<std::size_t>(weights.size()),
+                  [&](int, const ValuesOfCell& values, const MixedStrains& strains) {
+                    auto first = strains.first;
+                    for (const auto& of_phase : shares[strains.kind]) {
+                      const Shape::Values volumetric = values * of_phase.row(0).transpose();
+                      const Shape::Values deviatoric = values * of_phase.row(1).transpose();
+                      auto added = all_strains.range(first, Shape::modes);
+                      added.head<Shape::modes - 1>() += deviators() * deviatoric;
+                      added[Shape::modes - 1] += volume().dot(volumetric);
+                      first += Shape::modes;
+                    }
+                  });
+}
+
 void CondensedVectors::add_to(Displacement& sum, const Eigen::VectorXd& weights) const {
-  {
-    const WriteValues phase_strains(sum.phase_strains());
-    for_mixed_cells(static_cast<std::size_t>(weights.size()),
-                    [&](int, const CellStrains& strains, std::size_t first, Eigen::Index unknowns) {
-                      auto of_cell = phase_strains.range(first, unknowns);
-                      for (Eigen::Index i = 0; i < weights.size(); ++i) {
-                        if (weights[i] != 0.0) of_cell += weights[i] * strains.in(static_cast<std::size_t>(i));
-                      }
-                    });
-  }
+  add_phase_strains(weights, sum.phase_strains());
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
     const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
     if (weights[i] == 0.0) continue;
@@ -214,11 +272,10 @@ void CondensedVectors::restore(const StateReader& state, const std::string& grou
     Displacement displacement{0.0, zero().take_fluctuation(), no_values()};
     quasistatic::restore(state, name, displacement);
     displacement = without_strains(displacement.macroscopic(), displacement.take_fluctuation());
-    const auto of_earlier = state.numbers(name + "/of_earlier");
+    const auto of_earlier = state.numbers(name + "/of_earlier", static_cast<std::size_t>(i));
+    VectorOrigin origin{std::nullopt, Eigen::Map<const Eigen::VectorXd>(of_earlier.data(), i)};
     const auto parameters = state.numbers(name + "/parameters");
-    VectorOrigin origin{std::nullopt, Eigen::Map<const Eigen::VectorXd>(of_earlier.data(),
-                                                                        static_cast<Eigen::Index>(of_earlier.size()))};
-    if (!parameters.empty()) origin.parameters = parameters;
+    if (!parameters.empty()) origin.parameters = state.numbers(name + "/parameters", stiffness_->parts.size());
     auto shares = shares_of(origin);
     vectors_.push_back({std::move(displacement), std::move(origin), std::move(shares)});
   }

@@ -26,6 +26,7 @@ class CondensedVectors {
       : elastic_operator_(&elastic_operator), stiffness_(&stiffness), load_(load) {}
 
   [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
+  /// Shares its fluctuation with the basis, so it must not be changed.
   [[nodiscard]] Displacement at(std::size_t place) const;
   void add(Displacement vector, VectorOrigin origin);
 
@@ -38,7 +39,11 @@ class CondensedVectors {
   void restore(const StateReader& state, const std::string& group, const std::function<Displacement()>& zero);
 
  private:
-  using Modes = CellShape<3>::ModeValues;
+  using Shape = CellShape<3>;
+  using ValuesOfCell = Eigen::Matrix<double, Shape::Values::RowsAtCompileTime, Eigen::Dynamic>;
+  /// A number for the volumetric strain and one for the deviators, by row, for each vector.
+  using OfVectors = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+  using SharesOfPhases = std::vector<OfVectors>;  ///< by phase but the first
 
   struct Condensed {
     Displacement displacement;  ///< without strains of phases
@@ -46,12 +51,27 @@ class CondensedVectors {
     std::vector<std::vector<StrainShare>> shares;  ///< by kind of cell and phase but the first
   };
 
-  class CellStrains;
+  /// Where the strains of the phases of a mixed cell are among those of all.
+  struct MixedStrains {
+    std::uint32_t kind;  ///< of the cell
+    std::size_t first;   ///< place
+  };
 
-  /// Calls work(plane, strains of the phases of a mixed cell in the first `count` vectors, place and number of these
-  /// strains) for all mixed cells, those of a plane of cells one after the other, planes by several threads.
+  class ValuesAtNodes;
+
+  /// Adds the strains of phases in the vectors times these weights.
+  void add_phase_strains(const Eigen::VectorXd& weights, Vec phase_strains) const;
+
+  /// Calls work(plane, displacements of the nodes of a mixed cell in the first `count` vectors, its strains) for all
+  /// mixed cells, those of a plane of cells one after the other, planes by several threads.
   template <class Work>
   void for_mixed_cells(std::size_t count, const Work& work) const;
+  /// The rows of the modes of a cell that are deviators, and the one that is the volumetric strain.
+  [[nodiscard]] auto deviators() const { return elastic_operator_->modes().topRows<Shape::modes - 1>(); }
+  [[nodiscard]] auto volume() const { return elastic_operator_->modes().row(Shape::modes - 1); }
+  [[nodiscard]] std::vector<SharesOfPhases> shares_of_kinds(std::size_t count) const;
+  [[nodiscard]] std::vector<SharesOfPhases> shares_in_sum(const Eigen::VectorXd& weights) const;
+  [[nodiscard]] Eigen::MatrixXd amounts_of_earlier(std::size_t count) const;
   [[nodiscard]] static Displacement without_strains(double macroscopic, NodalVector fluctuation);
   [[nodiscard]] std::vector<std::vector<StrainShare>> shares_of(const VectorOrigin& origin) const;
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <utility>
 
+#include "breccia/parallel/first_exception.hpp"
+
 #include "solvers/shared_edge_averages.hpp"
 
 namespace breccia::quasistatic {
@@ -64,17 +66,20 @@ BddcPreconditioner::BddcPreconditioner(const Substructures& blocks,
 void BddcPreconditioner::average_edges(const std::vector<PackedSymmetric<double>>& condensed) {
   const auto& kinds = blocks_->edge_kinds();
   averages_.resize(kinds.size());
-#pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
+  const auto average = [&](std::size_t k) {
     const auto& [lower, upper, is_horizontal] = kinds[k];
     constexpr int elsewhere = Substructures::EdgeKind::elsewhere;
-    if (lower == elsewhere || upper == elsewhere) continue;
+    if (lower == elsewhere || upper == elsewhere) return;
     const auto below = condensed[static_cast<std::size_t>(lower)].full();
     const auto above = condensed[static_cast<std::size_t>(upper)].full();
     averages_[k] = average_at_edge(stiffness_at_edge({&below, blocks_->shape_of(lower), is_horizontal ? top : right}),
                                    stiffness_at_edge({&above, blocks_->shape_of(upper), is_horizontal ? bottom : left}),
                                    tolerance);
-  }
+  };
+  parallel::FirstException failure;
+#pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
+  for (std::size_t k = 0; k < kinds.size(); ++k) failure.run([&] { average(k); });
+  failure.rethrow();
   average_shared_edges(*blocks_, condensed, tolerance, averages_);
 }
 
@@ -84,11 +89,15 @@ void BddcPreconditioner::make_block_solvers(const std::vector<PackedSymmetric<do
   const auto& kinds = blocks_->blocks_with_neighbours();
   block_solvers_.resize(kinds.size());
   coarse_stiffness.resize(kinds.size());
+  parallel::FirstException failure;
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    const auto stiffness = condensed[static_cast<std::size_t>(kinds[k].kind)].full();
-    block_solvers_[k] = block_solvers_of(kinds[k], stiffness, coarse_stiffness[k]);
+    failure.run([&] {
+      const auto stiffness = condensed[static_cast<std::size_t>(kinds[k].kind)].full();
+      block_solvers_[k] = block_solvers_of(kinds[k], stiffness, coarse_stiffness[k]);
+    });
   }
+  failure.rethrow();
 }
 
 BddcPreconditioner::EdgesOfBlock BddcPreconditioner::edges_of(const Substructures::BlockWithNeighbours& block,
@@ -217,13 +226,17 @@ void BddcPreconditioner::factorise_coarse_problem(const std::vector<Eigen::Matri
 /// Calls work(unknowns of the boundary, solvers, coarse unknowns) for every block, one colour after the other.
 template <class Work>
 void BddcPreconditioner::for_each_block(const Work& work) const {
+  parallel::FirstException failure;
   for (const auto& colour : blocks_->grid().colours()) {
 #pragma omp parallel for num_threads(threads_)
     for (const int b : colour) {
-      work(blocks_->unknowns_of(b), block_solvers_[static_cast<std::size_t>(blocks_->neighbourhood_of(b))],
-           coarse_of_[static_cast<std::size_t>(b)]);
+      failure.run([&] {
+        work(blocks_->unknowns_of(b), block_solvers_[static_cast<std::size_t>(blocks_->neighbourhood_of(b))],
+             coarse_of_[static_cast<std::size_t>(b)]);
+      });
     }
   }
+  failure.rethrow();
 }
 
 void BddcPreconditioner::apply(const std::vector<double>& residual, std::vector<double>& result) {

@@ -9,6 +9,7 @@
 #include "breccia/error.hpp"
 
 #include "operator/block_division.hpp"
+#include "operator/plane_division.hpp"
 #include "solvers/assembled_solver.hpp"
 #include "solvers/lattice_solver.hpp"
 #include "solvers/substructuring_solver.hpp"
@@ -37,7 +38,12 @@ void ElasticSolver<dim>::set_moduli(std::span<const Moduli> moduli) {
 
 template <int dim>
 bool ElasticSolver<dim>::is_small(double residual, double largest) const noexcept {
-  return residual <= tolerance_ * load_ || residual <= rounding_ * std::max(prescribed_, largest);
+  return residual <= tolerance_ * load_ || is_rounding(residual, largest);
+}
+
+template <int dim>
+bool ElasticSolver<dim>::is_rounding(double residual, double largest) const noexcept {
+  return residual <= rounding_ * std::max(prescribed_, largest);
 }
 
 template <int dim>
@@ -82,7 +88,11 @@ std::unique_ptr<ElasticSolver<2>> make_iterative_solver(const ElasticOperator<2>
 
 std::unique_ptr<ElasticSolver<3>> make_iterative_solver(const ElasticOperator<3>& elastic_operator,
                                                         const LinearOptions& options) {
-  if (parallel::ranks() == 1) return std::make_unique<LatticeSolver>(elastic_operator, options);
+  // Every process needs a plane of nodes at least.
+  const bool is_periodic = elastic_operator.boundary() == Boundary::periodic;
+  const int planes = elastic_operator.grid().cells[2] + (is_periodic ? 0 : 1);
+  if (PlaneDivision::among(parallel::ranks(), planes))
+    return std::make_unique<LatticeSolver>(elastic_operator, options);
   return std::make_unique<AssembledSolver<3>>(elastic_operator, options, Preconditioner::multigrid);
 }
 
@@ -94,7 +104,7 @@ std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<di
   // Opposite sides of a single periodic cell are the same nodes, so it cannot be cut into blocks.
   const bool is_one_cell =
       elastic_operator.boundary() == Boundary::periodic && std::ranges::min(elastic_operator.grid().cells) == 1;
-  if (options.is_direct(elastic_operator.unknowns(), parallel::ranks(), dim) || is_one_cell) {
+  if (options.is_direct(elastic_operator.unknowns(), dim) || is_one_cell) {
     return std::make_unique<AssembledSolver<dim>>(elastic_operator, options, Preconditioner::factors);
   }
   return make_iterative_solver(elastic_operator, options);

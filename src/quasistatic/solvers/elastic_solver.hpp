@@ -58,6 +58,8 @@ class ElasticSolver {
   /// Is a residual small compared with the load, or as small as the rounding errors of the forces for displacements of
   /// up to `largest`?
   [[nodiscard]] bool is_small(double residual, double largest) const noexcept;
+  /// Is it as small as those rounding errors?
+  [[nodiscard]] bool is_rounding(double residual, double largest) const noexcept;
   [[nodiscard]] std::optional<double> least_energy() const noexcept { return least_energy_; }
   void count_factorisation() { ++effort_.factorisations; }
   void count_iterations(int iterations);
@@ -77,8 +79,8 @@ class ElasticSolver {
   std::optional<double> least_energy_;  ///< of the present solve
 };
 
-/// The solver that the options ask for: direct or, as an iterative one, substructuring in 2 dimensions; in 3 fast
-/// transforms on one process and algebraic multigrid on several.
+/// The solver that the options ask for: direct or, as an iterative one, substructuring in 2 dimensions and fast
+/// transforms in 3; algebraic multigrid where a box is too small for its processes.
 template <int dim>
 std::unique_ptr<ElasticSolver<dim>> make_elastic_solver(const ElasticOperator<dim>& elastic_operator,
                                                         const LinearOptions& options);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "breccia/parallel/reduction.hpp"
+
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -17,12 +19,13 @@ std::size_t LatticeBoundary::corner(std::size_t axis) const noexcept {
   return place_of(node);
 }
 
-/// Calls work(second index, third index, place of the first node) for all rows of nodes.
+/// Calls work(second index, third index, place of the first node) for all rows of nodes of this process.
 template <class Work>
 void LatticeBoundary::for_rows(const Work& work) const {
-  const auto& nodes = lattice_.arrays.nodes;
-  for (int third = 0; third < nodes[2]; ++third) {
-    for (int second = 0; second < nodes[1]; ++second) work(second, third, place_of({0, second, third}));
+  for (int plane = 0; plane < lattice_.planes; ++plane) {
+    for (int second = 0; second < lattice_.nodes[1]; ++second) {
+      work(second, lattice_.first_plane + plane, place_of({0, second, plane}));
+    }
   }
 }
 
@@ -31,7 +34,7 @@ void LatticeBoundary::read(Vec nodal, LatticeField& field) const {
   const double* value = values.data();
   const auto components = field.components();
   for_rows([&](int, int, std::size_t place) {
-    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+    for (int first = 0; first < lattice_.nodes[0]; ++first, ++place) {
       for (double* component : components) component[place] = *value++;
     }
   });
@@ -42,7 +45,7 @@ void LatticeBoundary::write(const LatticeField& field, Vec nodal) const {
   double* value = values.data();
   const auto components = field.components();
   for_rows([&](int, int, std::size_t place) {
-    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+    for (int first = 0; first < lattice_.nodes[0]; ++first, ++place) {
       for (const double* component : components) *value++ = component[place];
     }
   });
@@ -53,7 +56,7 @@ void LatticeBoundary::balance(LatticeField& forces) const {
   const auto [x, y, z] = forces.components();
   std::array<double, 3> sum{}, moment{};
   for_rows([&](int second, int third, std::size_t place) {
-    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+    for (int first = 0; first < lattice_.nodes[0]; ++first, ++place) {
       sum[0] += x[place];
       sum[1] += y[place];
       sum[2] += z[place];
@@ -62,6 +65,9 @@ void LatticeBoundary::balance(LatticeField& forces) const {
       moment[2] += first * y[place] - second * x[place];
     }
   });
+  for (double& of_all : sum) of_all = parallel::sum(of_all);
+  for (double& of_all : moment) of_all = parallel::sum(of_all);
+  if (!has_corners()) return;
   if (lattice_.boundary == Boundary::traction) {
     const double y_on_first = -moment[2] / lattice_.cells[0], z_on_first = moment[1] / lattice_.cells[0],
                  z_on_second = -moment[0] / lattice_.cells[1];
@@ -79,14 +85,16 @@ void LatticeBoundary::balance(LatticeField& forces) const {
 void LatticeBoundary::settle(LatticeField& displacement) const {
   if (lattice_.boundary == Boundary::displacement) return;
   const auto [x, y, z] = displacement.components();
-  const std::array<double, 3> shift = {x[0], y[0], z[0]};
-  std::array<double, 3> rotation{};
-  if (lattice_.boundary == Boundary::traction) {
+  std::array<double, 3> shift{}, rotation{};
+  if (has_corners()) shift = {x[0], y[0], z[0]};
+  if (has_corners() && lattice_.boundary == Boundary::traction) {
     rotation = {(z[corner(1)] - shift[2]) / lattice_.cells[1], (shift[2] - z[corner(0)]) / lattice_.cells[0],
                 (y[corner(0)] - shift[1]) / lattice_.cells[0]};
   }
+  for (double& of_all : shift) of_all = parallel::sum(of_all);
+  for (double& of_all : rotation) of_all = parallel::sum(of_all);
   for_rows([&](int second, int third, std::size_t place) {
-    for (int first = 0; first < lattice_.arrays.nodes[0]; ++first, ++place) {
+    for (int first = 0; first < lattice_.nodes[0]; ++first, ++place) {
       x[place] -= shift[0] + rotation[1] * third - rotation[2] * second;
       y[place] -= shift[1] + rotation[2] * first - rotation[0] * third;
       z[place] -= shift[2] + rotation[0] * second - rotation[1] * first;
@@ -95,14 +103,17 @@ void LatticeBoundary::settle(LatticeField& displacement) const {
 }
 
 void LatticeBoundary::repeat_first_nodes(LatticeField& displacement) const {
-  if (!lattice_.is_periodic()) return;
-  const auto behind = static_cast<std::size_t>(lattice_.cells[0]);
-  for (double* component : displacement.components()) {
-    for_rows([&](int, int, std::size_t place) { component[place + behind] = component[place]; });
+  if (lattice_.is_periodic()) {
+    const auto behind = static_cast<std::size_t>(lattice_.cells[0]);
+    for (double* component : displacement.components()) {
+      for_rows([&](int, int, std::size_t place) { component[place + behind] = component[place]; });
+    }
   }
+  exchange_.copy_from_above(displacement);
 }
 
-void LatticeBoundary::collect(LatticeField& forces) const {
+void LatticeBoundary::collect(LatticeField& forces) {
+  exchange_.add_to_above(forces);
   const auto last = static_cast<std::size_t>(lattice_.cells[0]);
   for (double* component : forces.components()) {
     for_rows([&](int second, int third, std::size_t place) {

@@ -3,6 +3,7 @@
 #include <petscvec.h>
 
 #include "solvers/lattice_field.hpp"
+#include "solvers/plane_exchange.hpp"
 
 namespace breccia::quasistatic {
 
@@ -12,7 +13,7 @@ namespace breccia::quasistatic {
 /// hold the nodes on the walls.
 class LatticeBoundary {
  public:
-  explicit LatticeBoundary(const NodeLattice& lattice) : lattice_(lattice) {}
+  explicit LatticeBoundary(const NodeLattice& lattice) : lattice_(lattice), exchange_(lattice) {}
 
   /// Nodal values, the components of one node after those of the other, as a field, and back.
   void read(Vec nodal, LatticeField& field) const;
@@ -23,19 +24,25 @@ class LatticeBoundary {
   /// Takes the rigid motion away that moves held components.
   void settle(LatticeField& displacement) const;
 
-  /// Repeats the first nodes of the rows of a periodic box behind the last ones.
+  /// Repeats the first nodes of the rows of a periodic box behind the last ones, and takes the plane of the process
+  /// above.
   void repeat_first_nodes(LatticeField& displacement) const;
-  /// Adds the forces on those to the first nodes, and takes the forces on held walls away.
-  void collect(LatticeField& forces) const;
+  /// Adds the forces on those to the first nodes, gives those on the plane above to its process, and takes the forces
+  /// on held walls away.
+  void collect(LatticeField& forces);
 
  private:
+  /// Has this process the lowest plane, with the held corners?
+  [[nodiscard]] bool has_corners() const noexcept { return lattice_.first_plane == 0; }
+  /// Place of a node of this process; its third index counts from the first plane of the process.
   [[nodiscard]] std::size_t place_of(const Index<3>& node) const noexcept;
-  /// The corner of the box at the end of an axis.
+  /// The corner of the box at the end of the first or second axis.
   [[nodiscard]] std::size_t corner(std::size_t axis) const noexcept;
   template <class Work>
   void for_rows(const Work& work) const;
 
   NodeLattice lattice_;
+  PlaneExchange exchange_;
 };
 
 }  // namespace breccia::quasistatic

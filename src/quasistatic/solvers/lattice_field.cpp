@@ -6,6 +6,9 @@
 
 #include <fftw3.h>
 
+#include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
@@ -14,12 +17,26 @@ constexpr std::size_t places_of_part = 16384;
 
 }  // namespace
 
-NodeLattice::NodeLattice(const Index<3>& cells_along, Boundary boundary_of_box)
-    : boundary(boundary_of_box), cells(cells_along) {
-  const int more = is_periodic() ? 0 : 1;
-  for (std::size_t axis = 0; axis < cells.size(); ++axis) arrays.nodes[axis] = cells[axis] + more;
+NodeLattice::NodeLattice(const NodeLayout<3>& layout)
+    : boundary(layout.boundary()),
+      cells(layout.grid().cells),
+      nodes(is_periodic() ? cells : layout.grid().nodes()),
+      first_plane(layout.own_nodes().begin[2]),
+      planes(layout.own_nodes().end[2] - first_plane) {
+  const auto& [begin, end] = layout.own_nodes();
+  if (begin[0] != 0 || begin[1] != 0 || end[0] != nodes[0] || end[1] != nodes[1]) {
+    throw InputError(
+        "quasi-static solver: expected whole planes of nodes on each process, of which there must be as many");
+  }
+  const bool is_last = first_plane + planes == nodes[2], is_alone = planes == nodes[2];
+  const bool is_plane_above = !is_alone && (!is_last || is_periodic());
+  arrays.nodes = {nodes[0], nodes[1], planes + (is_plane_above ? 1 : 0)};
   arrays.row = 2 * static_cast<std::size_t>(cells[0] / 2 + 1);
   arrays.plane = arrays.row * static_cast<std::size_t>(arrays.nodes[1]);
+}
+
+Index<3> NodeLattice::own_cells() const noexcept {
+  return {cells[0], cells[1], std::min(planes, cells[2] - first_plane)};
 }
 
 void LatticeField::Free::operator()(double* values) const noexcept {
@@ -30,6 +47,15 @@ LatticeField::LatticeField(const NodeLattice& lattice)
     : places_(lattice.places()), values_(fftw_alloc_real(3 * places_)) {
   if (values_ == nullptr) throw std::bad_alloc();
   std::ranges::fill(all(), 0.0);
+}
+
+void for_planes(const NodeLattice& lattice, int threads, const std::function<void(std::size_t)>& work) {
+#pragma omp parallel for num_threads(threads) collapse(2)
+  for (std::size_t component = 0; component < 3; ++component) {
+    for (int plane = 0; plane < lattice.planes; ++plane) {
+      work(component * lattice.places() + static_cast<std::size_t>(plane) * lattice.arrays.plane);
+    }
+  }
 }
 
 LatticeSums::LatticeSums(std::size_t places, int threads)
@@ -53,7 +79,7 @@ double LatticeSums::product(const LatticeField& a, const LatticeField& b) {
     for (auto place = first; place < end; ++place) sum += x[place] * y[place];
     sums_[part] = sum;
   });
-  return std::accumulate(sums_.begin(), sums_.end(), 0.0);
+  return parallel::sum(std::accumulate(sums_.begin(), sums_.end(), 0.0));
 }
 
 void LatticeSums::combine(double factor, LatticeField& a, const LatticeField& b) const {

@@ -2,33 +2,42 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
-#include "breccia/discretisation/grid.hpp"
 
 #include "operator/cell_sweep.hpp"
+#include "operator/node_layout.hpp"
 
 namespace breccia::quasistatic {
 
-/// The nodes of a box of cubic cells on one process, in arrays that transforms take: rows have an even number of
-/// places, and in a periodic box one more than nodes at least, for the first node that comes again behind the last one.
+/// The nodes of a box of cubic cells, in arrays that transforms take: rows have an even number of places, and in a
+/// periodic box one more than nodes at least, for the first node that comes again behind the last one. Several
+/// processes have slabs of whole planes (PlaneDivision), and each has the first plane of the process above as well.
 struct NodeLattice {
-  NodeLattice(const Index<3>& cells_along, Boundary boundary_of_box);
+  explicit NodeLattice(const NodeLayout<3>& nodes);
 
   /// Number of places of one component.
   [[nodiscard]] std::size_t places() const noexcept { return arrays.plane * static_cast<std::size_t>(arrays.nodes[2]); }
   [[nodiscard]] bool is_periodic() const noexcept { return boundary == Boundary::periodic; }
+  /// Is there a plane of the process above, behind those of this process?
+  [[nodiscard]] bool has_plane_above() const noexcept { return arrays.nodes[2] > planes; }
+  /// Number of cells of this process along each axis.
+  [[nodiscard]] Index<3> own_cells() const noexcept;
 
   Boundary boundary;
-  Index<3> cells;
+  Index<3> cells;   ///< of the box, along each axis
+  Index<3> nodes;   ///< of the box; of a periodic one without the last ones
+  int first_plane;  ///< of this process, among those of the box
+  int planes;       ///< of this process
   NodeArrays arrays;
 };
 
-/// Displacements or forces of the nodes of a lattice, component by component. Places of no node are zero unless said
-/// otherwise.
+/// Displacements or forces of the nodes of a lattice, component by component. Places of no node of this process are
+/// zero unless said otherwise.
 class LatticeField {
  public:
   explicit LatticeField(const NodeLattice& lattice);
@@ -54,13 +63,17 @@ class LatticeField {
   std::unique_ptr<double, Free> values_;  ///< aligned for the transforms
 };
 
+/// Calls work(first place) for all components of the planes of this process, by several threads.
+void for_planes(const NodeLattice& lattice, int threads, const std::function<void(std::size_t)>& work);
+
 /// Sums over the places of lattice fields, and the sums of fields, by several threads: the fields are divided into
 /// parts of a size that does not depend on the threads, so that the results have the same bits for any number of them.
+/// Every process has the sums of its own places.
 class LatticeSums {
  public:
   LatticeSums(std::size_t places, int threads);
 
-  /// The scalar product.
+  /// The scalar product, over all processes.
   [[nodiscard]] double product(const LatticeField& a, const LatticeField& b);
   /// a = factor * a + b
   void combine(double factor, LatticeField& a, const LatticeField& b) const;

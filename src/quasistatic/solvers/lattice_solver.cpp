@@ -7,14 +7,15 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/reduction.hpp"
 
 namespace breccia::quasistatic {
 
 LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const LinearOptions& options)
     : ElasticSolver(elastic_operator, options, false),
-      lattice_(elastic_operator.grid().cells, elastic_operator.boundary()),
+      lattice_(elastic_operator.nodes()),
       boundary_(lattice_),
-      sweep_(lattice_.cells, lattice_.arrays),
+      sweep_(lattice_.own_cells(), lattice_.arrays),
       threads_(elastic_operator.threads()),
       energy_tolerance_(options.energy_tolerance),
       sums_(3 * lattice_.places(), threads_),
@@ -31,14 +32,13 @@ void LatticeSolver::update_stiffness(std::span<const Moduli> moduli) {
   if (!(reference_.shear > 0.0) || !(reference_.bulk > 0.0)) {
     throw NumericalError(
         "quasi-static solver: a modulus of a phase is zero or negative, which the iterative method in 3 dimensions "
-        "does "
-        "not take; a small one may serve");
+        "does not take; a small one may serve");
   }
   cells_ = elastic_operator().condensed_cells(moduli);
   count_factorisation();
 }
 
-void LatticeSolver::multiply(State& state) const {
+void LatticeSolver::multiply(State& state) {
   boundary_.repeat_first_nodes(state.direction);
   sums_.set_zero(state.work);
   sweep_.add_forces(cells_, static_cast<const LatticeField&>(state.direction).components(), state.work.components(),
@@ -54,15 +54,18 @@ bool LatticeSolver::is_accurate(double error, double energy) const noexcept {
          (!least_energy() || error <= of_composite * *least_energy());
 }
 
-double LatticeSolver::iterate(State& state, int most_iterations) {
-  auto& [displacement, residual, direction, work, energy] = state;
+LatticeSolver::Pass LatticeSolver::iterate(State& state, int most_iterations) {
+  auto& [displacement, residual, direction, work, energy, largest] = state;
   sums_.set_zero(direction);
   double before = 1.0, norm = std::sqrt(sums_.product(residual, residual));
   int iterations = 0;
-  for (; !is_small(norm, 0.0) && iterations < most_iterations; ++iterations) {
+  // A residual that is small compared with the load may still belong to a large error of the displacement of a soft
+  // matrix, so that only the energy, or rounding, ends the iteration.
+  for (; !is_rounding(norm, state.largest); ++iterations) {
     preconditioner_->apply(reference_, residual, work);
     const double now = sums_.product(residual, work);
     if (is_accurate(now, energy)) break;
+    if (!(iterations < most_iterations)) return {iterations, false, norm};
     sums_.combine(now / before, direction, work);
     multiply(state);
     const double curvature = sums_.product(direction, work);
@@ -79,31 +82,47 @@ double LatticeSolver::iterate(State& state, int most_iterations) {
     before = now;
     norm = std::sqrt(sums_.product(residual, residual));
   }
-  count_iterations(iterations);
-  return norm;
+  return {iterations, std::isfinite(norm), norm};
+}
+
+void LatticeSolver::find_residual(Vec on_nodes, State& state) {
+  auto& [displacement, residual, direction, work, energy, largest] = state;
+  const auto [least, most] = std::ranges::minmax(displacement.all());
+  largest = parallel::largest(std::max(-least, most));
+  boundary_.read(on_nodes, residual);
+  boundary_.balance(residual);
+  energy = sums_.product(displacement, residual);
+  std::ranges::copy(displacement.all(), direction.all().begin());
+  multiply(state);
+  sums_.add(residual, -1.0, work);
+  energy += sums_.product(displacement, residual);
+}
+
+LatticeField LatticeSolver::take_guess(Displacement& displacement) const {
+  const auto nodal = displacement.take_fluctuation();
+  LatticeField guess(lattice_);
+  boundary_.read(nodal.get(), guess);
+  return guess;
 }
 
 ElasticSolver<3>::End LatticeSolver::iterate(NodalVector on_nodes, Displacement& displacement) {
-  constexpr int most_iterations = 20'000;
-  State state(lattice_);
-  boundary_.read(on_nodes.get(), state.residual);
-  on_nodes = {};
-  {
-    const auto guess = displacement.take_fluctuation();
-    boundary_.read(guess.get(), state.displacement);
-    boundary_.read(guess.get(), state.direction);
+  constexpr int most_iterations = 20'000, most_passes = 10;
+  State state(lattice_, take_guess(displacement));
+  // Within a pass the residual follows by recurrence, and rounding makes it drift away from that of the displacement.
+  // The next pass begins with the latter; one that has nothing to do is the last.
+  Pass pass;
+  int iterations = 0;
+  for (int passes = 0; passes < most_passes; ++passes) {
+    find_residual(on_nodes.get(), state);
+    pass = iterate(state, most_iterations - iterations);
+    iterations += pass.iterations;
+    if (pass.iterations == 0 || !pass.is_accurate) break;
   }
-  boundary_.balance(state.residual);
-  state.energy = sums_.product(state.displacement, state.residual);
-  multiply(state);
-  sums_.add(state.residual, -1.0, state.work);
-  state.energy += sums_.product(state.displacement, state.residual);
-  const int earlier = effort().iterations;
-  const double norm = iterate(state, most_iterations);
+  count_iterations(iterations);
   boundary_.settle(state.displacement);
-  displacement.set_fluctuation(elastic_operator().nodes().zeros());
-  boundary_.write(state.displacement, displacement.fluctuation());
-  return {effort().iterations - earlier < most_iterations && std::isfinite(norm), norm};
+  boundary_.write(state.displacement, on_nodes.get());
+  displacement.set_fluctuation(std::move(on_nodes));
+  return {pass.is_accurate && pass.iterations == 0, pass.residual};
 }
 
 }  // namespace breccia::quasistatic

@@ -18,15 +18,16 @@ fftw_complex* as_complex(std::complex<double>* values) noexcept {
 }  // namespace
 
 PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int threads)
-    : lattice_(lattice), threads_(threads), waves_(lattice.arrays.row / 2) {
-  const auto& [nodes, row, plane] = lattice_.arrays;
+    : lattice_(lattice), exchange_(lattice), threads_(threads), waves_(lattice.arrays.row / 2) {
+  const auto& nodes = lattice_.nodes;
   for (std::size_t axis = 0; axis < angles_.size(); ++axis) {
     angles_[axis] = half_angles(nodes[axis], 2.0 * std::numbers::pi / nodes[axis]);
   }
   LatticeField field(lattice_);
   double* real = field.component(0);
   std::vector<Complex> depth(waves_ * static_cast<std::size_t>(nodes[2]));
-  const int width = static_cast<int>(row), waves = static_cast<int>(waves_), apart = static_cast<int>(plane / 2);
+  const int width = static_cast<int>(lattice_.arrays.row), waves = static_cast<int>(waves_);
+  const int apart = static_cast<int>(exchange_.plane() / 2);
   along_first_ = made_plan(fftw_plan_many_dft_r2c(1, &nodes[0], nodes[1], real, nullptr, 1, width, as_complex(real),
                                                   nullptr, 1, waves, plan_flags));
   back_along_first_ = made_plan(fftw_plan_many_dft_c2r(1, &nodes[0], nodes[1], as_complex(real), nullptr, 1, waves,
@@ -47,41 +48,37 @@ PeriodicPreconditioner::PeriodicPreconditioner(const NodeLattice& lattice, int t
 
 void PeriodicPreconditioner::apply(const Moduli& reference, const LatticeField& forces, LatticeField& displacement) {
   transform_planes(forces, displacement);
+  exchange_.give_planes_for_rows(displacement);
   divide_by_symbol(reference, displacement);
+  exchange_.give_rows_for_planes(displacement);
   transform_planes_back(displacement);
 }
 
 void PeriodicPreconditioner::transform_planes(const LatticeField& forces, LatticeField& waves) const {
-  const auto plane = lattice_.arrays.plane;
-  const int planes = 3 * lattice_.arrays.nodes[2];
-#pragma omp parallel for num_threads(threads_)
-  for (int k = 0; k < planes; ++k) {
-    const auto first = static_cast<std::size_t>(k) * plane;
+  for_planes(lattice_, threads_, [&](std::size_t first) {
     double* values = waves.all().data() + first;
-    std::copy_n(forces.all().data() + first, plane, values);
+    std::copy_n(forces.all().data() + first, lattice_.arrays.plane, values);
     fftw_execute_dft_r2c(along_first_.get(), values, as_complex(values));
     fftw_execute_dft(along_second_.get(), as_complex(values), as_complex(values));
-  }
+  });
 }
 
-void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, LatticeField& waves) const {
-  const auto& [nodes, row, plane] = lattice_.arrays;
-  const auto size = waves_ * static_cast<std::size_t>(nodes[2]);
+void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, LatticeField& waves) {
+  const auto size = waves_ * static_cast<std::size_t>(lattice_.nodes[2]);
 #pragma omp parallel num_threads(threads_)
   {
     const auto thread = static_cast<std::size_t>(omp_get_thread_num());
     auto* depth = reinterpret_cast<Complex*>(rows_of_waves_[thread].get());
 #pragma omp for
-    for (int second = 0; second < nodes[1]; ++second) {
-      const auto first = static_cast<std::size_t>(second) * row;
+    for (int row = 0; row < exchange_.rows(); ++row) {
       for (std::size_t component = 0; component < 3; ++component) {
-        fftw_execute_dft(along_third_.get(), as_complex(waves.component(component) + first),
+        fftw_execute_dft(along_third_.get(), as_complex(exchange_.row(waves, component, row)),
                          as_complex(depth + component * size));
       }
-      divide_row(reference, second, depth);
+      divide_row(reference, exchange_.first_row() + row, depth);
       for (std::size_t component = 0; component < 3; ++component) {
         fftw_execute_dft(back_along_third_.get(), as_complex(depth + component * size),
-                         as_complex(waves.component(component) + first));
+                         as_complex(exchange_.row(waves, component, row)));
       }
     }
   }
@@ -89,7 +86,7 @@ void PeriodicPreconditioner::divide_by_symbol(const Moduli& reference, LatticeFi
 
 /// Divides the waves of one row along the second axis by the symbol.
 void PeriodicPreconditioner::divide_row(const Moduli& reference, int second, Complex* waves) const {
-  const auto& nodes = lattice_.arrays.nodes;
+  const auto& nodes = lattice_.nodes;
   const auto size = waves_ * static_cast<std::size_t>(nodes[2]);
   const double ratio = reference.bulk / reference.shear;
   const double scale = 1.0 / (reference.shear * nodes[0] * nodes[1] * nodes[2]);
@@ -112,17 +109,16 @@ void PeriodicPreconditioner::divide_row(const Moduli& reference, int second, Com
 }
 
 void PeriodicPreconditioner::transform_planes_back(LatticeField& waves) const {
-  const auto& [nodes, row, plane] = lattice_.arrays;
-#pragma omp parallel for num_threads(threads_)
-  for (int k = 0; k < 3 * nodes[2]; ++k) {
-    double* values = waves.all().data() + static_cast<std::size_t>(k) * plane;
+  const auto row = lattice_.arrays.row;
+  for_planes(lattice_, threads_, [&](std::size_t first) {
+    double* values = waves.all().data() + first;
     fftw_execute_dft(back_along_second_.get(), as_complex(values), as_complex(values));
     fftw_execute_dft_c2r(back_along_first_.get(), as_complex(values), values);
-    for (int second = 0; second < nodes[1]; ++second) {
+    for (int second = 0; second < lattice_.nodes[1]; ++second) {
       double* of_row = values + static_cast<std::size_t>(second) * row;
-      std::fill(of_row + nodes[0], of_row + row, 0.0);
+      std::fill(of_row + lattice_.nodes[0], of_row + row, 0.0);
     }
-  }
+  });
 }
 
 }  // namespace breccia::quasistatic

@@ -6,6 +6,7 @@
 
 #include "solvers/fourier_plan.hpp"
 #include "solvers/lattice_preconditioner.hpp"
+#include "solvers/row_exchange.hpp"
 #include "solvers/wave_symbol.hpp"
 
 namespace breccia::quasistatic {
@@ -22,11 +23,12 @@ class PeriodicPreconditioner final : public LatticePreconditioner {
   using Complex = std::complex<double>;
 
   void transform_planes(const LatticeField& forces, LatticeField& waves) const;
-  void divide_by_symbol(const Moduli& reference, LatticeField& waves) const;
+  void divide_by_symbol(const Moduli& reference, LatticeField& waves);
   void transform_planes_back(LatticeField& waves) const;
   void divide_row(const Moduli& reference, int second, Complex* waves) const;
 
   NodeLattice lattice_;
+  RowExchange exchange_;
   int threads_;
   std::size_t waves_;  ///< along the first axis, of which the transform of real values has about half
   std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis

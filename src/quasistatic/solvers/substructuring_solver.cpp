@@ -7,6 +7,7 @@
 #include <omp.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/first_exception.hpp"
 #include "breccia/parallel/reduction.hpp"
 
 #include "operator/vector_values.hpp"
@@ -86,11 +87,15 @@ void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
   // The memory of the earlier preconditioner is freed before the new one is made.
   preconditioner_.reset();
   condensed_.assign(blocks_.blocks_by_kind().size(), {});
+  parallel::FirstException failure;
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t kind = 0; kind < condensed_.size(); ++kind) {
-    const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
-    condensed_[kind] = PackedSymmetric<double>(stiffness.condensed());
+    failure.run([&] {
+      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
+      condensed_[kind] = PackedSymmetric<double>(stiffness.condensed());
+    });
   }
+  failure.rethrow();
   preconditioner_.emplace(blocks_, condensed_, stiffest_, threads_);
   count_factorisation();
 }
@@ -98,11 +103,15 @@ void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
 template <class Work>
 void SubstructuringSolver::for_each_block(const Work& work) const {
   const auto& kinds = blocks_.blocks_by_kind();
+  parallel::FirstException failure;
 #pragma omp parallel for num_threads(threads_) schedule(dynamic, 16)
   for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
-    const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
-    for (const int block : kinds[kind]) work(block, stiffness);
+    failure.run([&] {
+      const BlockStiffness stiffness(blocks_.block_kind(static_cast<int>(kind), cells_), stiffest_);
+      for (const int block : kinds[kind]) work(block, stiffness);
+    });
   }
+  failure.rethrow();
 }
 
 Eigen::VectorXd SubstructuringSolver::inside_of(const Block& block, const double* nodal) const {
@@ -152,18 +161,21 @@ void SubstructuringSolver::expand(const double* forces, const std::vector<double
 
 void SubstructuringSolver::multiply(const std::vector<double>& x, std::vector<double>& y) const {
   std::fill(y.begin(), y.end(), 0.0);
+  const auto add_forces_of = [&](int block) {
+    const int* unknowns = blocks_.unknowns_of(block);
+    const auto& stiffness = condensed_[static_cast<std::size_t>(blocks_.kind_of(block))];
+    Eigen::VectorXd forces;
+    stiffness.multiply(gather(unknowns, stiffness.size(), x), forces);
+    for (Eigen::Index k = 0; k < forces.size(); ++k) {
+      if (unknowns[k] >= 0) y[static_cast<std::size_t>(unknowns[k])] += forces[k];
+    }
+  };
+  parallel::FirstException failure;
   for (const auto& colour : blocks_.grid().colours()) {
 #pragma omp parallel for num_threads(threads_)
-    for (const int b : colour) {
-      const int* unknowns = blocks_.unknowns_of(b);
-      const auto& stiffness = condensed_[static_cast<std::size_t>(blocks_.kind_of(b))];
-      Eigen::VectorXd forces;
-      stiffness.multiply(gather(unknowns, stiffness.size(), x), forces);
-      for (Eigen::Index k = 0; k < forces.size(); ++k) {
-        if (unknowns[k] >= 0) y[static_cast<std::size_t>(unknowns[k])] += forces[k];
-      }
-    }
+    for (const int b : colour) failure.run([&] { add_forces_of(b); });
   }
+  failure.rethrow();
   blocks_.shared_unknowns().sum(y);
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solvers/lattice_preconditioner.hpp"
+#include "solvers/row_exchange.hpp"
 #include "solvers/wall_transform.hpp"
 #include "solvers/wave_symbol.hpp"
 
@@ -25,11 +26,12 @@ class WallPreconditioner final : public LatticePreconditioner {
   void transform(std::size_t axis, double* first, fftw_complex* waves) const;
   void double_ends(std::size_t axis, double* values) const;
   void transform_planes(const LatticeField& forces, LatticeField& waves) const;
-  void divide_by_laplacian(const Moduli& reference, LatticeField& waves) const;
+  void divide_by_laplacian(const Moduli& reference, LatticeField& waves);
   void transform_planes_back(LatticeField& waves) const;
   void divide_row(const Moduli& reference, std::size_t second, double* values) const;
 
   NodeLattice lattice_;
+  RowExchange exchange_;
   int threads_;
   bool is_fixed_;                                 ///< are the displacements of the nodes on the walls zero?
   std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis

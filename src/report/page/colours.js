@@ -6,9 +6,14 @@ export function isDark() {
   return !printing.now && matchMedia("(prefers-color-scheme: dark)").matches;
 }
 
+/// Whether figures are drawn for paper.
+export function isPrinting() {
+  return printing.now;
+}
+
 /// Switches to the colours of paper, or back to those of the screen. Figures must be drawn anew.
-export function setPrinting(isPrinting) {
-  printing.now = isPrinting;
+export function setPrinting(now) {
+  printing.now = now;
 }
 
 const inks = {

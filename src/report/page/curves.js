@@ -13,10 +13,15 @@ const testColumns = ["stage", "load", "boundary", "method", "cells"];
 function labelOf(stage, curve) {
   const parts = [stage];
   if (curve.boundary !== undefined) parts.push(boundNames[curve.boundary]);
-  if (curve.load === "shear-xx-yy") parts.push("xx-yy");
+  parts.push(...nameOfLoad(curve.load));
   if (curve.method !== undefined && methodsOfStudy().length > 1) parts.push(methodNames[curve.method]);
   if (curve.cells !== undefined && curve.cells !== bestGrid(stage)) parts.push(gridName(curve.cells));
   return parts.join(", ");
+}
+
+/// What tells a load from the shear that every study has: [] or ["xx-yy"].
+function nameOfLoad(load) {
+  return load === "shear" || load === "bulk" ? [] : [load.replace("shear-", "")];
 }
 
 function methodsOfStudy() {
@@ -100,7 +105,7 @@ function curvesOfProny() {
     const {stage, load, boundary} = group[0];
     const isFinite = (row) => Number.isFinite(numberOf(row.relaxation_time_s));
     const equilibrium_Pa = group.filter((row) => !isFinite(row)).reduce((sum, row) => sum + row.modulus_Pa, 0);
-    const label = `${stage}, ${boundNames[boundary]}${load === "shear" ? "" : ", xx-yy"}`;
+    const label = [stage, boundNames[boundary], ...nameOfLoad(load)].join(", ");
     return curvesInFrequency({equilibrium_Pa, terms: group.filter(isFinite)}, {role: "stage", stage, load, boundary,
       label});
   });

@@ -1,7 +1,7 @@
 /// What all figures share: axes, traces, drawing, printing. The global `Plotly` is the plotting library, which stands
 /// in the page before these modules.
 
-import {currentInks, setPrinting} from "./colours.js";
+import {currentInks, isPrinting, setPrinting} from "./colours.js";
 import {fileName, save} from "./files.js";
 import {display, shortNumber} from "./numbers.js";
 import {followZoom, withTicks} from "./plot_ticks.js";
@@ -20,7 +20,8 @@ export function axisTitle(title, unit) {
 
 function commonAxis() {
   const {faint, line} = currentInks();
-  return {gridcolor: line, linecolor: faint, ticks: "outside", tickcolor: faint, automargin: true, showline: true};
+  return {gridcolor: line, linecolor: faint, ticks: "outside", tickcolor: faint, automargin: true,
+    tickangle: 0, showline: true};
 }
 
 /// A logarithmic axis for values in a unit. Each tick of a time axis has its own unit, any other axis one in its title.
@@ -43,6 +44,15 @@ export function linearAxis(title, unit, values) {
     zerolinecolor: currentInks().faint, scale};
 }
 
+/// The axis of abscissas: linear for temperatures, logarithmic for all others.
+function abscissaAxis({x, xUnit}, values) {
+  if (xUnit !== "°C") return logAxis(x, xUnit, values);
+  const [least, most] = extent(values);
+  const room = 0.03 * (most - least) || 1;
+  return {...commonAxis(), type: "linear", range: [least - room, most + room], title: axisTitle(x, xUnit), scale: 1,
+    zeroline: false};
+}
+
 /// Relative deviations have a linear axis, all other quantities a logarithmic one.
 function valueAxis(quantity, curves) {
   const axis = quantity.unit === "%" ? linearAxis : logAxis;
@@ -54,32 +64,44 @@ export function valueText(value, quantity) {
   return quantity.unit === "%" ? `${shortNumber(value)} %` : withUnit(value, quantity.unit);
 }
 
+/// Whether a figure has the width of a phone.
+export function isNarrow() {
+  return !isPrinting() && document.body.clientWidth < 640;
+}
+
 /// The layout of a figure that shows curves of a quantity.
 export function layoutOf(quantity, curves) {
   const {paper, ink, faint} = currentInks();
-  const isNarrow = document.body.clientWidth < 640;
-  const xHover = {s: "%{x:.3~s}s", "rad/s": "%{x:.3~g} rad/s"}[quantity.xUnit] ?? "%{x}";
+  const narrow = isNarrow();
+  const xHover = {s: "%{x:.3~s}s", "rad/s": "%{x:.3~g} rad/s", Hz: "%{x:.3~g} Hz", "°C": "%{x:.1f} °C"};
   return {
-    paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: isNarrow ? 11 : 13},
-    margin: {l: isNarrow ? 48 : 70, r: 12, t: 26, b: 48},
-    xaxis: {...logAxis(quantity.x, quantity.xUnit, curves.flatMap((curve) => curve.x)), tickCount: isNarrow ? 5 : 12,
-      unifiedhovertitle: {text: xHover}},
+    paper_bgcolor: paper, plot_bgcolor: paper, font: {color: ink, size: narrow ? 11 : 13},
+    margin: {l: narrow ? 48 : 70, r: 12, t: 26, b: 48},
+    xaxis: {...abscissaAxis(quantity, curves.flatMap((curve) => curve.x)),
+      unifiedhovertitle: {text: xHover[quantity.xUnit] ?? "%{x}"}},
     yaxis: {...valueAxis(quantity, curves), tickCount: 8}, uirevision: `${quantity.name} ${quantity.title}`,
     hovermode: "x unified", hoverlabel: {bgcolor: paper, bordercolor: faint, font: {color: ink, size: 12}},
-    legend: {orientation: "h", traceorder: "normal", y: -0.2, yanchor: "top", font: {size: isNarrow ? 10 : 12}},
-    dragmode: isNarrow ? false : "zoom", shapes: [], annotations: [],
+    legend: {orientation: "h", traceorder: "normal", y: -0.2, yanchor: "top", font: {size: narrow ? 10 : 12}},
+    dragmode: narrow ? false : "zoom", shapes: [], annotations: [],
   };
 }
+
+const widthOfTick = 75;  // [pixels] that a text along the axis takes
+const mostTicks = 12;
 
 const plotOptions = {responsive: true, displaylogo: false,
   modeBarButtons: [["zoom2d", "pan2d", "zoomIn2d", "zoomOut2d", "resetScale2d"]]};
 
 /// Draws a figure in its element, with the ticks of plot_ticks.js at any zoom and a description for screen readers.
 export async function drawFigure(plot, traces, layout) {
+  const ticks = Math.floor((plot.clientWidth - layout.margin.l - layout.margin.r) / widthOfTick);
+  layout.xaxis.tickCount = Math.min(mostTicks, Math.max(3, ticks));
   const names = [...new Set(traces.filter((trace) => trace.showlegend !== false).map((trace) => trace.name))];
   plot.setAttribute("role", "img");
   plot.setAttribute("aria-label", `${layout.yaxis.title.text} against ${layout.xaxis.title.text}: ${names.join("; ")}`);
   plot.shownLayout = layout;
+  // The library keeps the size that a figure had on the screen.
+  if (isPrinting()) Object.assign(layout, {width: plot.clientWidth, height: plot.clientHeight});
   await Plotly.react(plot, traces, withTicks(layout), plotOptions);
   await followZoom(plot, layout);
   if (plot.followsZoom) return;
@@ -89,8 +111,8 @@ export async function drawFigure(plot, traces, layout) {
   });
 }
 
-/// The traces of a curve: its band, if it has one, and its line.
-export function tracesOf(curve, quantity, line) {
+/// The traces of a curve: its band, if it has one, and its line, or its points where `mode` is "markers".
+export function tracesOf(curve, quantity, line, mode = "lines") {
   const common = {x: curve.x, mode: "lines", type: "scatter", name: plotText(curve.label)};
   const traces = [];
   if (curve.band !== undefined) {
@@ -99,8 +121,8 @@ export function tracesOf(curve, quantity, line) {
     traces.push({...edge, y: curve.y.map((y, i) => y + curve.band[i]), fill: "tonexty",
       fillcolor: line.color.replace("hsl", "hsla").replace(")", ", 0.18)")});
   }
-  traces.push({...common, y: curve.y, text: curve.y.map((y) => valueText(y, quantity)), hovertemplate: "%{text}",
-    line: {width: 2.2, ...line}});
+  traces.push({...common, mode, y: curve.y, text: curve.y.map((y) => valueText(y, quantity)), hovertemplate: "%{text}",
+    line: {width: 2.2, ...line}, marker: {color: line.color, size: 6, maxdisplayed: 40}});
   return traces;
 }
 
@@ -120,9 +142,11 @@ export async function saveFigure(plot, name, draw) {
 export function keepFigures(drawAll) {
   drawAll();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", drawAll);
-  for (const [event, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
+  for (const [event, now] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(event, () => {
-      setPrinting(isPrinting);
+      setPrinting(now);
+      // Figures are drawn before the page has the width of the paper, which their style then has.
+      document.body.classList.toggle("printing", now);
       drawAll();
     });
   }

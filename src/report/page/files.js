@@ -23,9 +23,9 @@ function csvText(value) {
 /// Curves of a quantity as the text of a CSV file.
 export function csvOf(curves, quantity) {
   const unit = {Pa: "_Pa", "1/Pa": "_1_per_Pa", "%": "_percent"}[quantity.unit] ?? "";
-  const x = quantity.x === "time" ? "time_s" : "angular_frequency_rad_per_s";
+  const x = {s: "time_s", "rad/s": "angular_frequency_rad_per_s", Hz: "frequency_Hz", "°C": "temperature_degC"};
   const lines = curves.flatMap((curve) => curve.x.map((at, i) => `${csvText(curve.label)},${at},${curve.y[i]}`));
-  return [`curve,${x},value${unit}`, ...lines, ""].join("\n");
+  return [`curve,${x[quantity.xUnit]},value${unit}`, ...lines, ""].join("\n");
 }
 
 /// A table, an object with a list of values for each column, as the text of a CSV file.

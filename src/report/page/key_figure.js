@@ -1,12 +1,13 @@
 /// The figure with the modulus at one time against a swept key that holds numbers.
 
+import {currentInks} from "./colours.js";
 import {sweep} from "./data.js";
 import {chooser, element} from "./elements.js";
 import {axisTitle, drawFigure, layoutOf, plotText, saveFigure, valueText} from "./figure.js";
 import {display, shortNumber} from "./numbers.js";
 import {extent, valueAt} from "./sampling.js";
 import {sweptKeys} from "./sweep_curves.js";
-import {labelOfSweepCurve, lineOfSweepCurve, sweepContents} from "./sweep_figure.js";
+import {labelOfSweepCurve, lineOfSweepCurve, shownMeasurements, sweepContents} from "./sweep_figure.js";
 
 /// Fills the section and returns the function that draws the figure.
 export function keyFigure(curves, choice) {
@@ -20,16 +21,20 @@ export function keyFigure(curves, choice) {
 
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
-    const lines = linesAgainst(shown.key, shown.time, seen, choice);
+    const lines = [...linesAgainst(shown.key, shown.time, seen, choice),
+      ...measuredLevels(shown.key, shown.time, shownMeasurements(seen, choice))];
     const layout = layoutOf({...quantity, xUnit: shown.key.unit, x: shown.key.label}, lines);
-    const text = (curve, i) => `${shown.key.label} ${shown.key.values[curve.places[i]]}: ` +
-      valueText(curve.y[i], quantity);
+    const text = (curve, i) => {
+      const value = valueText(curve.y[i], quantity);
+      return curve.isLevel ? value : `${shown.key.label} ${shown.key.values[curve.places[i]]}: ${value}`;
+    };
     const spread = Math.max(...shown.key.numbers) / Math.min(...shown.key.numbers);
     const {textOf, ...xaxis} = layout.xaxis;
     layout.xaxis = {...xaxis, ...keyAxis(shown.key, spread)};
     layout.hovermode = "closest";
     document.getElementById("key-time").textContent = `at ${display(shown.time, "s", 3)}`;
-    return drawFigure(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter", mode: "lines+markers",
+    return drawFigure(plot, lines.map((curve) => ({x: curve.x, y: curve.y, type: "scatter",
+      mode: curve.isLevel ? "lines" : "lines+markers",
       name: plotText(curve.label), text: curve.x.map((_, i) => text(curve, i)), hovertemplate: "%{text}",
       line: {width: 2, ...curve.line}, marker: {size: 7}})), layout);
   };
@@ -66,6 +71,15 @@ function keyAxis(key, spread) {
   }
   const room = 0.05 * (ends[1] - ends[0]);
   return {type: "linear", title, range: [ends[0] - room, ends[1] + room], scale: 1};
+}
+
+/// The measured values at a time, as level lines over the values of the key.
+function measuredLevels(key, time, measured) {
+  const x = extent(key.numbers);
+  return measured.map((curve) => ({curve, value: valueAt(curve.x, curve.y, time)}))
+    .filter(({value}) => Number.isFinite(value))
+    .map(({curve: {label}, value}) => ({label, isLevel: true, x, y: [value, value],
+      line: {color: currentInks().ink, dash: "dot"}}));
 }
 
 /// A line through all shown curves that differ in the key alone; `places` are the indices of the values of the key.

@@ -1,7 +1,7 @@
 /// The section that predicts G(t) with another temperature, another spectrum or other moduli of one material.
 
 import {bestGrid, materialsInUse} from "./curves.js";
-import {colourOf} from "./curves_figure.js";
+import {colourOf} from "./curve_style.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
 import {drawFigure, layoutOf, saveFigure, tracesOf} from "./figure.js";

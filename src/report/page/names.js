@@ -18,6 +18,14 @@ export const quantities = [
   {name: "young-loss-factor", title: "Loss factor tan δ = E″/E′", x: "angular frequency", xUnit: "rad/s", unit: ""},
 ];
 
+/// What a quantity over time or over frequency can be shown against.
+export const axes = {
+  time: {x: "time", xUnit: "s"},
+  frequency: {x: "frequency", xUnit: "Hz"},
+  "angular-frequency": {x: "angular frequency", xUnit: "rad/s"},
+  temperature: {x: "temperature", xUnit: "°C"},
+};
+
 /// The name of a grid: its number of cells along a side of the box, or "extrapolated" for the result of all grids (the
 /// limit of vanishing cells with points, the finest grid with mixed cells, and the band of both); "films" has none.
 export function gridName(cells) {

@@ -17,6 +17,14 @@ export function display(value, unit, digits = 3) {
   return `${minus(Number((rounded / scale).toPrecision(digits)))} ${prefix}${unit}`;
 }
 
+/// A range of a quantity: "1.26 to 2.2 GPa", "340 kPa to 1.2 MPa"; one value where both are the same in three digits.
+export function displayRange(least, most, unit) {
+  const [from, to] = [display(least, unit), display(most, unit)];
+  if (from === to) return from;
+  const [number, unitOfLeast] = from.split(" ");
+  return to.endsWith(` ${unitOfLeast}`) ? `${number} to ${to}` : `${from} to ${to}`;
+}
+
 /// The time [s] that a calculation has taken: "2.4 s", "50 min", "3 h".
 export function duration(seconds) {
   const unit = [["d", 86400], ["h", 3600], ["min", 60]].find(([, size]) => seconds >= 2 * size);
@@ -28,9 +36,15 @@ export function minus(number) {
   return String(number).replace("-", "−");
 }
 
+/// A text of the command line, whose signs are those of ASCII, with the micro sign: "4.2 µm".
+export function withMicroSign(text) {
+  return text.replace(/(\d) u(m|s|Pa)\b/g, "$1 µ$2");
+}
+
 /// A share of one in per cent, "1.23 %", small ones with a power of ten; no text if the share is unknown.
 export function percent(share) {
   if (share === null || share === undefined) return "";
+  if (!Number.isFinite(share)) return "–";
   const value = 100 * share;
   return `${Math.abs(value) < 1e-3 ? shortNumber(value, 1) : minus(Number(value.toPrecision(2)))} %`;
 }
@@ -42,6 +56,7 @@ export function percentOfWhole(share) {
 
 /// A number without a unit: "0.0103", "1.03·10⁵".
 export function shortNumber(value, digits = 3) {
+  if (!Number.isFinite(value)) return "–";
   const isPlain = value === 0 || (Math.abs(value) >= 1e-3 && Math.abs(value) < 1e5);
   if (isPlain) return minus(Number(value.toPrecision(digits)));
   const [factor, power] = value.toExponential(digits - 1).split("e");

@@ -1,37 +1,18 @@
-/// A view of a cube that the reader turns by mouse, touch or keys. All views share one WebGL context, of which a
-/// browser has few, and copy what it has drawn. The global `THREE` is three.js.
+/// A view of a cube that the reader turns by mouse, touch or keys. The views copy what the renderer has drawn that they
+/// share. The global `THREE` is three.js.
 
 import {element} from "./elements.js";
 import {fileName} from "./files.js";
 import {display} from "./numbers.js";
 import {cuts, edgesOf} from "./solid_cut.js";
+import {isContextLost, renderer, watchContext} from "./view_renderer.js";
+import {turnAfterTap} from "./view_touch.js";
 
 /// Degrees between x and the direction from which a view is seen, and above the plane of x and y.
 const home = [35, 22];
 const directions = {x: [0, 0], y: [-90, 0], z: [-90, 90]};
 const turnOfKey = 7.5, zoomOfKey = 1.2;
 const halfHeight = 0.92, distance = 4;
-
-let sharedRenderer;
-
-/// The renderer of all views; undefined where the browser has no WebGL 2.
-function renderer() {
-  if (sharedRenderer !== undefined) return sharedRenderer;
-  const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", {antialias: true});
-  if (context === null) return undefined;
-  // The colours are those of the pictures, unchanged.
-  THREE.ColorManagement.enabled = false;
-  sharedRenderer = new THREE.WebGLRenderer({canvas, context});
-  sharedRenderer.outputColorSpace = THREE.LinearSRGBColorSpace;
-  sharedRenderer.setClearColor(0xffffff);
-  return sharedRenderer;
-}
-
-/// Whether this browser draws the views.
-export function drawsViews() {
-  return typeof DecompressionStream !== "undefined" && renderer() !== undefined;
-}
 
 function edgeLines() {
   const lines = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({color: 0x2f4858}));
@@ -178,6 +159,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     ariaLabel: `${caption}. The arrow keys turn it, plus and minus zoom, x, y and z look along an axis, 0 goes back.`});
   const marks = labels(side);
   const frame = element("div", {className: "picture view"}, canvas, ...marks.elements);
+  const complaint = element("p", {className: "note", role: "alert"});
   const figure = element("figure", {className: "rotatable"});
   const scene = new THREE.Scene();
   const edges = edgeLines();
@@ -187,7 +169,7 @@ export function rotatableView({name, caption, side, build, choices = [], below =
 
   const draw = () => {
     isDue = false;
-    if (model === undefined) return;
+    if (model === undefined || isContextLost()) return;
     const {clientWidth: width, clientHeight: height} = canvas;
     if (width === 0) return;
     const scale = Math.min(2, Math.max(1.5, devicePixelRatio)) / pace.ofNextFrame();
@@ -218,9 +200,13 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     drawSoon();
   }});
   listenToKeys(canvas, actionsOfKeys(view));
+  turnAfterTap(canvas, frame);
+  watchContext((isLost) => {
+    complaint.textContent = isLost ? "The browser has taken the graphics away; the view waits for them." : "";
+    if (!isLost) drawSoon();
+  });
 
-  const load = async () => {
-    const asked = wanted;
+  const take = async (asked) => {
     const made = await asked();
     if (asked !== wanted) return made.dispose();
     if (model !== undefined) {
@@ -229,11 +215,18 @@ export function rotatableView({name, caption, side, build, choices = [], below =
     }
     model = made;
     scene.add(model.object);
+    complaint.textContent = "";
     cut(controls.planes());
+  };
+  const load = () => {
+    const asked = wanted;
+    take(asked).catch((error) => {
+      if (asked === wanted) complaint.textContent = `This view cannot be drawn: ${error.message}`;
+    });
   };
   const button = (text, label, action) => element("button", {ariaLabel: label, onclick: action}, text);
   figure.append(
-    element("div", {className: "choices"}, ...choices, ...controls.elements), frame,
+    element("div", {className: "choices"}, ...choices, ...controls.elements), frame, complaint,
     element("figcaption", {}, caption, ...below),
     element("div", {className: "buttons"},
       ...Object.entries(directions).map(([axis, direction]) =>

@@ -29,6 +29,7 @@ export function decades(first, last) {
 export function valueAt(times, values, time) {
   const rounding = 1e-9;
   if (time < times[0] * (1 - rounding) || time > times.at(-1) * (1 + rounding)) return NaN;
+  if (times.length === 1) return values[0];
   const right = Math.max(1, times.findIndex((t) => t >= time * (1 - rounding)));
   const share = Math.log(time / times[right - 1]) / Math.log(times[right] / times[right - 1]);
   return values[right - 1] * Math.pow(values[right] / values[right - 1], share);

@@ -4,24 +4,31 @@ import {allCurves} from "./curves.js";
 import {curvesFigure} from "./curves_figure.js";
 import {study} from "./data.js";
 import {keepFigures} from "./figure.js";
+import {showAnswer, showModuli, showResultPicture, showWarnings} from "./first_look.js";
 import {liveFigure} from "./live_figure.js";
 import {showFields, showPictures} from "./pictures.js";
 import {runsFigure} from "./runs_figure.js";
 import {showDeck} from "./table.js";
-import {showComparison, showProvenance, showQuality, showSummary, showWarnings} from "./tables.js";
+import {showComparison, showProvenance, showQuality, showStages} from "./tables.js";
+import {showGlossary, showTrust} from "./trust.js";
 import {showWholeFiller} from "./whole_filler.js";
 
-showSummary();
-showWholeFiller();
+const curvesOfStudy = allCurves();
+showAnswer(curvesOfStudy);
 showWarnings();
+showResultPicture();
+showModuli(curvesOfStudy);
+showStages();
+showWholeFiller();
 showComparison();
 showPictures();
 showFields();
+showTrust();
 showQuality();
+showGlossary();
 showDeck(study);
 showProvenance();
 
-const curvesOfStudy = allCurves();
 if (curvesOfStudy.some((curve) => curve.role === "stage")) {
   const figures = [curvesFigure(curvesOfStudy), runsFigure(curvesOfStudy), liveFigure(curvesOfStudy)];
   keepFigures(() => figures.forEach((draw) => draw()));

@@ -1,6 +1,6 @@
 /// The figure with the curves of all tasks. Its choice holds for the figure against a key (key_figure.js) too.
 
-import {isDark} from "./colours.js";
+import {currentInks, isDark} from "./colours.js";
 import {sweep} from "./data.js";
 import {deviationOf, deviationsFrom} from "./deviation.js";
 import {chips, chooser, element} from "./elements.js";
@@ -9,6 +9,7 @@ import {csvOf, fileName, save} from "./files.js";
 import {quantities} from "./names.js";
 import {distinct} from "./records.js";
 import {dimensionsOf, partnerOf, sweptKeys} from "./sweep_curves.js";
+import {measuredCurves} from "./sweep_measurements.js";
 
 /// Colours that are easy to tell apart, for values without an order.
 const palette = ["#4477aa", "#cc6677", "#228833", "#aa8800", "#7755bb", "#009999", "#bb5500", "#777777"];
@@ -32,12 +33,24 @@ export function sweepContents(curves, choice) {
     dimensions.every((one) => values[one.name].has(one.of(curve))))
     .map((curve) => ({...curve, label: labelOfSweepCurve(curve, dimensions, values)}));
   if (reference === undefined) return [seen, quantity];
+  if (reference.measured !== undefined) {
+    const {stage, label, quantity: of} = reference.measured;
+    const comparable = seen.filter((curve) => curve.stage === stage && curve.quantity === of);
+    return [deviationsFrom(reference.measured, comparable), deviationOf(quantity, label)];
+  }
   const {dimension, value} = reference;
   const compared = seen.filter((curve) => dimension.of(curve) !== value).flatMap((curve) => {
     const partner = partnerOf(curve, dimension, value, curves, dimensions);
     return partner === undefined ? [] : deviationsFrom(partner, [curve]);
   });
   return [compared, deviationOf(quantity, nameOfValue(dimension, value))];
+}
+
+/// The measurements of what is shown; none beside deviations.
+export function shownMeasurements(seen, {quantity, reference}) {
+  const stages = distinct(seen, "stage");
+  return reference !== undefined ? [] : measuredCurves().filter((curve) => curve.quantity === quantity.name &&
+    stages.includes(curve.stage));
 }
 
 function nameOfValue(dimension, value) {
@@ -64,8 +77,9 @@ export function lineOfSweepCurve(curve, choice) {
     width: {displacement: 2.2, periodic: 1.6, traction: 1.1}[curve.boundary]};
 }
 
-function noteOnSweep(curves) {
+function noteOnSweep(curves, measured) {
   const notes = [];
+  if (measured.length > 0) notes.push("Points: measured.");
   if (distinct(curves, "method").length > 1) notes.push("Dashed: dynamic method.");
   if (distinct(curves, "boundary").length > 1) notes.push("Thick: upper bound; thin: lower bound.");
   return notes.join(" ");
@@ -76,9 +90,12 @@ export function sweepFigure(curves, choice, drawAll) {
   const plot = document.getElementById("curve-plot");
   const draw = () => {
     const [seen, quantity] = sweepContents(curves, choice);
-    document.getElementById("curve-note").textContent = noteOnSweep(seen);
-    return drawFigure(plot, seen.flatMap((curve) => tracesOf(curve, quantity, lineOfSweepCurve(curve, choice))),
-      layoutOf(quantity, seen));
+    const measured = shownMeasurements(seen, choice);
+    document.getElementById("curve-note").textContent = noteOnSweep(seen, measured);
+    return drawFigure(plot, [
+      ...seen.flatMap((curve) => tracesOf(curve, quantity, lineOfSweepCurve(curve, choice))),
+      ...measured.flatMap((curve) => tracesOf(curve, quantity, {color: currentInks().ink}, "markers")),
+    ], layoutOf(quantity, [...seen, ...measured]));
   };
   document.getElementById("curve-choices").append(...sweepChoices(curves, choice, drawAll));
   const name = () => `${sweep.title} ${sweepContents(curves, choice)[1].title}`;
@@ -105,6 +122,7 @@ function sweepChoices(curves, choice, drawAll) {
   const references = dimensions.flatMap((dimension) => dimension.values
     .filter((value) => hasPartners(dimension, value))
     .map((value) => [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
+  references.push(...measuredCurves().map((measured) => [{measured}, `deviation from ${measured.label}`]));
   rows.push(chooser("reference", "compared with", [[undefined, "as it is"], ...references], (reference) => {
     choice.reference = reference;
     drawAll();

@@ -8,13 +8,13 @@ import {sweepChoice, sweepFigure} from "./sweep_figure.js";
 import {showSpread, showSweepProvenance, showSweepSummary, showTasks} from "./sweep_tables.js";
 import {showDeck} from "./table.js";
 
+const curvesOfSweep = sweepCurves();
 showSweepSummary();
-showTasks();
+showTasks(curvesOfSweep);
 showSpread();
 showDeck(sweep);
 showSweepProvenance();
 
-const curvesOfSweep = sweepCurves();
 if (curvesOfSweep.length > 0) {
   const choice = sweepChoice(curvesOfSweep);
   const drawAll = () => figures.forEach((draw) => draw());

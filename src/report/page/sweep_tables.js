@@ -7,6 +7,7 @@ import {display, duration, percent} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {labelOfKey, sweptKeys} from "./sweep_curves.js";
+import {ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
 
 /// Shows the title, what was swept, and what failed.
@@ -25,16 +26,19 @@ export function showSweepSummary() {
   list.hidden = warnings.length === 0;
 }
 
-/// Shows the tasks, with links to their reports.
-export function showTasks() {
-  const rows = sweep.tasks.map((task) => {
+/// Shows the tasks, with links to their reports, and the ratio of their curves to what was measured.
+export function showTasks(curves) {
+  const ratios = ratioColumns(curves);
+  const rows = sweep.tasks.map((task, i) => {
     const name = task.state === "done" ? element("a", {href: `${encodeURIComponent(task.name)}/report.html`}, task.name)
       : task.name;
     const seconds = task.wall_time_s === null ? "" : duration(task.wall_time_s);
-    return element("tr", {}, ...[name, ...sweptKeys.map(({path}) => String(task.values[path])), task.state, seconds]
+    const values = sweptKeys.map(({path}) => String(task.values[path]));
+    return element("tr", {}, ...[name, ...values, ...ratios.map(({of}) => of(i)), task.state, seconds]
       .map((text) => element("td", {}, text)));
   });
-  const heads = ["task", ...sweptKeys.map(({label}) => label), "state", "wall time"];
+  const heads = ["task", ...sweptKeys.map(({label}) => label), ...ratios.map(({head}) => head), "state",
+    "wall time"];
   document.getElementById("task-table").append(element("div", {className: "table"}, element("table", {},
     element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", {}, text)))),
     element("tbody", {}, ...rows))));

@@ -1,9 +1,9 @@
-/// The summary, the warnings and the tables of a run.
+/// The tables of a run.
 
 import {readTable, study} from "./data.js";
 import {element} from "./elements.js";
 import {boundNames, listed, methodNames, nameOfTest, wordsOnStage} from "./names.js";
-import {display, duration, percent, percentOfWhole} from "./numbers.js";
+import {display, duration, percent, percentOfWhole, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
 import {table} from "./table.js";
@@ -13,32 +13,21 @@ function hasFilms(stage) {
   return stage.cells[0] === "films";
 }
 
-/// Shows the title, and what was computed of which stages.
-export function showSummary() {
-  document.getElementById("title").textContent = study.title;
-  const tests = study.stages.flatMap((stage) => stage.tests);
+/// Shows what was computed of which stages.
+export function showStages() {
   const sentences = study.stages.map((stage, i) => {
     const earlier = study.stages.slice(0, i).some((one) => one.name === stage.matrix);
     const cells = hasFilms(stage) ? "computed as grains and films" : `${listed(stage.cells.map(String))} cells a side`;
     return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the stage before" : ""}; ${cells}.`;
   });
-  const list = sentences.length > 1 ? element("ol", {}, ...sentences.map((text) => element("li", {}, text)))
-    : element("p", {}, sentences.join(""));
   const [begin, end] = study.times_s.map((time) => display(time, "s"));
+  const tests = study.stages.flatMap((stage) => stage.tests);
   const bounds = listed(distinct(tests, "boundary").map((boundary) => boundNames[boundary]));
   const methods = listed(distinct(tests, "method").map((method) => methodNames[method]));
   const what = `The relaxation modulus from ${begin} to ${end}, computed from the constituents: ${bounds}, by the ` +
     `${methods} method.`;
-  document.getElementById("summary").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), list);
-}
-
-/// Shows what the reader should know before using the results.
-export function showWarnings() {
-  const warnings = study.stages.flatMap((stage) => stage.warnings);
-  if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
-  const list = document.getElementById("warnings");
-  list.append(...warnings.map((text) => element("li", {}, text)));
-  list.hidden = warnings.length === 0;
+  document.getElementById("stages").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), sentences.length > 1
+    ? element("ol", {}, ...sentences.map((text) => element("li", {}, text))) : element("p", {}, sentences.join("")));
 }
 
 /// Shows measured and computed moduli at whole decades, and where they agree best and worst.
@@ -76,7 +65,7 @@ export function showComparison() {
 function showSummaries() {
   const known = study.stages.filter((stage) => stage.quality?.summary);
   document.getElementById("quality-summary").append(
-    ...known.map((stage) => element("li", {}, `${stage.name}, this box: ${stage.quality.summary}.`)));
+    ...known.map((stage) => element("li", {}, `${stage.name}, this box: ${withMicroSign(stage.quality.summary)}.`)));
 }
 
 /// Shows the errors of tests, fits and extrapolations.

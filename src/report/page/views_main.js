@@ -8,7 +8,9 @@ import {particleModel} from "./particle_model.js";
 import {channelsOf, colourOf, coloursOfPhases, phasesOf} from "./phase_colours.js";
 import {legendOf, wordsOnField} from "./pictures.js";
 import {own} from "./records.js";
-import {drawsViews, rotatableView} from "./rotatable_view.js";
+import {rotatableView} from "./rotatable_view.js";
+import {evenTicks, logarithmicTicks} from "./ticks.js";
+import {drawsViews} from "./view_renderer.js";
 import {volumeModel} from "./volume_model.js";
 
 const coloursOfFields = data.views.colours.match(/.{6}/g);
@@ -44,14 +46,18 @@ function showMicrostructure(stage, {microstructure}) {
 
 /// The colours of a quantity with the values that they stand for.
 function colourBar({words, unit_size: unit, scale, from, to}) {
-  const valueAt = (share) => scale === "logarithmic" ? from * Math.pow(to / from, share) : from + (to - from) * share;
+  const [first, last] = [from / unit, to / unit];
+  const ticks = scale === "logarithmic"
+    ? logarithmicTicks(Math.log10(first), Math.log10(last), 6, shortNumber).filter(({text}) => text !== "")
+    : evenTicks(first, last, 5);
+  const shareOf = (value) => scale === "logarithmic" ? Math.log(value / first) / Math.log(last / first)
+    : (value - first) / (last - first);
   const stops = coloursOfFields.filter((_, i) => i % 15 === 0).map((colour) => `#${colour}`);
-  const ticks = [0, 0.25, 0.5, 0.75, 1];
   return element("div", {className: "colour-bar"},
     element("div", {className: "colour-words"}, words),
     element("div", {className: "colour-scale", style: `background: linear-gradient(to right, ${stops.join(", ")})`}),
     element("div", {className: "colour-ticks"},
-      ...ticks.map((share) => element("span", {}, shortNumber(valueAt(share) / unit)))));
+      ...ticks.map(({at, text}) => element("span", {style: `left: ${100 * shareOf(at)}%`}, text))));
 }
 
 /// The quantities of a field that a reader can choose.

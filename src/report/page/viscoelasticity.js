@@ -52,6 +52,12 @@ export function decadesOfShift(law, temperature) {
   return (-law.c1 * excess) / (law.c2_K + excess);
 }
 
+/// The temperature [K] at which log10 of the shift factor has a value by the same law; infinite where the law never
+/// reaches it.
+export function temperatureOfShift(law, decades) {
+  return decades <= -law.c1 ? Infinity : law.reference_K - (law.c2_K * decades) / (law.c1 + decades);
+}
+
 /// The bulk modulus K of a solid with the shear modulus G from its modulus of equal strains along all axes of the box,
 /// K + G/3 in two dimensions (plane strain) and K in three, all in [Pa]. It holds for elastic moduli, and so for Carson
 /// moduli at one Laplace variable.

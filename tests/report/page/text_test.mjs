@@ -30,11 +30,12 @@ test("files that the reader keeps", () => {
   assert.equal(fileName("A, upper", "csv"), "A-upper.csv");
   assert.equal(fileName("Ω/..", "csv"), "breccia.csv");
   const curve = {label: 'Bennett, "1998"', x: [1, 2], y: [3e6, 4e-7]};
-  assert.equal(csvOf([curve], {x: "time", unit: "Pa"}),
+  assert.equal(csvOf([curve], {xUnit: "s", unit: "Pa"}),
     'curve,time_s,value_Pa\n"Bennett, ""1998""",1,3000000\n"Bennett, ""1998""",2,4e-7\n');
   // As `breccia fit` reads it.
-  assert.equal(csvOf([{label: "A", x: [1], y: [2]}], {x: "angular frequency", unit: "Pa"}),
+  assert.equal(csvOf([{label: "A", x: [1], y: [2]}], {xUnit: "rad/s", unit: "Pa"}),
     "curve,angular_frequency_rad_per_s,value_Pa\nA,1,2\n");
+  assert.equal(csvOf([{label: "A", x: [1], y: [2]}], {xUnit: "Hz", unit: ""}), "curve,frequency_Hz,value\nA,1,2\n");
   assert.equal(csvOfTable({stage: ["A", "#1"], "modulus, Pa": [1, "inf"]}), 'stage,"modulus, Pa"\nA,1\n"#1",inf\n');
 });
 

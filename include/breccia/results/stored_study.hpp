@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "breccia/homogenisation/respond.hpp"
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/composite.hpp"
+
+namespace breccia {
+
+/// The results of a study as its directory has them.
+struct StoredStudy {
+  StudyContent content = {};
+  /// Curves, comparisons and warnings. Microstructures, fields and the stages as materials are left out, and of a test
+  /// its record has no more than error, wall time and error band. Of the series there are those of the preferred tests
+  /// (is_preferred); those of others are empty.
+  StudyResult result = {};
+  std::vector<StoredResponses> responses = {};  ///< of the stages that have left some
+};
+
+/// Reads `study.json`, the tables of curves and the reduced responses in a directory of results, complete or not.
+/// Throws InputError as require_stored_study(), and FileError when a file is not as `breccia run` writes it.
+StoredStudy read_stored_study(const std::filesystem::path& directory);
+
+}  // namespace breccia

@@ -1,0 +1,99 @@
+#include "test_fields.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include <pybind11/numpy.h>
+
+#include "breccia/homogenisation/study_result.hpp"
+
+#include "views.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Fields of a lattice as a dictionary of views, [y, x, component] or [z, y, x, component].
+template <int dim>
+py::dict fields_of(const TimedFields<dim>& timed, std::size_t along, const py::object& owner) {
+  using Fields = LatticeFields<dim>;
+  const auto shape = [along](std::size_t components) {
+    std::vector<py::ssize_t> extents(static_cast<std::size_t>(dim), static_cast<py::ssize_t>(along));
+    if (components > 0) extents.push_back(static_cast<py::ssize_t>(components));
+    return extents;
+  };
+  const Fields& fields = timed.fields;
+  py::dict result;
+  result["time"] = timed.time;
+  result["phase"] = view_of(fields.phase.data(), shape(0), owner);
+  result["displacement"] = view_of(fields.displacement.front().data(), shape(static_cast<std::size_t>(dim)), owner);
+  result["strain"] = view_of(fields.strain.front().data(), shape(dim + Fields::shears), owner);
+  result["stress"] = view_of(fields.stress.front().data(), shape(3 + Fields::shears), owner);
+  return result;
+}
+
+/// A number, or several, of each cell of grains and films as an array.
+template <class Value>
+py::array each_of(const std::vector<FilmCell>& cells, Value FilmCell::*member) {
+  constexpr auto components = static_cast<py::ssize_t>(sizeof(Value) / sizeof(double));
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cells.size())};
+  if (!std::is_same_v<Value, double>) shape.push_back(components);
+  py::array_t<double> array(shape);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    std::memcpy(array.mutable_data() + static_cast<py::ssize_t>(i) * components, &(cells[i].*member), sizeof(Value));
+  }
+  return array;
+}
+
+/// Fields of grains and films as a dictionary of arrays.
+py::dict fields_of(const TimedFilmFields& timed) {
+  const auto& [points, displacement, cells, corners] = timed.fields;
+  const auto places = [](const std::vector<Vector<2>>& list) {
+    const double* const first = list.empty() ? nullptr : list.front().data();
+    return py::array_t<double>({static_cast<py::ssize_t>(list.size()), py::ssize_t{2}}, first);
+  };
+  py::array_t<int> parts(static_cast<py::ssize_t>(cells.size()));
+  py::array_t<std::size_t> firsts(static_cast<py::ssize_t>(cells.size() + 1));
+  firsts.mutable_data()[0] = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    parts.mutable_data()[i] = static_cast<int>(cells[i].part);
+    firsts.mutable_data()[i + 1] = firsts.data()[i] + cells[i].corners;
+  }
+  py::dict result;
+  result["time"] = timed.time;
+  result["points"] = places(points);
+  result["displacement"] = places(displacement);
+  result["part"] = parts;
+  result["corners"] = py::array_t<std::size_t>(static_cast<py::ssize_t>(corners.size()), corners.data());
+  result["first_corner"] = firsts;
+  result["area"] = each_of(cells, &FilmCell::area);
+  result["strain"] = each_of(cells, &FilmCell::strain);
+  result["stress"] = each_of(cells, &FilmCell::stress);
+  result["work"] = each_of(cells, &FilmCell::work);
+  result["slip"] = each_of(cells, &FilmCell::slip);
+  result["opening"] = each_of(cells, &FilmCell::opening);
+  result["flow"] = each_of(cells, &FilmCell::flow);
+  return result;
+}
+
+}  // namespace
+
+py::list fields_of_test(const py::object& self) {
+  const auto& test = self.cast<const TestResult&>();
+  py::list fields;
+  const auto along = [](std::size_t places, double root) {
+    return static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(places), root)));
+  };
+  for (const auto& one : test.fields) fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 2.0), self));
+  for (const auto& one : test.volume_fields) {
+    fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 3.0), self));
+  }
+  for (const auto& one : test.film_fields) fields.append(fields_of(one));
+  return fields;
+}
+
+}  // namespace breccia::python

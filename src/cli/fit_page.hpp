@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "breccia/deck/fit_data.hpp"
+
+#include "fit_results.hpp"
+
+namespace breccia::cli {
+
+/// The report of a fit as an HTML document that needs neither other files nor a network; docs/fitting.md tells what is
+/// in it. `source` is the name of the file of the data.
+std::string fit_report(const std::string& source, const FitData& data, const FitResult& result);
+
+}  // namespace breccia::cli

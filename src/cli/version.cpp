@@ -1,0 +1,36 @@
+#include "version.hpp"
+
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/dynamics/instruction_set.hpp"
+
+#include "build_information.hpp"
+
+namespace breccia::cli {
+namespace {
+
+std::string list_of(const std::vector<InstructionSet>& sets) {
+  std::vector<std::string_view> names;
+  for (const auto set : sets) names.push_back(name_of(set));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::string version_text() {
+  const auto build = build_information();
+  const auto commit = build.commit.empty() ? std::string() : fmt::format("commit {}, ", build.commit);
+  return fmt::format(
+      "breccia {}\n"
+      "build      {}{}, {}, {}\n"
+      "kernels    {} on this processor; in use: {}\n"
+      "libraries  {}",
+      BRECCIA_VERSION, commit, build.compiler, build.type, build.processor, list_of(supported_instruction_sets()),
+      name_of(chosen_instruction_set()), build.libraries);
+}
+
+}  // namespace breccia::cli

@@ -1,0 +1,81 @@
+/// The result of a study in sentences: the modulus of a stage at its first, middle and last time, and beside its binder
+/// and what was measured.
+
+import {display, displayRange, shortNumber} from "./numbers.js";
+import {listed} from "./names.js";
+import {valueAt} from "./sampling.js";
+
+/// The first time of curves, a whole power of ten in the middle of the decades, and the last time [s]. Every curve is
+/// known at all three. Where the curves have no stretch of time in common: the first time of the last one.
+export function threeTimes(curves) {
+  const first = Math.max(...curves.map((curve) => curve.x[0]));
+  const last = Math.min(...curves.map((curve) => curve.x.at(-1)));
+  if (!(first < last)) return [first];
+  const middle = 10 ** Math.round(Math.log10(Math.sqrt(first * last)));
+  return middle > first && middle < last ? [first, middle, last] : [first, last];
+}
+
+/// The smallest and the largest value of curves at a time.
+function rangeAt(curves, time) {
+  const values = curves.map((curve) => valueAt(curve.x, curve.y, time)).filter(Number.isFinite);
+  return [Math.min(...values), Math.max(...values)];
+}
+
+function ratioText([least, most]) {
+  const [from, to] = [least, most].map((ratio) => shortNumber(ratio, 2));
+  return from === to ? from : `${from} to ${to}`;
+}
+
+/// What the values of the curves are, in words: "lower to upper bound", or the one boundary.
+function wordsOnBounds(curves) {
+  const boundaries = curves.map((curve) => curve.boundary);
+  if (boundaries.includes("displacement") && boundaries.includes("traction")) return "lower to upper bound";
+  const words = {displacement: "upper bound", traction: "lower bound", periodic: "periodic boundary"};
+  return listed([...new Set(boundaries)].map((boundary) => words[boundary]));
+}
+
+/// Is the lower bound above the upper one at one of these times, by more than rounding?
+function areCrossed(curves, times) {
+  const at = (boundary, time) => {
+    const curve = curves.find((one) => one.boundary === boundary);
+    return curve === undefined ? NaN : valueAt(curve.x, curve.y, time);
+  };
+  return times.some((time) => at("traction", time) > at("displacement", time) * (1 + 1e-9));
+}
+
+/// Below this share of its unrelaxed modulus a binder has flowed away, and nothing is told over it.
+const relaxedAway = 1e-6;
+
+/// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` tells
+/// that of the grid in words; `binder` {at} and `measured` {name, x, y} may be undefined.
+export function answerSentences({stage, symbol, curves, error, binder, measured}) {
+  const times = threeTimes(curves);
+  const moduli = times.map((time) => `${displayRange(...rangeAt(curves, time), "Pa")} at ${display(time, "s")}`);
+  const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : wordsOnBounds(curves);
+  const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[bounds, error].filter(Boolean).join("; ")}).`];
+  if (binder !== undefined) {
+    const ratios = [times[0], times.at(-1)].filter((time) => binder.at(time) > relaxedAway * binder.at(0))
+      .map((time) => `${ratioText(rangeAt(curves, time).map((value) => value / binder.at(time)))} times its binder at ` +
+        display(time, "s"));
+    if (ratios.length > 0) sentences.push(`That is ${listed([...new Set(ratios)])}.`);
+  }
+  if (measured !== undefined) sentences.push(...sentenceOnMeasurement(curves, measured));
+  return sentences;
+}
+
+/// The ratio of each curve to the measurement, at the times of the measurement.
+function sentenceOnMeasurement(curves, measured) {
+  const names = {displacement: "the upper bound", traction: "the lower bound", periodic: "the periodic box"};
+  const seen = [];
+  const parts = curves.flatMap((curve) => {
+    const ratios = measured.x.map((time, i) => [time, valueAt(curve.x, curve.y, time) / measured.y[i]])
+      .filter(([, ratio]) => Number.isFinite(ratio));
+    if (ratios.length === 0) return [];
+    seen.push(...ratios.map(([time]) => time));
+    const values = ratios.map(([, ratio]) => ratio);
+    return [`${names[curve.boundary]} is ${ratioText([Math.min(...values), Math.max(...values)])} times`];
+  });
+  if (parts.length === 0) return [];
+  const [from, to] = [Math.min(...seen), Math.max(...seen)].map((time) => display(time, "s", 2));
+  return [`From ${from} to ${to} ${listed(parts)} what was measured (${measured.name}).`];
+}

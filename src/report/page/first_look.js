@@ -1,0 +1,178 @@
+/// The first screen of a study: what came out, what to doubt, and the moduli at whole decades.
+
+import {answerSentences} from "./answer.js";
+import {bestGrid} from "./curves.js";
+import {data, study} from "./data.js";
+import {element} from "./elements.js";
+import {boundNames, wordsOnStage} from "./names.js";
+import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
+import {own} from "./records.js";
+import {decades, valueAt} from "./sampling.js";
+import {binderOf, stagesOfInterest} from "./stages.js";
+import {table} from "./table.js";
+import {relaxationModulus} from "./viscoelasticity.js";
+import {groupsOfWarnings, lineOnGroup} from "./warnings.js";
+
+const orderOfBounds = ["traction", "periodic", "displacement"];
+
+/// The relaxation moduli of a stage that tell most: of the best grid or, where the run has not come to it, of the last
+/// one that it has; in shear or, where that was not tested, in bulk.
+function testedCurves(curves, stage) {
+  const ofStage = curves.filter((curve) => curve.role === "stage" && curve.stage === stage);
+  const tested = ["shear", "bulk"].map((quantity) => ofStage.filter((curve) => curve.quantity === quantity))
+    .find((some) => some.length > 0) ?? [];
+  const best = tested.filter((curve) => curve.cells === bestGrid(stage));
+  return best.length > 0 ? best : tested.filter((curve) => curve.cells === tested.at(-1).cells);
+}
+
+/// The curves of the last stage that tell most, the lower bound first: of the quasi-static method if there is one, of the
+/// first load.
+function curvesOfResult(curves) {
+  const stage = stagesOfInterest(study).at(-1);
+  const tested = stage === undefined ? [] : testedCurves(curves, stage.name);
+  if (tested.length === 0) return [];
+  const method = tested.some((curve) => curve.method === "quasistatic") ? "quasistatic" : "dynamic";
+  const of = (boundary) => tested.find((curve) => curve.load === tested[0].load && curve.method === method &&
+    curve.boundary === boundary);
+  return orderOfBounds.map(of).filter((curve) => curve !== undefined);
+}
+
+function measuredBeside(curves, stage) {
+  const found = curves.find((curve) => curve.role === "measured" && curve.stage === stage);
+  return found && {name: found.label.replace("measured, ", ""), x: found.x, y: found.y};
+}
+
+function binderBeside(stage) {
+  const binder = binderOf(study, stage);
+  return binder && {name: binder.name, at: (time) => relaxationModulus(binder.shear, time)};
+}
+
+/// What the run did where it has no relaxation modulus.
+function wordsWithoutResult() {
+  if (study.stages.length === 0) return "No stage is finished.";
+  return study.stages.some(({tests}) => tests.length > 0) ? "No relaxation modulus was tested." : "Packed, not tested.";
+}
+
+/// The error of the grid of curves in words; none for grains and films, which have no grid.
+function wordsOnError(result, stage) {
+  const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
+    .filter(Number.isFinite);
+  if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
+  return gridsOf(stage)[0] === "films" ? "" : "the error of the grid is not known";
+}
+
+function gridsOf(stage) {
+  return study.stages.find(({name}) => name === stage).cells;
+}
+
+function symbolOf(load) {
+  if (load === "bulk") return "The bulk modulus K(t)";
+  return load === "shear" ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
+}
+
+/// A stage with the words that tell it from the end of a chain that the run has not reached.
+function nameOfResult(stage) {
+  const last = (study.stage_names ?? []).at(-1);
+  return last === undefined || study.complete || last === stage ? stage : `${stage}, a stage on the way to ${last},`;
+}
+
+/// Shows the title, the result, and how it was found.
+export function showAnswer(curves) {
+  document.getElementById("title").textContent = study.title;
+  const result = curvesOfResult(curves);
+  const place = document.getElementById("summary");
+  if (result.length === 0) return place.append(element("p", {}, wordsWithoutResult()));
+  const [{stage, load}] = result;
+  const isShear = load !== "bulk";
+  const sentences = answerSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
+    error: wordsOnError(result, stage), binder: isShear ? binderBeside(stage) : undefined,
+    measured: isShear ? measuredBeside(curves, stage) : undefined});
+  const [first, ...others] = sentences;
+  place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
+}
+
+/// Shows what the reader should know before using the results, one line for each kind.
+export function showWarnings() {
+  const warnings = study.stages.flatMap((stage) => stage.warnings.map(withMicroSign));
+  if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
+  const groups = groupsOfWarnings(warnings, study.stages.map(({name}) => name));
+  const list = document.getElementById("warnings");
+  list.append(...groups.map((group) => {
+    const line = lineOnGroup(group);
+    if (group.texts.length === 1 && line === group.texts[0]) return element("li", {}, line);
+    return element("li", {}, element("details", {}, element("summary", {}, line),
+      ...group.texts.map((text) => element("p", {}, text))));
+  }));
+  list.hidden = groups.length === 0;
+  const whole = document.getElementById("all-warnings");
+  whole.append(...warnings.map((text) => element("li", {}, text)));
+  whole.parentElement.hidden = warnings.length === 0;
+}
+
+/// Shows the microstructure of the last stage beside the figure.
+export function showResultPicture() {
+  const stage = stagesOfInterest(study).at(-1);
+  const svg = stage === undefined ? undefined : own(data.pictures, stage.name);
+  const place = document.getElementById("result-picture");
+  place.hidden = svg === undefined;
+  if (svg === undefined) return;
+  const words = `${stage.name}: ${wordsOnStage(stage)}.`;
+  place.append(element("a", {href: "#microstructures"}, element("img", {alt: words,
+    src: `data:image/svg+xml,${encodeURIComponent(svg)}`})), element("figcaption", {}, words));
+}
+
+/// The times of the table: whole decades, every second or third one where there are more than `most` of them.
+function timesOfTable([first, last], most) {
+  const all = decades(first, last);
+  const step = Math.ceil(all.length / most);
+  return all.filter((_, i) => (all.length - 1 - i) % step === 0);
+}
+
+/// Shows the moduli of the last stage at whole decades, with the error of the grid, beside those of the binder and of
+/// the measurement.
+export function showModuli(curves) {
+  const result = curvesOfResult(curves);
+  if (result.length === 0) return;
+  const [{stage, load}] = result;
+  const isShear = load !== "bulk";
+  const binder = isShear ? binderBeside(stage) : undefined;
+  const measured = isShear ? measuredBeside(curves, stage) : undefined;
+  const at = ({x, y}, time) => valueAt(x, y, time);
+  const times = timesOfTable([Math.min(...result.map(({x}) => x[0])), Math.max(...result.map(({x}) => x.at(-1)))], 12);
+  const columns = [["time", (time) => display(time, "s")]];
+  for (const curve of result) {
+    columns.push([boundNames[curve.boundary], (time) => modulusText(curve, time)]);
+  }
+  const ratios = (reference, time) => result.map((curve) => shortNumber(at(curve, time) / reference, 2)).join(" … ");
+  if (binder !== undefined) columns.push([`over ${binder.name}`, (time) => ratios(binder.at(time), time)]);
+  for (const young of youngsModuli(curves, result)) {
+    columns.push([`Young's modulus, ${boundNames[young.boundary]}`, (time) => display(at(young, time), "Pa")]);
+  }
+  if (measured !== undefined) {
+    columns.push(["measured", (time) => display(at(measured, time), "Pa")], ["over measured", (time) =>
+      Number.isFinite(at(measured, time)) ? ratios(at(measured, time), time) : "–"]);
+  }
+  document.getElementById("moduli").append(element("h2", {}, `Moduli of ${stage}`),
+    table(columns.map(([head]) => head), times.map((time) => columns.map(([, text]) => text(time)))),
+    element("p", {className: "note"}, noteOnErrors(result, stage)));
+}
+
+function youngsModuli(curves, [{stage, method}]) {
+  return orderOfBounds.flatMap((boundary) => curves.filter((curve) => curve.quantity === "young" &&
+    curve.role === "stage" && curve.stage === stage && curve.boundary === boundary && curve.method === method));
+}
+
+/// A modulus with the half band of its grid.
+function modulusText({x, y, band}, time) {
+  const modulus = valueAt(x, y, time);
+  if (!Number.isFinite(modulus)) return "–";
+  const half = band === undefined ? NaN : valueAt(x, band, time);
+  return Number.isFinite(half) ? `${display(modulus, "Pa")} ± ${percent(half / modulus)}` : display(modulus, "Pa");
+}
+
+function noteOnErrors(result, stage) {
+  const grid = result.some(({band}) => band !== undefined) ? "± is the error of the grid, from the grids of the run."
+    : gridsOf(stage)[0] === "films" ? ""
+      : "Of one grid: its error is not known; another, such as half the cells, would tell it.";
+  return `${grid} The scatter from one packing to another is not in it.`.trim();
+}

@@ -1,0 +1,35 @@
+/// The measurements that the tasks of a sweep are compared with.
+
+import {data} from "./data.js";
+import {boundNames} from "./names.js";
+import {shortNumber} from "./numbers.js";
+import {distinct} from "./records.js";
+import {valueAt} from "./sampling.js";
+
+/// The measured curves, of the quantity G(t).
+export function measuredCurves() {
+  return data.measurements.map(({stage, measurement, time_s: x, measured_Pa: y}) =>
+    ({role: "measured", quantity: "shear", stage, label: `measured, ${measurement}`, x, y}));
+}
+
+/// The smallest and the largest ratio of a curve to a measured one, at the times of both; undefined if there are
+/// none.
+export function ratioRange(curve, measured) {
+  const ratios = measured.x.map((time, i) => valueAt(curve.x, curve.y, time) / measured.y[i]).filter(Number.isFinite);
+  return ratios.length === 0 ? undefined : [Math.min(...ratios), Math.max(...ratios)];
+}
+
+/// Columns for the table of tasks, [{head, of}]: over each measurement, the modulus of the stage under each boundary.
+/// `of` gives the text for the number of a task.
+export function ratioColumns(curves) {
+  return measuredCurves().flatMap((measured) => {
+    const tested = curves.filter((curve) => curve.stage === measured.stage && curve.load === "shear");
+    return distinct(tested, "boundary").map((boundary) => ({
+      head: `${measured.stage} over ${measured.label}, ${boundNames[boundary]}`,
+      of: (task) => {
+        const curve = tested.find((one) => one.task === task && one.boundary === boundary);
+        const range = curve && ratioRange(curve, measured);
+        return range === undefined ? "–" : range.map((ratio) => shortNumber(ratio)).join(" to ");
+      }}));
+  });
+}

@@ -1,0 +1,81 @@
+/// How far the results of a stage can be trusted, in sentences with what the run itself knows of it.
+
+import {listed} from "./names.js";
+import {display, percent, shortNumber} from "./numbers.js";
+import {matrixStageOf} from "./stages.js";
+
+/// The sentences on a stage of a study (study.json).
+export function sentencesOnTrust(record, stage) {
+  return [onModel(stage), onBounds(stage), onGaps(stage), onGrids(stage), onPacking(stage), onSeparation(record, stage)]
+    .filter((sentence) => sentence !== "");
+}
+
+/// What is bonded to the matrix of a stage: the grains of an image or of a tessellation, or particles of some shapes.
+function wordsOnParticles({fillers = [], microstructure: made}) {
+  if (made.pixels !== undefined) return "the grains of an image";
+  if (Number.isFinite(made.film_m)) return "polygonal grains";
+  const shapes = [...new Set(fillers.map(({shape}) => shape ?? "discs"))];
+  return shapes.length > 0 ? listed(shapes) : "particles";
+}
+
+function onModel(stage) {
+  return stage.dimensions === 3 ? "The model: a cube with its particles bonded to their matrix."
+    : `The model: a flat box in plane strain, with ${wordsOnParticles(stage)} bonded to their ` +
+      "matrix. Real particles are not endless cylinders; three dimensions are computed with dimensions = 3.";
+}
+
+function onBounds({tests, quality}) {
+  const boundaries = new Set(tests.map(({boundary}) => boundary));
+  if (!(boundaries.has("displacement") && boundaries.has("traction"))) {
+    return boundaries.has("periodic") ? "The boundary: periodic, the box repeats without end. There are no bounds, " +
+      "so a larger box alone can tell whether this one is large enough." : "";
+  }
+  const apart = (quality?.bounds ?? []).find(({load}) => load.startsWith("shear"));
+  const distances = ["first", "last"].map((end) => apart?.[end])
+    .filter((end) => Number.isFinite(end?.relative_distance)).map((end) => `${distanceText(end.relative_distance)} at ${display(end.time_s, "s")}`);
+  const here = distances.length > 0 ? ` Here they are apart by ${listed(distances)}.` : "";
+  return "The bounds: the upper one moves the sides of the box by given displacements, the lower one loads them by " +
+    `given tractions; a larger body of the same make lies between, on the average over boxes.${here} A larger box ` +
+    "brings them together.";
+}
+
+/// A distance of the bounds over the lower one.
+function distanceText(distance) {
+  return distance < 1 ? percent(distance) : `a factor of ${shortNumber(1 + distance, 2)}`;
+}
+
+function onGaps({microstructure: made, quality}) {
+  const cells = quality?.narrowest_gap_cells;
+  if (!Number.isFinite(cells)) return "";
+  const width = made.smallest_gap_m === null ? "" : `${display(made.smallest_gap_m, "m")}, `;
+  return `The gaps between particles decide the modulus at long times. The narrowest one is ${width}` +
+    `${cellsText(cells)} wide; below two or three cells the modulus comes out wrong, most of all at long times.`;
+}
+
+function cellsText(cells) {
+  const number = shortNumber(cells, 2);
+  return number === "1" ? "1 cell" : `${number} cells`;
+}
+
+function onGrids({cells, quality}) {
+  if (cells[0] === "films") return "";
+  if (cells.length < 2) return "The grid: one, so its error is not known. A second one, coarser by half, tells it.";
+  const error = quality?.grid_error;
+  return `The grid: ${listed(cells.map(String))} cells a side` +
+    (Number.isFinite(error) ? `, which tell an error of ${percent(error)} at most.` : ".");
+}
+
+function onPacking({microstructure: made}) {
+  if (!Number.isFinite(made.particles) || made.seed === undefined) return "";
+  return `The packing: ${made.particles} particles, placed at random once. Another seed packs them anew and gives ` +
+    "other moduli; by how much, breccia run --seeds 3 shows.";
+}
+
+/// A stage takes the one before as a uniform material, which asks for far larger particles.
+function onSeparation(record, stage) {
+  const matrix = matrixStageOf(record, stage);
+  const ratio = stage.microstructure.smallest_diameter_m / matrix?.microstructure.largest_diameter_m;
+  if (!Number.isFinite(ratio)) return "";
+  return `The stages: the smallest particle of ${stage.name} is ${shortNumber(ratio, 2)} times as large as the ` +
+    `largest of its matrix, ${matrix.name}, which the stage takes as uniform. That holds well for ratios above five.`;
+}

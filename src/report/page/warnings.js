@@ -1,0 +1,32 @@
+/// Warnings of a study: those that say the same of several stages stand together.
+
+/// What is the same in warnings of one kind: the text without numbers, their units and the name of the stage.
+function kindOf(text) {
+  return text.replace(/[−-]?\d[\d.,]*(e[+-]?\d+)?( ?([fpnumkMGT]|µ)?(m|s|Pa)\b)?/g, "#").replace(/\bcells\b/g, "cell");
+}
+
+/// Groups warnings, in their order: [{stages, texts}]. A warning that begins with the name of a stage and a colon is
+/// one on that stage; `stages` of a group are the names, and `texts` the whole warnings.
+export function groupsOfWarnings(warnings, stageNames) {
+  const groups = new Map();
+  for (const warning of warnings) {
+    const stage = stageNames.find((name) => warning.startsWith(`${name}: `));
+    const text = stage === undefined ? warning : warning.slice(stage.length + 2);
+    const kind = `${stage === undefined} ${kindOf(text)}`;
+    if (!groups.has(kind)) groups.set(kind, {stages: [], texts: []});
+    const group = groups.get(kind);
+    if (stage !== undefined) group.stages.push(stage);
+    group.texts.push(warning);
+  }
+  return [...groups.values()];
+}
+
+/// The first clause of the first warning of a group, with the other stages that have one of the same kind.
+export function lineOnGroup({stages, texts}) {
+  const [stage, ...others] = stages;
+  const whole = stage === undefined ? texts[0] : texts[0].slice(stage.length + 2);
+  const clause = whole.split("; ")[0];
+  const isSame = texts.every((text, i) => stages[i] !== undefined && text.slice(stages[i].length + 2) === whole);
+  const alike = others.length > 0 ? ` (and ${others.join(", ")}${isSame ? "" : ", with other numbers"})` : "";
+  return `${stage === undefined ? "" : `${stage}${alike}: `}${clause}`;
+}

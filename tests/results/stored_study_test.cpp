@@ -1,0 +1,86 @@
+#include "breccia/results/stored_study.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "breccia/error.hpp"
+
+#include "messages.hpp"
+#include "temporary_directory.hpp"
+
+namespace breccia {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A directory of one stage with tests on two grids, written by hand.
+class StoredStudyTest : public testing::Test {
+ protected:
+  StoredStudyTest() {
+    write_record("box");
+    directory.write("curves.csv",
+                    "stage,load,boundary,method,cells,time_s,modulus_Pa\n"
+                    "box,shear,traction,quasistatic,8,1,4\nbox,shear,traction,quasistatic,8,2,3\n"
+                    "box,shear,traction,quasistatic,16,1,2\nbox,shear,traction,quasistatic,16,2,1\n");
+    directory.write("prony.csv",
+                    "stage,load,boundary,relaxation_time_s,modulus_Pa\nbox,shear,traction,inf,1\n"
+                    "box,shear,traction,3,2\n");
+  }
+  void write_record(const std::string& stage) const {
+    directory.write("study.json", R"({"title": "t", "hash": "0123", "times_s": [1, 2], "wall_time_s": 1.5,
+      "materials": [{"name": "binder", "density_kg_per_m3": 1000.0, "bulk": {"equilibrium_Pa": 2e9, "terms": []},
+                     "shear": {"equilibrium_Pa": 1.0, "terms": []}}],
+      "stages": [{"name": ")" + stage +
+                                      R"(", "matrix": "binder", "dimensions": 2, "cells": [8, 16], "points": 1024,
+                  "filler_point_fraction": 0.25, "warnings": ["doubt"], "tests": [
+        {"load": "shear", "boundary": "traction", "method": "quasistatic", "cells": 8, "error_estimate": 1e-4,
+         "wall_time_s": 0.5},
+        {"load": "shear", "boundary": "traction", "method": "quasistatic", "cells": 16, "error_estimate": 2e-4,
+         "wall_time_s": 1.0}]}]})");
+  }
+  [[nodiscard]] std::string refusal() const {
+    return test::message_of<FileError>([&] { static_cast<void>(read_stored_study(directory.path())); });
+  }
+
+  test::TemporaryDirectory directory;
+};
+
+TEST_F(StoredStudyTest, HasCurvesRecordsAndTheSeriesOfThePreferredTest) {
+  const auto study = read_stored_study(directory.path());
+  EXPECT_EQ(study.content.title, "t");
+  EXPECT_EQ(study.result.seconds, 1.5);
+  ASSERT_EQ(study.result.stages.size(), 1U);
+  const auto& stage = study.result.stages.front();
+  EXPECT_EQ(stage.cells, 16);
+  EXPECT_EQ(stage.points, 1024U);
+  EXPECT_EQ(stage.warnings, std::vector<std::string>{"doubt"});
+  ASSERT_EQ(stage.tests.size(), 2U);
+  EXPECT_EQ(stage.tests[0].modulus, (Curve{{1.0, 4.0}, {2.0, 3.0}}));
+  EXPECT_EQ(std::get<QuasistaticRecord>(stage.tests[1].record).response.error_estimate, 2e-4);
+  EXPECT_EQ(stage.tests[0].series, PronySeries()) << "prony.csv has those of the finest grid alone";
+  EXPECT_EQ(stage.tests[1].series, PronySeries(1.0, {{3.0, 2.0}}));
+  EXPECT_TRUE(study.responses.empty());
+}
+
+TEST_F(StoredStudyTest, ATableOfAnotherStudyIsRefused) {
+  directory.write("compliance.csv",
+                  "stage,load,boundary,method,cells,time_s,compliance_1_per_Pa\n"
+                  "box,shear,traction,quasistatic,12,1,0.5\n");
+  EXPECT_THAT(refusal(), HasSubstr("compliance.csv:2: not as `breccia run` writes it: curves.csv has no such test"));
+  directory.write("compliance.csv",
+                  "stage,load,boundary,method,cells,time_s,compliance_1_per_Pa\n"
+                  "box,shear,above,quasistatic,8,1,0.5\n");
+  EXPECT_THAT(refusal(), HasSubstr("compliance.csv:2: not as `breccia run` writes it"));
+  write_record("other");
+  EXPECT_THAT(refusal(), HasSubstr("curves.csv: not as `breccia run` writes it: a stage that study.json has not"));
+}
+
+TEST_F(StoredStudyTest, NamesThatLeadOutOfTheResultsAreRefused) {
+  write_record("../box");
+  EXPECT_THAT(refusal(), HasSubstr("\"../box\" is not a name that `breccia run` gives to a stage"));
+}
+
+}  // namespace
+}  // namespace breccia
