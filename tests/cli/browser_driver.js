@@ -290,6 +290,7 @@ async function untilDrawn(figure, action = () => {}) {
   const before = figure.dataset.drawn;
   action();
   for (let i = 0; i < 6000 && figure.dataset.drawn === before; ++i) await wait(10);
+  if (figure.dataset.drawn === before) throw new Error(`not drawn after ${action}`);
 }
 
 const press = (figure, key) => untilDrawn(figure, () => figure.querySelector("canvas").dispatchEvent(

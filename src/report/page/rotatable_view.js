@@ -237,8 +237,9 @@ export function rotatableView({name, caption, side, build, choices = [], below =
 
   view.reset();
   new ResizeObserver(drawSoon).observe(canvas);
-  new IntersectionObserver(([entry], observer) => {
-    if (!entry.isIntersecting) return;
+  // On a busy machine one call may tell that the figure was out of sight and then came near.
+  new IntersectionObserver((entries, observer) => {
+    if (!entries.some(({isIntersecting}) => isIntersecting)) return;
     observer.disconnect();
     isSeen = true;
     load();
