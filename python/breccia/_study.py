@@ -222,19 +222,21 @@ class Stage(_Table):
 class Tests(_Table):
     """The virtual tests of every stage.
 
-    times: first and last time of the curves [s]; loads: "shear", "bulk", ...; boundaries: "displacement" (upper bound),
-    "traction" (lower bound), "periodic"; method: "quasistatic", "dynamic" or both; fields: "none", "last" or times [s];
-    quasistatic, dynamic: tables of their settings. All other keys are those of [tests] in a deck.
+    times: first and last time of the curves [s]; frequencies: in their place, the first and the last of the dynamic
+    moduli [Hz]; loads: "shear", "bulk", ...; boundaries: "displacement" (upper bound), "traction" (lower bound),
+    "periodic"; method: "quasistatic", "dynamic" or both; fields: "none", "last" or times [s]; quasistatic, dynamic:
+    tables of their settings. All other keys are those of [tests] in a deck.
     """
 
     __test__ = False  # this is no test of pytest
 
-    def __init__(self, *, times: Sequence[Quantity], loads: Sequence[str] | str | None = None,
-                 boundaries: Sequence[str] | str | None = None, method: str | Sequence[str] | None = None,
-                 points_per_decade: int | None = None, fields: str | Sequence[Quantity] | None = None,
-                 quasistatic: Mapping[str, Any] | None = None, dynamic: Mapping[str, Any] | None = None,
-                 **keys: Any) -> None:
+    def __init__(self, *, times: Sequence[Quantity] | None = None, frequencies: Sequence[Quantity] | None = None,
+                 loads: Sequence[str] | str | None = None, boundaries: Sequence[str] | str | None = None,
+                 method: str | Sequence[str] | None = None, points_per_decade: int | None = None,
+                 fields: str | Sequence[Quantity] | None = None, quasistatic: Mapping[str, Any] | None = None,
+                 dynamic: Mapping[str, Any] | None = None, **keys: Any) -> None:
         self.times = times
+        self.frequencies = frequencies
         self.loads = [loads] if isinstance(loads, str) else loads
         self.boundaries = [boundaries] if isinstance(boundaries, str) else boundaries
         self.method = method
@@ -245,8 +247,9 @@ class Tests(_Table):
         self.keys = keys
 
     def _table(self, files: _deck.Files) -> dict[str, Any]:
-        return {"times": _deck.quantities(self.times, "s"), "loads": self.loads, "boundaries": self.boundaries,
-                "method": self.method, "points_per_decade": self.points_per_decade,
+        return {"times": _deck.quantities(self.times, "s"),
+                "frequencies": _deck.quantities(self.frequencies, "Hz"), "loads": self.loads,
+                "boundaries": self.boundaries, "method": self.method, "points_per_decade": self.points_per_decade,
                 "fields": _deck.quantities(self.fields, "s"), "quasistatic": self.quasistatic, "dynamic": self.dynamic,
                 **self.keys}
 

@@ -16,7 +16,7 @@ Dimension dimension_named(const std::string& wanted) {
   constexpr std::array all = {
       Dimension::length,   Dimension::time,    Dimension::frequency,   Dimension::temperature_difference,
       Dimension::pressure, Dimension::density, Dimension::temperature, Dimension::inverse_length,
-      Dimension::area,     Dimension::angle};
+      Dimension::area,     Dimension::angle,   Dimension::molar_energy};
   for (const auto dimension : all) {
     if (name(dimension) == wanted) return dimension;
   }

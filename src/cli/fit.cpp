@@ -18,6 +18,7 @@
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"
+#include "fit_material.hpp"
 #include "fit_results.hpp"
 #include "quantities.hpp"
 
@@ -175,17 +176,23 @@ class Fitter {
   FitOptions options_;
 };
 
-std::string shifts(const FitResult& result) {
+/// A temperature [K] in the unit of the data, kelvin or else degrees Celsius.
+std::string temperature_in(std::string_view unit, double temperature) {
+  constexpr double zero_celsius = 273.15;
+  return unit == "K" ? fmt::format("{:.6g} K", temperature) : fmt::format("{:.6g} degC", temperature - zero_celsius);
+}
+
+std::string shifts(const FitResult& result, std::string_view unit) {
   std::string text = fmt::format("\n{:>12}  {:>12}  {:>8}\n", "temperature", "log10 a_T", "+-");
   for (const auto& [temperature, log10_factor, standard_error] : result.master_curve->shift_factors) {
-    text += fmt::format("{:>10.2f} K  {:>12.4f}  {:>8.4f}\n", temperature, log10_factor, standard_error);
+    text +=
+        fmt::format("{:>12}  {:>12.4f}  {:>8.4f}\n", temperature_in(unit, temperature), log10_factor, standard_error);
   }
   if (const auto& law = result.law) {
     text += fmt::format(
-        "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {:.6g} K; log10 a_T deviates by {:.2g} at worst, at "
-        "{:.6g} K\n",
-        law->law.c1, law->c1_error, law->law.c2, law->c2_error, law->law.reference_temperature, law->worst_deviation,
-        law->worst_at);
+        "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {}; log10 a_T deviates by {:.2g} at worst, at {}\n",
+        law->law.c1, law->c1_error, law->law.c2, law->c2_error, temperature_in(unit, law->law.reference_temperature),
+        law->worst_deviation, temperature_in(unit, law->worst_at));
   } else {
     text += "\nWLF: these shift factors do not determine a law\n";
   }
@@ -274,8 +281,12 @@ void fit(const FitArguments& arguments) {
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
   if (result.quality) fmt::print("{}", quality(result));
-  if (result.master_curve) fmt::print("{}", shifts(result));
-  fmt::print("{}\nResults are in {}: {}\n", table(result, kind), directory.string(), fmt::join(files, ", "));
+  if (result.master_curve) {
+    fmt::print("{}", shifts(result, table_of_data.column(Quantity::temperature).unit));
+  }
+  fmt::print("{}\n", table(result, kind));
+  fmt::print("For a material of a deck:\n{}\n", material_keys(result, (directory / "").string()));
+  fmt::print("Results are in {}: {}\n", directory.string(), fmt::join(files, ", "));
 }
 
 }  // namespace

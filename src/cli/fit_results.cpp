@@ -15,6 +15,7 @@
 #include "breccia/report/modulus_plot.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
+#include "fit_material.hpp"
 #include "fit_page.hpp"
 
 namespace breccia::cli {
@@ -212,7 +213,7 @@ class Writer {
       names_.push_back(name);
     }
   }
-  void page(const std::string& name, const std::string& text) {
+  void text(const std::string& name, const std::string& text) {
     write_text(results_.place() / name, text);
     names_.push_back(name);
   }
@@ -227,7 +228,8 @@ class Writer {
     const auto& [directory, source, options, overwrite] = destination;
     const std::vector<std::string> files = {"prony.csv",      "retardation.csv", "fit.csv",           "relaxation.csv",
                                             "creep.csv",      "dynamic.csv",     "shift_factors.csv", "fit.svg",
-                                            "relaxation.svg", "creep.svg",       "dynamic.svg",       "report.html"};
+                                            "relaxation.svg", "creep.svg",       "dynamic.svg",       "report.html",
+                                            "material.toml"};
     refuse_to_replace(directory, files, {&source, 1});
     return {.command = "fit",
             .source = options.empty() ? source.string() : fmt::format("{} ({})", source.string(), options),
@@ -317,7 +319,8 @@ std::vector<std::string> write_fit(const FitDestination& destination, const FitD
     draw(plot, kind, curve, result.kind);
     writer.picture(word_for(kind) + ".svg", plot);
   }
-  writer.page("report.html", fit_report(title, data, result));
+  writer.text("material.toml", material_file(result, title));
+  writer.text("report.html", fit_report(title, data, result));
   return writer.commit();
 }
 

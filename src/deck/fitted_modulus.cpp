@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,26 +22,33 @@ namespace {
 struct FitModulus {
   std::optional<double> reference_temperature;
 
-  PronySeries operator()(const RelaxationData& data) const {
+  FittedModulus operator()(const RelaxationData& data) const {
     refuse_temperature();
-    return fit_relaxation(data.times, data.moduli).series;
+    return {fit_relaxation(data.times, data.moduli).series, TimeWindow{data.times.front(), data.times.back()}};
   }
-  PronySeries operator()(const CreepData& data) const {
+  FittedModulus operator()(const CreepData& data) const {
     refuse_temperature();
-    return relaxation_modulus(fit_creep(data.times, data.compliances).compliance);
+    return {relaxation_modulus(fit_creep(data.times, data.compliances).compliance),
+            TimeWindow{data.times.front(), data.times.back()}};
   }
-  PronySeries operator()(const DynamicData& data) const {
-    if (data.sweeps.size() > 1) return master_curve(data.sweeps, temperature_among(data.sweeps)).fit.series;
+  FittedModulus operator()(const DynamicData& data) const {
+    if (data.sweeps.size() > 1) {
+      auto curve = master_curve(data.sweeps, temperature_among(data.sweeps));
+      return {std::move(curve.fit.series), times_of(curve.frequencies)};
+    }
     refuse_temperature();
     const auto& sweep = data.sweeps.front();
-    return fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series;
+    return {fit_dynamic(sweep.frequencies, sweep.storage, sweep.loss).series, times_of(sweep.frequencies)};
   }
-  PronySeries operator()(const PronySeries& series) const {
+  FittedModulus operator()(const PronySeries& series) const {
     refuse_temperature();
-    return series;
+    return {series, std::nullopt};
   }
 
  private:
+  [[nodiscard]] static TimeWindow times_of(const std::vector<double>& rising_frequencies) {
+    return {1.0 / rising_frequencies.back(), 1.0 / rising_frequencies.front()};
+  }
   void refuse_temperature() const {
     if (reference_temperature) {
       throw InputError("reference_temperature: only for dynamic moduli at several temperatures");
@@ -62,8 +70,8 @@ struct FitModulus {
 
 }  // namespace
 
-PronySeries fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
-                           std::optional<double> reference_temperature) {
+FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
+                             std::optional<double> reference_temperature) {
   const auto [data, measured] = fit_data_in(read_measured_table(file), kind);
   return std::visit(FitModulus{reference_temperature}, data);
 }

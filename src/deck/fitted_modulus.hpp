@@ -5,14 +5,21 @@
 
 #include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia {
 
-/// A Prony series fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,
+/// A Prony series fitted to measured data.
+struct FittedModulus {
+  PronySeries series;                        ///< [Pa]
+  std::optional<TimeWindow> measured_times;  ///< of the data [s]; of dynamic moduli 1 / omega; nothing of a series
+};
+
+/// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,
 /// dynamic moduli, or those of several temperatures as a master curve at the reference temperature [K], which is that
 /// of one of them to 0.5 K. Throws InputError with all mistakes, FileError, and NumericalError where the fit does not
 /// converge.
-PronySeries fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
-                           std::optional<double> reference_temperature);
+FittedModulus fitted_modulus(const std::filesystem::path& file, ModulusKind kind,
+                             std::optional<double> reference_temperature);
 
 }  // namespace breccia

@@ -14,6 +14,7 @@
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "fitted_modulus.hpp"
+#include "temperature_shift.hpp"
 #include "two_moduli.hpp"
 
 namespace breccia {
@@ -43,7 +44,7 @@ PronySeries read_measured_modulus(const Section& modulus, ModulusKind kind) {
       modulus.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());
   modulus.refuse({"equilibrium"}, "the fit of measured data finds it");
   if (path.empty() || (temperature && std::isnan(*temperature))) return series;
-  modulus.report_errors_of("measured", [&] { series = fitted_modulus(path, kind, temperature); });
+  modulus.report_errors_of("measured", [&] { series = fitted_modulus(path, kind, temperature).series; });
   return series;
 }
 
@@ -88,26 +89,6 @@ PronySeries read_modulus(const Section& material, const std::string& key, Modulu
     return std::isnan(modulus) ? PronySeries() : PronySeries(modulus);
   }
   return read_series(material.section(key), kind);
-}
-
-/// Reads `temperature_shift`; nothing if it is missing or after a mistake was reported.
-std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
-  const auto section = material.optional_section("temperature_shift");
-  if (!section) return std::nullopt;
-  static_cast<void>(section->choice<bool>("law", {{"wlf", true}}));
-  const WilliamsLandelFerry law{
-      section->number("c1", Range::positive()),
-      section->quantity("c2", Dimension::temperature_difference, Range::positive()),
-      section->quantity("reference", Dimension::temperature, Range::not_negative()),
-  };
-  const double temperature = section->quantity("temperature", Dimension::temperature, Range::not_negative());
-  if (std::isnan(law.c1 + law.c2 + law.reference_temperature + temperature)) return std::nullopt;
-  std::optional<TemperatureShift> shift;
-  section->report_errors_of("temperature", [&] {
-    static_cast<void>(law.shift_factor(temperature));
-    shift = {law, temperature};
-  });
-  return shift;
 }
 
 /// The moduli that two of `bulk`, `shear`, `young` and `poisson` determine; nothing after a mistake. A material without
@@ -155,7 +136,7 @@ std::pair<Material, std::optional<TemperatureShift>> read_shifted(const Section&
     reference.shear = moduli->shear;
   }
   const auto shift = read_temperature_shift(section);
-  return {shift ? shifted(reference, shift->law.shift_factor(shift->temperature)) : reference, shift};
+  return {shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 #include "breccia/io/measured_table_reader.hpp"
 #include "breccia/io/nearest_name.hpp"
 
+#include "fitted_modulus.hpp"
 #include "time_window.hpp"
 
 namespace breccia {
@@ -50,11 +52,24 @@ Curve read_measured_curve(const std::filesystem::path& path) {
   return curve;
 }
 
+/// Creep, dynamic moduli or relaxation, to which a series is fitted, valid at the times of the data.
+void read_fitted(const Section& shear, const std::filesystem::path& path, Measurement& measurement) {
+  const auto temperature =
+      shear.optional_quantity("reference_temperature", Dimension::temperature, Range::not_negative());
+  if (temperature && std::isnan(*temperature)) return;
+  shear.report_errors_of("measured", [&] {
+    auto fitted = fitted_modulus(path, ModulusKind::shear, temperature);
+    measurement.shear = std::move(fitted.series);
+    measurement.times = fitted.measured_times;
+  });
+}
+
 void read_shear(const Section& shear, Measurement& measurement) {
-  const auto source = shear.exactly_one({"prony", "curve"});
+  const auto source = shear.exactly_one({"prony", "curve", "measured"});
   if (source.empty()) return;
   const auto path = shear.file(source);
   if (path.empty()) return;
+  if (source == "measured") return read_fitted(shear, path, measurement);
   shear.report_errors_of(source, [&] {
     if (source == "prony") {
       measurement.shear = read_measured_series(path);

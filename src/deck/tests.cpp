@@ -160,7 +160,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
     refuse_repeats(section, "boundaries", tests.boundaries);
   }
   if (section.has("method")) tests.methods = read_methods(section);
-  const auto times = read_time_window(section, "times");
+  const auto times = read_times_or_frequencies(section);
   if (times) {
     tests.first_time = times->begin;
     tests.last_time = times->end;

@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 30> stems{{
+constexpr std::array<Stem, 33> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -57,6 +57,9 @@ constexpr std::array<Stem, 30> stems{{
     {"angle", angle},
     {"particle", particle},
     {"oscillation frequency", angular_frequency, ModulusKind::unspecified, true},
+    {"shift factor", shift_factor},
+    {"log10 shift factor", log10_shift_factor},
+    {"log shift factor", log10_shift_factor},
 }};
 
 /// Symbols of quantities, which are case-sensitive.

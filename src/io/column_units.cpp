@@ -88,7 +88,8 @@ Conversion number_without_unit(std::string_view unit) {
 
 /// Quantities without a unit.
 bool is_number(Quantity quantity) {
-  return quantity == Quantity::filler || quantity == Quantity::particle || quantity == Quantity::film_share;
+  return quantity == Quantity::filler || quantity == Quantity::particle || quantity == Quantity::film_share ||
+         quantity == Quantity::shift_factor || quantity == Quantity::log10_shift_factor;
 }
 
 std::string_view example_of_unit(const ColumnMeaning& meaning) {

@@ -31,6 +31,10 @@ std::string_view example_of(Quantity quantity) {
       return "of frequencies, such as frequency_Hz or angular_frequency_rad_per_s";
     case Quantity::temperature:
       return "of temperatures, such as temperature_degC";
+    case Quantity::shift_factor:
+      return "called shift_factor";
+    case Quantity::log10_shift_factor:
+      return "called log10_shift_factor";
     case Quantity::diameter:
       return "of diameters, such as diameter_um";
     case Quantity::x:

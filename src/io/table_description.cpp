@@ -31,6 +31,9 @@ std::string_view words_of(Quantity quantity) {
       return "frequency";
     case Quantity::temperature:
       return "temperature";
+    case Quantity::shift_factor:
+    case Quantity::log10_shift_factor:
+      return "shift factor";
     default:
       return "other quantity";
   }

@@ -47,10 +47,11 @@ constexpr std::array<ReadableUnit, 1> densities{{{1.0, "kg/m^3"}}};
 constexpr std::array<ReadableUnit, 1> temperatures{{{1.0, "K"}}};
 constexpr std::array<ReadableUnit, 3> areas{{{1e-12, "um^2"}, {1e-6, "mm^2"}, {1.0, "m^2"}}};
 constexpr std::array<ReadableUnit, 1> angles{{{std::numbers::pi / 180.0, "deg"}}};
+constexpr std::array<ReadableUnit, 2> molar_energies{{{1.0, "J/mol"}, {1e3, "kJ/mol"}}};
 constexpr std::array<ReadableUnit, 3> inverse_lengths{{{1.0, "1/m"}, {1e3, "1/mm"}, {1e6, "1/um"}}};
 
 const DimensionFacts& facts(Dimension dimension) {
-  static const std::array<DimensionFacts, 10> all{{
+  static const std::array<DimensionFacts, 11> all{{
       {"length", "48 um", "m", lengths, {"nm", "um", "mm", "cm", "m", "km"}},
       {"time", "10 ns", "s", times, {"ps", "ns", "us", "ms", "s", "min", "hour", "day"}},
       {"frequency", "1 kHz", "s-1", frequencies, {"Hz", "kHz", "MHz", "GHz"}},
@@ -61,6 +62,7 @@ const DimensionFacts& facts(Dimension dimension) {
       {"reciprocal length", "12500 /mm", "m-1", inverse_lengths, {"1/m", "1/mm", "1/um"}},
       {"area", "2 mm^2", "m2", areas, {"um^2", "mm^2", "m^2"}},
       {"angle", "30 deg", "rad", angles, {"deg", "rad"}},
+      {"molar energy", "120 kJ/mol", "J mol-1", molar_energies, {"J/mol", "kJ/mol", "kcal/mol"}},
   }};
   return all[static_cast<std::size_t>(dimension)];
 }

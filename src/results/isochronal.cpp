@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,18 +18,19 @@ namespace {
 constexpr double zero_celsius = 273.15;
 
 /// The law of the composite, with the temperature of the study as its reference.
-WilliamsLandelFerry law_of(const Composite& composite) {
-  if (composite.shift) return with_reference(composite.shift->law, composite.shift->temperature);
+ShiftLaw law_of(const Composite& composite) {
+  if (composite.shift) {
+    return std::visit([&](const auto& law) -> ShiftLaw { return with_reference(law, composite.shift->temperature); },
+                      composite.shift->law);
+  }
   throw InputError(
       fmt::format("stage {}: its moduli at other temperatures are not known: the binder has no shift with the "
                   "temperature, or another material relaxes, too",
                   composite.stage));
 }
 
-/// The temperature at which log10 a_T has a value; infinite where the law does not reach it.
-double temperature_at(const WilliamsLandelFerry& law, double log10_factor) {
-  if (log10_factor <= -law.c1) return std::numeric_limits<double>::infinity();
-  return law.reference_temperature - law.c2 * log10_factor / (law.c1 + log10_factor);
+double temperature_at(const ShiftLaw& law, double log10_factor) {
+  return std::visit([log10_factor](const auto& one) { return one.temperature_at(log10_factor); }, law);
 }
 
 double celsius(double kelvin) {
@@ -81,7 +82,7 @@ std::vector<IsochronalSample> isochronal_curve(const Composite& composite, doubl
   std::vector<IsochronalSample> samples;
   for (int i = 0; range.begin + i * step <= range.end + rounding; ++i) {
     const double temperature = range.begin + i * step;
-    const double factor = law.shift_factor(temperature);
+    const double factor = shift_factor(law, temperature);
     IsochronalSample sample{temperature, std::log10(factor), composite.shear.complex_modulus(factor * omega)};
     if (bulk) {
       const EngineeringModuli moduli(composite.shear, *bulk);

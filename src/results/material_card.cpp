@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -154,6 +155,16 @@ void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSetti
                   percent(settings.tolerance)));
 }
 
+/// The rows of a table of shift factors, which no format has a place for.
+void append_shift_table(const ShiftTable& shift, double temperature, std::vector<std::string>& lines) {
+  const auto table = with_reference(shift, temperature);
+  lines.push_back(
+      fmt::format("At {} K; the shift is not part of the card, because it is a table: T [K], log10 a_T", temperature));
+  for (std::size_t i = 0; i < table.temperatures().size(); ++i) {
+    lines.push_back(fmt::format("  {:.10g}, {:.6g}", table.temperatures()[i], table.log10_factors()[i]));
+  }
+}
+
 std::vector<std::string> origin_of(const Composite& composite, const CardSettings& settings, const MaterialCard& card,
                                    const BulkOfCard& bulk) {
   const auto units = settings.units == CardUnits::m_kg_s ? "m, kg, s, Pa, K" : "mm, t, s, MPa, K";
@@ -170,6 +181,10 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
   }
   if (composite.dimensions == 2) {
     lines.emplace_back("The results are of plane strain; the card takes their G and K for those of a solid");
+  }
+  if (composite.shift && !card.shift) {
+    append_shift_table(std::get<ShiftTable>(composite.shift->law), composite.shift->temperature, lines);
+    return lines;
   }
   if (!card.shift) {
     lines.emplace_back("Without a shift with the temperature: the moduli are those at the temperature of the study");
@@ -223,7 +238,10 @@ MaterialCard material_card(const Composite& composite, const CardSettings& setti
   const double share = share_that_stays * settings.tolerance;
   card.shear = with_equilibrium(few.series[0], times.end, share);
   card.bulk = with_equilibrium(few.series[1], times.end, share);
-  if (composite.shift) card.shift = with_reference(composite.shift->law, composite.shift->temperature);
+  if (composite.shift) {
+    const auto* law = std::get_if<WilliamsLandelFerry>(&composite.shift->law);
+    if (law != nullptr) card.shift = with_reference(*law, composite.shift->temperature);
+  }
   card.times = times;
   card.shear_deviation = few.deviations[0];
   if (bulk.is_computed) card.bulk_deviation = few.deviations[1];

@@ -41,11 +41,20 @@ Json json_of(const Material& material) {
           {"shear", json_of(material.shear)}};
 }
 
+Json json_of(const WilliamsLandelFerry& law) {
+  return {{"c1", law.c1}, {"c2_K", law.c2}, {"reference_K", law.reference_temperature}};
+}
+
+Json json_of(const ShiftTable& table) {
+  return {{"temperatures_K", table.temperatures()},
+          {"log10_shift_factors", table.log10_factors()},
+          {"reference_K", table.reference_temperature()}};
+}
+
 Json json_of(const TemperatureShift& shift) {
-  return {{"c1", shift.law.c1},
-          {"c2_K", shift.law.c2},
-          {"reference_K", shift.law.reference_temperature},
-          {"temperature_K", shift.temperature}};
+  auto json = std::visit([](const auto& law) { return json_of(law); }, shift.law);
+  json["temperature_K"] = shift.temperature;
+  return json;
 }
 
 Json json_of(const TimeWindow& window) {

@@ -20,8 +20,13 @@ PronySeries series_of(const nlohmann::json& json) {
 }
 
 TemperatureShift shift_of(const nlohmann::json& json) {
-  return {{json.at("c1").get<double>(), json.at("c2_K").get<double>(), json.at("reference_K").get<double>()},
-          json.at("temperature_K").get<double>()};
+  const auto reference = json.at("reference_K").get<double>(), temperature = json.at("temperature_K").get<double>();
+  if (json.contains("log10_shift_factors")) {
+    return {ShiftTable(json.at("temperatures_K").get<std::vector<double>>(),
+                       json.at("log10_shift_factors").get<std::vector<double>>(), reference),
+            temperature};
+  }
+  return {WilliamsLandelFerry{json.at("c1").get<double>(), json.at("c2_K").get<double>(), reference}, temperature};
 }
 
 StoredMaterial material_of(const nlohmann::json& json) {
@@ -60,14 +65,14 @@ Material at_temperature(const StoredMaterial& stored, double temperature) {
         "{} has no temperature_shift in the deck of the study; give the material itself at that temperature",
         material.name));
   }
-  const double factor = shift->law.shift_factor(temperature) / shift->law.shift_factor(shift->temperature);
+  const double factor = shift_factor(shift->law, temperature) / shift_factor(shift->law, shift->temperature);
   constexpr double largest = 1e100;
   for (const auto* series : {&material.bulk, &material.shear}) {
     for (const auto& term : series->terms()) {
       const double time = factor * term.relaxation_time;
       if (time > 1.0 / largest && time < largest) continue;
       throw InputError(
-          fmt::format("{}: the WLF law takes a relaxation time of {:.3g} s to {:.3g} s at {} K, which is "
+          fmt::format("{}: the temperature shift takes a relaxation time of {:.3g} s to {:.3g} s at {} K, which is "
                       "outside its range of use",
                       material.name, term.relaxation_time, time, temperature));
     }

@@ -84,8 +84,16 @@ class Content {
   }
   void add(const TemperatureShift& shift) {
     const auto& [law, temperature] = shift;
+    // Without the index of the variant, so that the hashes of studies are those of versions that knew one law.
+    std::visit([this](const auto& one) { this->add(one); }, law);
+    add(temperature);
+  }
+  void add(const WilliamsLandelFerry& law) {
     const auto& [c1, c2, reference_temperature] = law;
-    add_all(c1, c2, reference_temperature, temperature);
+    add_all(c1, c2, reference_temperature);
+  }
+  void add(const ShiftTable& table) {
+    add_all(table.temperatures(), table.log10_factors(), table.reference_temperature());
   }
   void add(const TimeWindow& window) {
     const auto& [begin, end] = window;

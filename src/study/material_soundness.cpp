@@ -1,6 +1,7 @@
 #include "material_soundness.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -10,13 +11,14 @@ namespace breccia {
 namespace {
 
 void check_shift(const TemperatureShift& shift, const std::string& part, StudyMistakes& mistakes) {
-  const auto& [law, temperature] = shift;
-  mistakes.check_number(part, "c1", law.c1, Range::positive());
-  mistakes.check_quantity(part, "c2", law.c2, Range::positive(), Dimension::temperature_difference);
-  mistakes.check_quantity(part, "reference temperature", law.reference_temperature, Range::not_negative(),
-                          Dimension::temperature);
-  mistakes.check_quantity(part, "temperature", temperature, Range::not_negative(), Dimension::temperature);
-  mistakes.add_error_of(part, [&shift] { static_cast<void>(shift.law.shift_factor(shift.temperature)); });
+  if (const auto* law = std::get_if<WilliamsLandelFerry>(&shift.law)) {
+    mistakes.check_number(part, "c1", law->c1, Range::positive());
+    mistakes.check_quantity(part, "c2", law->c2, Range::positive(), Dimension::temperature_difference);
+    mistakes.check_quantity(part, "reference temperature", law->reference_temperature, Range::not_negative(),
+                            Dimension::temperature);
+  }
+  mistakes.check_quantity(part, "temperature", shift.temperature, Range::not_negative(), Dimension::temperature);
+  mistakes.add_error_of(part, [&shift] { static_cast<void>(shift_factor(shift.law, shift.temperature)); });
 }
 
 }  // namespace

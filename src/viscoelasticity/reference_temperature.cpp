@@ -8,4 +8,8 @@ WilliamsLandelFerry with_reference(const WilliamsLandelFerry& law, double temper
   return {law.c1 * law.c2 / c2, c2, temperature};
 }
 
+ShiftTable with_reference(const ShiftTable& table, double temperature) {
+  return {table.temperatures(), table.log10_factors(), temperature};
+}
+
 }  // namespace breccia

@@ -1,23 +1,16 @@
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include <cmath>
-#include <string>
+#include <limits>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
+#include "both_scales.hpp"
+
 namespace breccia {
-
-namespace {
-
-/// A temperature [K] as text: "172.35 K (-100.8 degC)".
-std::string in_both_scales(double temperature) {
-  constexpr double zero_celsius = 273.15;
-  return fmt::format("{:.7g} K ({:.5g} degC)", temperature, temperature - zero_celsius);
-}
-
-}  // namespace
 
 double WilliamsLandelFerry::shift_factor(double temperature) const {
   const double excess = temperature - reference_temperature;
@@ -32,6 +25,21 @@ double WilliamsLandelFerry::shift_factor(double temperature) const {
                                  in_both_scales(temperature)));
   }
   return std::pow(10.0, decades);
+}
+
+double WilliamsLandelFerry::temperature_at(double log10_factor) const {
+  if (log10_factor <= -c1) return std::numeric_limits<double>::infinity();
+  return reference_temperature - c2 * log10_factor / (c1 + log10_factor);
+}
+
+WilliamsLandelFerry arrhenius(double activation_energy, double reference_temperature) {
+  constexpr double gas_constant = 8.31446261815324;  // [J/(mol K)], exact since 2019
+  return {activation_energy / (gas_constant * reference_temperature * std::numbers::ln10), reference_temperature,
+          reference_temperature};
+}
+
+double shift_factor(const ShiftLaw& law, double temperature) {
+  return std::visit([temperature](const auto& one) { return one.shift_factor(temperature); }, law);
 }
 
 }  // namespace breccia

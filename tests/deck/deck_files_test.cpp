@@ -1,5 +1,7 @@
 #include <cmath>
+#include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -55,6 +57,25 @@ TEST_F(DeckFiles, MeasuredCurvesInOtherUnits) {
   directory.write("prony.csv", "relaxation_time_ms,shear_modulus_MPa\n1000,3\ninf,1\n");
   const auto series = directory.study(measured("DMA", "{ prony = \"prony.csv\" }")).measurements.at(0);
   EXPECT_DOUBLE_EQ(series.at(1.0), 1e6 + 3e6 * std::exp(-1.0));
+}
+
+// One Maxwell element of 3 MPa and 10 ms beside 1 MPa, at 1 to 1000 rad/s.
+TEST_F(DeckFiles, MeasuredDynamicModuliAreFitted) {
+  std::string table = "angular_frequency_rad_per_s,storage_modulus_Pa,loss_modulus_Pa\n";
+  for (int i = 0; i <= 30; ++i) {
+    const double omega = std::pow(10.0, 0.1 * i), x = 0.01 * omega;
+    table += fmt::format("{},{},{}\n", omega, 1e6 + 3e6 * x * x / (1.0 + x * x), 3e6 * x / (1.0 + x * x));
+  }
+  directory.write("dma.csv", table);
+  const auto fitted = directory.study(measured("DMA", "{ measured = \"dma.csv\" }")).measurements.at(0);
+  for (const double time : {2e-3, 1e-2, 1e-1}) {
+    EXPECT_NEAR(fitted.at(time) / (1e6 + 3e6 * std::exp(-time / 0.01)), 1.0, 1e-3) << time;
+  }
+  ASSERT_TRUE(fitted.times);
+  EXPECT_NEAR(fitted.times->begin, 1e-3, 1e-15);
+  EXPECT_NEAR(fitted.times->end, 1.0, 1e-12);
+  EXPECT_THAT(directory.mistakes(measured("DMA", "{ measured = \"dma.csv\", reference_temperature = \"1 degC\" }")),
+              HasSubstr("shear.measured: reference_temperature: only for dynamic moduli at several temperatures"));
 }
 
 TEST_F(DeckFiles, MeasurementsOfAnotherModulusAreRefused) {

@@ -52,6 +52,48 @@ temperature_shift = { law = "wlf", c1 = 6.5, c2 = "120 K", reference = "19 degC"
   EXPECT_NEAR(std::log10(binder.shear.terms().at(0).relaxation_time), -0.968085106383, 1e-11);
 }
 
+// ln a_T = (E_a / R) (1 / T - 1 / T_ref): 120 kJ/mol, 293.15 K, 273.15 K; by hand 3.604859...
+TEST_F(DeckMaterials, TemperatureShiftByArrhenius) {
+  const auto binder = material(R"(shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
+temperature_shift = { law = "arrhenius", activation_energy = "120 kJ/mol", reference = "20 degC", temperature = "0 degC" })");
+  const double expected = 120e3 / 8.31446261815324 * (1.0 / 273.15 - 1.0 / 293.15);
+  EXPECT_NEAR(std::log(binder.shear.terms().at(0).relaxation_time), expected, 1e-10);
+}
+
+// Half between the rows at 0 and 20 degC, from the reference at 20 degC; the rows may have any order.
+TEST_F(DeckMaterials, TemperatureShiftByATable) {
+  const auto* text = R"(shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
+temperature_shift = { law = "table", table = "a.csv", reference = "20 degC", temperature = "10 degC" })";
+  directory.write("a.csv", "temperature_degC,log10_shift_factor,standard_error\n0,1.5,0.1\n-40,6,0.1\n20,-0.5,0.1\n");
+  EXPECT_NEAR(std::log10(material(text).shear.terms().at(0).relaxation_time), 1.0, 1e-12);
+  directory.write("a.csv", "temperature_K,shift_factor\n273.15,100\n293.15,1\n");
+  EXPECT_NEAR(std::log10(material(text).shear.terms().at(0).relaxation_time), 1.0, 1e-12);
+}
+
+TEST_F(DeckMaterials, MistakesInATableOfShiftFactors) {
+  const auto* text = R"(shear = "1 MPa"
+temperature_shift = { law = "table", table = "a.csv", reference = "20 degC", temperature = "40 degC" })";
+  const auto mistakes_of = [&](const std::string& table) {
+    directory.write("a.csv", table);
+    return mistakes(text);
+  };
+  EXPECT_THAT(mistakes_of("temperature_degC,log10_shift_factor\n0,1\n30,-1\n"),
+              HasSubstr("temperature_shift.temperature: the table of shift factors reaches from 273.15 K (0 degC) to "
+                        "303.15 K (30 degC), got 313.15 K (40 degC)"));
+  EXPECT_THAT(mistakes_of("temperature_degC,log10_shift_factor\n30,1\n50,-1\n"),
+              HasSubstr("temperature_shift.table: the table of shift factors reaches from 303.15 K"));
+  EXPECT_THAT(mistakes_of("temperature_degC,log10_shift_factor\n0,1\n30,1\n50,-1\n"),
+              HasSubstr("expected factors that fall as the temperature rises, got log10 a_T = 1 after 1 at 303.15 K"));
+  EXPECT_THAT(mistakes_of("temperature_degC,log10_shift_factor\n0,1\n0,0.5\n50,-1\n"),
+              HasSubstr("expected rising temperatures, got 273.15 K (0 degC) after 273.15 K (0 degC)"));
+  EXPECT_THAT(mistakes_of("temperature_degC,shift_factor\n0,1\n30,-1\n"),
+              HasSubstr("a.csv:3: expected a positive shift factor, got -1"));
+  EXPECT_THAT(mistakes_of("temperature_degC,log10_shift_factor\n20,0\n"),
+              HasSubstr("expected at least two temperatures"));
+  EXPECT_THAT(mistakes_of("temperature_degC,storage_modulus_Pa\n20,0\n"),
+              HasSubstr("no column called log10_shift_factor"));
+}
+
 TEST_F(DeckMaterials, AMaterialWithoutStiffnessIsRefused) {
   directory.write("g.csv", "relaxation_time_s,modulus_Pa\n1,0\n");
   const auto* message = "shear.prony: expected a modulus above zero";
@@ -127,7 +169,12 @@ reference = "19 degC"
 temperature = "-120 degC")")),
               HasSubstr("temperature_shift.temperature: the WLF law has no meaning at or below 172.15 K (-101 degC) "
                         "(reference temperature - c2), got 153.15 K (-120 degC)"));
-  EXPECT_THAT(mistakes(shift("law = \"arrhenius\"")), HasSubstr("expected \"wlf\" (nothing else is available)"));
+  EXPECT_EQ(mistakes(shift("law = \"vogel\"\nc1 = 6.5\ntemperature = \"20 degC\"")),
+            "deck.toml:6:7: materials.binder.temperature_shift.law: expected one of \"wlf\", \"arrhenius\", \"table\", "
+            "got \"vogel\"");
+  const auto arrhenius = mistakes(shift("law = \"arrhenius\"\nactivation_energy = \"120 kJ\"\nc1 = 6.5"));
+  EXPECT_THAT(arrhenius, HasSubstr("activation_energy: expected a molar energy, got \"120 kJ\""));
+  EXPECT_THAT(arrhenius, HasSubstr("unknown key \"c1\""));
 }
 
 TEST_F(DeckMaterials, BeyondAllScales) {

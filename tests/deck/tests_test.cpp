@@ -177,6 +177,13 @@ TEST_F(DeckTests, DensityFactorsMayBeLeftToTheProgram) {
   EXPECT_THAT(tests(test::join(times, "dynamic = { density_factors = \"auto\" }")).dynamic.density_factors, IsEmpty());
 }
 
+// 1 / (2 pi f), the last frequency first.
+TEST_F(DeckTests, FrequenciesStandForTimes) {
+  const auto tests_of = tests("frequencies = [\"0.01 Hz\", \"1 kHz\"]");
+  EXPECT_NEAR(tests_of.first_time / 1.5915494309189535e-4, 1.0, 1e-14);
+  EXPECT_NEAR(tests_of.last_time / 15.915494309189535, 1.0, 1e-14);
+}
+
 TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {
   const auto mixing = [&](std::string_view lines) { return tests(test::join(times, lines)).mixing; };
   EXPECT_EQ(mixing(""), Mixing::series);
@@ -188,6 +195,11 @@ TEST_F(DeckTests, Mistakes) {
   const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
   EXPECT_THAT(mistakes(""), HasSubstr("tests.times: missing, expected an array such as [\"10 ns\"]"));
   EXPECT_THAT(mistakes("times = [\"1 s\"]"), HasSubstr("tests.times: expected two rising times"));
+  EXPECT_THAT(mistakes("frequencies = [\"1 Hz\"]"), HasSubstr("tests.frequencies: expected two rising frequencies"));
+  EXPECT_THAT(mistakes("frequencies = [\"2 Hz\", \"1 Hz\"]"), HasSubstr("expected two rising frequencies"));
+  EXPECT_THAT(mistakes("frequencies = [\"1 Hz\", \"2 s\"]"), HasSubstr("frequencies: expected a frequency, got"));
+  EXPECT_THAT(mistakes("times = [\"1 s\", \"2 s\"]\nfrequencies = [\"1 Hz\", \"2 Hz\"]"),
+              HasSubstr("tests.times: expected times or frequencies, got both"));
   EXPECT_THAT(mistakes("times = [\"1 s\", \"2 m\"]"), HasSubstr("tests.times: expected a time, got \"2 m\""));
   EXPECT_THAT(with_times("loads = [\"sheer\"]"), HasSubstr("got \"sheer\", did you mean \"shear\"?"));
   EXPECT_THAT(with_times("loads = [\"shear\", \"shear\"]"), HasSubstr("tests.loads: the same twice"));

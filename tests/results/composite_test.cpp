@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const TemperatureShift shift = {{10.0, 100.0, 300.0}, 320.0};
+const TemperatureShift shift = {WilliamsLandelFerry{10.0, 100.0, 300.0}, 320.0};
 
 /// Two stages: the coarse one has 40 % of filler and 10 % of coating in all, the rest is the binder.
 StudyContent chain() {

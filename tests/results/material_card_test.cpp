@@ -33,7 +33,7 @@ Composite composite_of_cards() {
   composite.density = 1800.0;
   composite.shear = PronySeries(1.2e7, shear);
   composite.dilatational = PronySeries(8e9, bulk);
-  composite.shift = TemperatureShift{{6.5, 120.0, 292.15}, 310.0};
+  composite.shift = TemperatureShift{WilliamsLandelFerry{6.5, 120.0, 292.15}, 310.0};
   composite.times = {1e-8, 1e-1};
   return composite;
 }
@@ -85,11 +85,23 @@ TEST_P(Card, HasTheShiftOfTheBinderOrSaysThatItHasNot) {
   }
   ASSERT_TRUE(read.shift);
   EXPECT_EQ(read.shift->reference_temperature, 310.0);
-  const auto& law = composite.shift->law;
+  const auto& law = std::get<WilliamsLandelFerry>(composite.shift->law);
   for (const double temperature : {260.0, 292.15, 330.0}) {
     EXPECT_NEAR(std::log10(read.shift->shift_factor(temperature)),
                 std::log10(law.shift_factor(temperature) / law.shift_factor(310.0)), 1e-10);  // of twelve digits
   }
+}
+
+TEST_P(Card, ListsAShiftThatIsATable) {
+  const auto& [name, format] = GetParam();
+  const CardSettings settings{.format = format};
+  auto composite = composite_of_cards();
+  composite.shift = TemperatureShift{ShiftTable({290.0, 330.0}, {1.0, -1.0}, 310.0), 300.0};
+  const auto text = text_of(material_card(composite, settings), settings);
+  EXPECT_FALSE(parse_card(std::string(name), text).shift);
+  EXPECT_THAT(text, HasSubstr("At 300 K; the shift is not part of the card, because it is a table"));
+  EXPECT_THAT(text, HasSubstr("  290, 0.5\n"));
+  EXPECT_THAT(text, HasSubstr("  330, -1.5\n"));
 }
 
 TEST_P(Card, IsWrittenInMillimetresAndTonnes) {

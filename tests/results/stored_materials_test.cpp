@@ -44,6 +44,15 @@ TEST_F(StoredMaterialsTest, AreShiftedFromTheTemperatureOfTheStudy) {
   EXPECT_EQ(at_temperature(stored.materials.front(), 320.0), stored.materials.front().material);
 }
 
+TEST_F(StoredMaterialsTest, AreShiftedByATable) {
+  const auto stored = read(binder + R"(, "temperature_shift": {"temperatures_K": [280.0, 300.0, 340.0],
+    "log10_shift_factors": [2.0, 0.0, -1.0], "reference_K": 300.0, "temperature_K": 320.0}})");
+  const auto cold = at_temperature(stored.materials.front(), 290.0);
+  EXPECT_NEAR(std::log10(cold.shear.terms().front().relaxation_time / 3.0), 1.5, 1e-12);
+  EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(stored.materials.front(), 270.0)); }),
+              HasSubstr("the table of shift factors reaches from 280 K"));
+}
+
 TEST_F(StoredMaterialsTest, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
   const auto without = read(binder + "}").materials.front();
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(without, 280.0)); }),

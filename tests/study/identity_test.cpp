@@ -38,7 +38,7 @@ TEST(ContentOf, EveryChangeOfWhatIsAskedMakesAnother) {
       [](Study& study) { study.title = "another"; },
       [](Study& study) { study.materials.pop_back(); },
       [](Study& study) {
-        study.temperature_shifts["binder"] = {{6.5, 120.0, 293.15}, 300.0};
+        study.temperature_shifts["binder"] = {WilliamsLandelFerry{6.5, 120.0, 293.15}, 300.0};
       },
       [](Study& study) { study.stages.pop_back(); },
       [](Study& study) { study.stages[0].name = "another"; },

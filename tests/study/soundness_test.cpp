@@ -106,15 +106,15 @@ TEST(RequireSound, NamesEachMistakeOfMaterials) {
         },
         "fine, matrix: unrelaxed shear modulus: expected a positive pressure"},
        {[](Study& study) {
-          study.temperature_shifts["glue"] = {{17.4, 51.6, 290.0}, 300.0};
+          study.temperature_shifts["glue"] = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 300.0};
         },
         "temperature shift of glue: there is no material of this name"},
        {[](Study& study) {
-          study.temperature_shifts["binder"] = {{-17.4, 51.6, 290.0}, 300.0};
+          study.temperature_shifts["binder"] = {WilliamsLandelFerry{-17.4, 51.6, 290.0}, 300.0};
         },
         "temperature shift of binder: c1: expected a positive number, got -17.4"},
        {[](Study& study) {
-          study.temperature_shifts["binder"] = {{17.4, 51.6, 290.0}, 200.0};
+          study.temperature_shifts["binder"] = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 200.0};
         },
         "temperature shift of binder: the WLF law has no meaning"}},
       test::two_stages());

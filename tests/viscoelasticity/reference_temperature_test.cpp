@@ -20,8 +20,15 @@ TEST(ReferenceTemperature, ChangesNoRatioOfShiftFactors) {
   }
 }
 
+TEST(ReferenceTemperature, OfATableChangesNoRatioOfShiftFactors) {
+  const ShiftTable table({280.0, 300.0, 330.0}, {2.0, 0.5, -1.0}, 300.0);
+  const auto other = with_reference(table, 310.0);
+  EXPECT_NEAR(other.shift_factor(310.0), 1.0, 1e-15);
+  EXPECT_NEAR(other.shift_factor(285.0) / (table.shift_factor(285.0) / table.shift_factor(310.0)), 1.0, 1e-12);
+}
+
 TEST(ReferenceTemperature, RefusesTemperaturesWithoutALaw) {
-  EXPECT_THROW(static_cast<void>(with_reference({17.44, 51.6, 373.15}, 320.0)), InputError);
+  EXPECT_THROW(static_cast<void>(with_reference(WilliamsLandelFerry{17.44, 51.6, 373.15}, 320.0)), InputError);
 }
 
 }  // namespace

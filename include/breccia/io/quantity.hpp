@@ -28,6 +28,8 @@ enum class Quantity {
   azimuth,                     ///< from the x axis to the first axis of an ellipsoid, seen along z [rad]
   elevation,                   ///< of the first axis of an ellipsoid above the xy plane [rad]
   roll,                        ///< of an ellipsoid about its first axis [rad]
+  shift_factor,                ///< a_T of time-temperature superposition [-]
+  log10_shift_factor,          ///< its logarithm [-]
 };
 
 }  // namespace breccia

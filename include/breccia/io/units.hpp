@@ -17,7 +17,8 @@ enum class Dimension {
   temperature_difference,  ///< [K]; "120 degC" is 120 K
   inverse_length,          ///< [1/m]
   area,                    ///< [m^2]
-  angle                    ///< [rad]
+  angle,                   ///< [rad]
+  molar_energy             ///< [J/mol]
 };
 
 /// The dimension as a noun: "length", "pressure".

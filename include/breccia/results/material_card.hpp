@@ -52,7 +52,7 @@ struct MaterialCard {
   double density = 0.0;
   PronySeries shear;                              ///< G(t), without negative terms
   PronySeries bulk;                               ///< K(t), the same, with relaxation times of the same list
-  std::optional<WilliamsLandelFerry> shift = {};  ///< from the temperature of the moduli, its reference
+  std::optional<WilliamsLandelFerry> shift = {};  ///< its reference is the temperature of the moduli; no table
   TimeWindow times;                               ///< in which the moduli hold [s]
   double shear_deviation = 0.0;                   ///< largest relative one of G(t) from the results [-]
   std::optional<double> bulk_deviation = {};      ///< of K(t); nothing where it was given

@@ -8,4 +8,7 @@ namespace breccia {
 /// 28a; Ferry, Viscoelastic Properties of Polymers, chapter 11). Throws InputError at or below T_ref - c2.
 WilliamsLandelFerry with_reference(const WilliamsLandelFerry& law, double temperature);
 
+/// The same for a table of shift factors. Throws InputError outside the table.
+ShiftTable with_reference(const ShiftTable& table, double temperature);
+
 }  // namespace breccia

@@ -81,7 +81,8 @@ function temperatureChoice(state, compute) {
 }
 
 function isComplete(law) {
-  return [law.c1, law.c2_K, law.reference_K].every(Number.isFinite) && law.c1 > 0 && law.c2_K > 0;
+  return law.temperatures_K !== undefined ||
+    ([law.c1, law.c2_K, law.reference_K].every(Number.isFinite) && law.c1 > 0 && law.c2_K > 0);
 }
 
 /// Shifts the material to the temperature of the slider, and returns a text that says what that does.
@@ -91,14 +92,21 @@ function shiftTo(slider, law, state) {
   return `${minus(celsius)} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
 }
 
-/// The range of the slider: about the temperature of the run, and well above T_ref - c2, where the law has no meaning.
+/// The range of the slider: about the temperature of the run, and within the meaning of the law.
 function setRange(slider, law) {
-  const below = 40, above = 60, room = 10;
+  const below = 40, above = 60;
   const ofRun = Number((law.temperature_K - zeroCelsius).toFixed(2));
-  const toPole = law.temperature_K - law.reference_K + law.c2_K;
-  slider.min = ofRun - Math.max(0, Math.min(below, Math.floor(toPole - room)));
-  slider.max = ofRun + above;
+  const [coldest, hottest] = meaningOf(law).map((temperature) => temperature - zeroCelsius);
+  // In steps of whole degrees from the temperature of the run.
+  slider.min = ofRun - Math.max(0, Math.min(below, Math.floor(ofRun - coldest)));
+  slider.max = ofRun + Math.max(0, Math.min(above, Math.floor(hottest - ofRun)));
   slider.value = ofRun;
+}
+
+/// The temperatures [K] between which a law has a meaning: those of a table, or well above T_ref - c2.
+function meaningOf({temperatures_K: temperatures, reference_K: reference, c2_K: c2}) {
+  const room = 10;
+  return temperatures === undefined ? [reference - c2 + room, Infinity] : [temperatures[0], temperatures.at(-1)];
 }
 
 /// Fields for the constants of the law, which they change before they call `changed`.

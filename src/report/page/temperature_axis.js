@@ -30,7 +30,7 @@ export function overTemperature(curve, law, xUnit, at) {
   const samples = curve.x.map((x, i) => {
     const decades = Math.log10(xUnit === "s" ? at / x : x / at);
     return {celsius: temperatureOfShift(law, decades + ofStudy) - zeroCelsius, y: curve.y[i], band: curve.band?.[i]};
-  }).filter(({celsius}) => celsius < law.temperature_K - zeroCelsius + hottest);
+  }).filter(({celsius}) => celsius < law.temperature_K - zeroCelsius + hottest);  // false where it is not a number
   samples.sort((one, other) => one.celsius - other.celsius);
   const column = (name) => samples.map((sample) => sample[name]);
   return {...curve, x: column("celsius"), y: column("y"), ...(curve.band && {band: column("band")})};

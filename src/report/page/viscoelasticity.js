@@ -46,16 +46,29 @@ export function shiftedSeries(series, factor) {
   return {equilibrium_Pa: series.equilibrium_Pa, terms};
 }
 
-/// log10 of the shift factor a_T by the law of Williams, Landel and Ferry {c1, c2_K, reference_K} at a temperature [K].
+/// log10 of the shift factor a_T at a temperature [K], by the law of Williams, Landel and Ferry {c1, c2_K, reference_K}
+/// or a table {temperatures_K, log10_shift_factors}, beyond which it is not a number.
 export function decadesOfShift(law, temperature) {
+  const {temperatures_K: temperatures, log10_shift_factors: factors} = law;
+  if (factors !== undefined) return onPolygon(temperatures, factors, temperature);
   const excess = temperature - law.reference_K;
   return (-law.c1 * excess) / (law.c2_K + excess);
 }
 
-/// The temperature [K] at which log10 of the shift factor has a value by the same law; infinite where the law never
-/// reaches it.
+/// The temperature [K] at which log10 of the shift factor has a value by the same law: infinite where the law of
+/// Williams, Landel and Ferry never reaches it, not a number beyond a table.
 export function temperatureOfShift(law, decades) {
+  const {temperatures_K: temperatures, log10_shift_factors: factors} = law;
+  if (factors !== undefined) return onPolygon(factors.toReversed(), temperatures.toReversed(), decades);
   return decades <= -law.c1 ? Infinity : law.reference_K - (law.c2_K * decades) / (law.c1 + decades);
+}
+
+/// y at x on the polygon through points with rising x.
+function onPolygon(xs, ys, x) {
+  if (!(x >= xs[0] && x <= xs.at(-1))) return NaN;
+  const right = Math.max(1, xs.findIndex((one) => one >= x));
+  const share = (x - xs[right - 1]) / (xs[right] - xs[right - 1]);
+  return (1 - share) * ys[right - 1] + share * ys[right];
 }
 
 /// The bulk modulus K of a solid with the shear modulus G from its modulus of equal strains along all axes of the box,

@@ -94,6 +94,15 @@ Json temperature_shifts() {
     cases.push_back(
         {{"law", {{"c1", law.c1}, {"c2_K", law.c2}, {"reference_K", law.reference_temperature}}}, {"at", factors}});
   }
+  const ShiftTable table({240.0, 280.0, 300.0, 350.0}, {6.0, 1.5, 0.0, -2.0}, 290.0);
+  Json factors = Json::array();
+  for (const double temperature : {240.0, 251.0, 280.0, 290.0, 349.0, 350.0}) {
+    const double factor = table.shift_factor(temperature);
+    factors.push_back(
+        {{"temperature_K", temperature}, {"factor", factor}, {"binder", binder.shifted(factor).at(1e-3)}});
+  }
+  cases.push_back({{"law", {{"temperatures_K", table.temperatures()}, {"log10_shift_factors", table.log10_factors()}}},
+                   {"at", factors}});
   return {{"binder", json_of(binder)}, {"laws", std::move(cases)}};
 }
 

@@ -1,0 +1,116 @@
+#include "temperature_shift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/measured_table_reader.hpp"
+
+namespace breccia {
+namespace {
+
+enum class LawName { wlf, arrhenius, table };
+
+/// Nothing after a mistake.
+std::optional<ShiftLaw> read_wlf(const Section& section) {
+  const WilliamsLandelFerry law{
+      section.number("c1", Range::positive()),
+      section.quantity("c2", Dimension::temperature_difference, Range::positive()),
+      section.quantity("reference", Dimension::temperature, Range::not_negative()),
+  };
+  return std::isnan(law.c1 + law.c2 + law.reference_temperature) ? std::nullopt : std::optional<ShiftLaw>(law);
+}
+
+/// Nothing after a mistake.
+std::optional<ShiftLaw> read_arrhenius(const Section& section) {
+  const double energy = section.quantity("activation_energy", Dimension::molar_energy, Range::positive());
+  const double reference = section.quantity("reference", Dimension::temperature, Range::positive());
+  return std::isnan(energy + reference) ? std::nullopt : std::optional<ShiftLaw>(arrhenius(energy, reference));
+}
+
+/// log10 a_T of every row of a file that has either a_T or its logarithm. Throws InputError.
+std::vector<double> log10_factors_of(const MeasuredTable& table) {
+  if (!table.has({Quantity::shift_factor})) {
+    table.require({Quantity::log10_shift_factor});
+    return table.column(Quantity::log10_shift_factor).values;
+  }
+  auto factors = table.column(Quantity::shift_factor).values;
+  FileMistakes mistakes(table.path());
+  for (std::size_t row = 0; row < factors.size(); ++row) {
+    if (!(factors[row] > 0.0)) {
+      mistakes.add(table.place(row), "expected a positive shift factor", fmt::format("{}", factors[row]));
+    }
+    factors[row] = std::log10(factors[row]);
+  }
+  mistakes.refuse();
+  return factors;
+}
+
+/// A file of temperatures and shift factors, whose rows may be in any order. Throws InputError and FileError.
+ShiftTable read_shift_file(const std::filesystem::path& path, double reference) {
+  const auto table = read_measured_table(path);
+  table.require({Quantity::temperature});
+  const auto& temperatures = table.column(Quantity::temperature).values;
+  const auto factors = log10_factors_of(table);
+  std::vector<std::size_t> order(temperatures.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t row) { return temperatures[row]; });
+  std::vector<double> sorted_temperatures, sorted_factors;
+  for (const auto row : order) {
+    sorted_temperatures.push_back(temperatures[row]);
+    sorted_factors.push_back(factors[row]);
+  }
+  return {std::move(sorted_temperatures), std::move(sorted_factors), reference};
+}
+
+/// Nothing after a mistake.
+std::optional<ShiftLaw> read_table(const Section& section) {
+  const auto path = section.file("table");
+  const double reference = section.quantity("reference", Dimension::temperature, Range::positive());
+  std::optional<ShiftLaw> law;
+  if (path.empty() || std::isnan(reference)) return law;
+  section.report_errors_of("table", [&] { law = read_shift_file(path, reference); });
+  return law;
+}
+
+std::optional<ShiftLaw> read_law(const Section& section) {
+  const auto name = section.choice<LawName>(
+      "law", {{"wlf", LawName::wlf}, {"arrhenius", LawName::arrhenius}, {"table", LawName::table}});
+  if (!name) {
+    static_cast<void>(section.keys());  // which of them are known depends on the law
+    return std::nullopt;
+  }
+  switch (*name) {
+    case LawName::wlf:
+      return read_wlf(section);
+    case LawName::arrhenius:
+      return read_arrhenius(section);
+    case LawName::table:
+      break;
+  }
+  return read_table(section);
+}
+
+}  // namespace
+
+std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
+  const auto section = material.optional_section("temperature_shift");
+  if (!section) return std::nullopt;
+  const auto law = read_law(*section);
+  const double temperature = section->quantity("temperature", Dimension::temperature, Range::not_negative());
+  std::optional<TemperatureShift> shift;
+  if (!law || std::isnan(temperature)) return shift;
+  section->report_errors_of("temperature", [&] {
+    static_cast<void>(shift_factor(*law, temperature));
+    shift = {*law, temperature};
+  });
+  return shift;
+}
+
+}  // namespace breccia

@@ -1,0 +1,83 @@
+#include "breccia/viscoelasticity/shift_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/error.hpp"
+
+#include "both_scales.hpp"
+
+namespace breccia {
+namespace {
+
+/// y at x on the polygon through points with rising x, at one of its sections that is given.
+double on_section(std::span<const double> x, std::span<const double> y, std::size_t section, double at) {
+  const double share = (at - x[section]) / (x[section + 1] - x[section]);
+  return (1.0 - share) * y[section] + share * y[section + 1];
+}
+
+}  // namespace
+
+ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log10_factors,
+                       double reference_temperature)
+    : temperatures_(std::move(temperatures)),
+      log10_factors_(std::move(log10_factors)),
+      reference_temperature_(reference_temperature) {
+  std::vector<std::string> mistakes;
+  if (temperatures_.size() != log10_factors_.size() || temperatures_.size() < 2) {
+    throw InputError("a table of shift factors: expected at least two temperatures, each with its factor");
+  }
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(temperatures_, is_finite) || !std::ranges::all_of(log10_factors_, is_finite)) {
+    throw InputError("a table of shift factors: expected finite numbers");
+  }
+  const auto out_of_order = std::ranges::adjacent_find(temperatures_, std::greater_equal{});
+  if (out_of_order != temperatures_.end()) {
+    mistakes.push_back(fmt::format("a table of shift factors: expected rising temperatures, got {} after {}",
+                                   in_both_scales(out_of_order[1]), in_both_scales(out_of_order[0])));
+  }
+  const auto rising = std::ranges::adjacent_find(log10_factors_, std::less_equal{});
+  if (rising != log10_factors_.end()) {
+    const auto at = static_cast<std::size_t>(rising - log10_factors_.begin()) + 1;
+    mistakes.push_back(
+        fmt::format("a table of shift factors: expected factors that fall as the temperature rises, got "
+                    "log10 a_T = {} after {} at {}",
+                    rising[1], rising[0], in_both_scales(temperatures_[at])));
+  }
+  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
+  const double at_reference = log10_factor(reference_temperature_);
+  for (auto& factor : log10_factors_) factor -= at_reference;
+}
+
+double ShiftTable::log10_factor(double temperature) const {
+  constexpr double rounding = 1e-6;  // [K]; an end of the table may be written in another unit
+  if (!(temperature >= temperatures_.front() - rounding && temperature <= temperatures_.back() + rounding)) {
+    throw InputError(fmt::format("the table of shift factors reaches from {} to {}, got {}",
+                                 in_both_scales(temperatures_.front()), in_both_scales(temperatures_.back()),
+                                 in_both_scales(temperature)));
+  }
+  const auto above = std::upper_bound(temperatures_.begin() + 1, temperatures_.end() - 1, temperature);
+  return on_section(temperatures_, log10_factors_, static_cast<std::size_t>(above - temperatures_.begin()) - 1,
+                    temperature);
+}
+
+double ShiftTable::shift_factor(double temperature) const {
+  return std::pow(10.0, log10_factor(temperature));
+}
+
+double ShiftTable::temperature_at(double log10_factor) const {
+  const double covered = std::clamp(log10_factor, log10_factors_.back(), log10_factors_.front());
+  const auto below = std::upper_bound(log10_factors_.begin() + 1, log10_factors_.end() - 1, covered, std::greater{});
+  return on_section(log10_factors_, temperatures_, static_cast<std::size_t>(below - log10_factors_.begin()) - 1,
+                    covered);
+}
+
+}  // namespace breccia
