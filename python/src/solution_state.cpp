@@ -264,13 +264,29 @@ SolvedStage stage_from(const py::dict& state) {
 
 namespace {
 
+py::tuple numbers_of(const WilliamsLandelFerry& law) {
+  return py::make_tuple(law.c1, law.c2, law.reference_temperature);
+}
+
+py::tuple numbers_of(const ShiftTable& table) {
+  return py::make_tuple(table.temperatures(), table.log10_factors(), table.reference_temperature());
+}
+
+ShiftLaw shift_law_from(const py::tuple& numbers) {
+  const double reference = numbers[2].cast<double>();
+  if (py::isinstance<py::float_>(numbers[0])) {
+    return WilliamsLandelFerry{numbers[0].cast<double>(), numbers[1].cast<double>(), reference};
+  }
+  return ShiftTable(numbers[0].cast<std::vector<double>>(), numbers[1].cast<std::vector<double>>(), reference);
+}
+
 py::dict state_of(const StoredMaterial& stored) {
   py::dict state;
   state["material"] = python::state_of(stored.material);
   py::object shift = py::none();
   if (stored.shift) {
-    const auto& law = stored.shift->law;
-    shift = py::make_tuple(law.c1, law.c2, law.reference_temperature, stored.shift->temperature);
+    const auto of_law = std::visit([](const auto& law) { return numbers_of(law); }, stored.shift->law);
+    shift = py::make_tuple(of_law, stored.shift->temperature);
   }
   state["shift"] = shift;
   return state;
@@ -280,9 +296,8 @@ StoredMaterial stored_material_from(const py::dict& state) {
   StoredMaterial stored{material_from(state["material"].cast<py::tuple>()), std::nullopt};
   const py::object shift = state["shift"];
   if (!shift.is_none()) {
-    const auto numbers = shift.cast<py::tuple>();
-    stored.shift = {{numbers[0].cast<double>(), numbers[1].cast<double>(), numbers[2].cast<double>()},
-                    numbers[3].cast<double>()};
+    const auto parts = shift.cast<py::tuple>();
+    stored.shift = {shift_law_from(parts[0].cast<py::tuple>()), parts[1].cast<double>()};
   }
   return stored;
 }

@@ -1,5 +1,7 @@
 """Material cards and isochrones: those of the command line, which its tests read back, and against the results."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -66,6 +68,27 @@ def test_isochrones_are_those_of_the_command_line(result, directory, command):
     assert isochrone.young.shape == isochrone.poisson.shape == (5,)
     assert repr(isochrone) == "<breccia.Isochrone: 10 Hz, 5 temperatures from 10 to 30 degC>"
     assert isochrone._repr_html_().count("<svg") == 2
+
+
+@pytest.mark.parametrize("shift", [
+    {"law": "arrhenius", "activation_energy": "120 kJ/mol"}, {"law": "table", "table": "shifts.csv"}])
+def test_isochrones_by_other_laws_outlive_a_pickle(shift, tmp_path):
+    """At 1 / (2 pi 10 ms) and the reference, that is, at the only relaxation time, the loss factor of a box of binder
+    alone is 1 / 2 x 0.5 / (1 + 1 / 2 x 0.5), and the shift factors are those of the law."""
+    (tmp_path / "shifts.csv").write_text("temperature_degC,shift_factor\n0,100\n20,1\n40,0.1\n")
+    if "table" in shift:
+        shift = {**shift, "table": str(tmp_path / "shifts.csv")}
+    binder = breccia.Material("binder", density="1 g/cm^3", bulk="3 GPa", shear=breccia.PronySeries([(1e-2, 5e5)], 1e6),
+                              temperature_shift={**shift, "reference": "20 degC", "temperature": "20 degC"})
+    frequency = 1.0 / (2.0 * np.pi * 1e-2)
+    tests = breccia.Tests(frequencies=(frequency / 1e3, "10 kHz"), boundaries="periodic", fields="none")
+    study = breccia.Study(breccia.Stage("box", matrix=binder, box="1 mm", cells=4), tests)
+    result = pickle.loads(pickle.dumps(breccia.solve(study)))
+    curve = breccia.isochrone(result, frequency, temperatures=("10 degC", "30 degC"), step="10 degC")
+    expected = [10.0, 1.0, 10**-0.5] if "table" in shift else [
+        np.exp(120e3 / 8.314462618 * (1.0 / temperature - 1.0 / 293.15)) for temperature in (283.15, 293.15, 303.15)]
+    assert np.allclose(10.0 ** curve.log10_shift_factor, expected, rtol=1e-8)
+    assert curve.shear[1].imag / curve.shear[1].real == pytest.approx(0.25 / 1.25, rel=1e-4)
 
 
 def test_exports_follow_the_temperature_of_a_response(result):

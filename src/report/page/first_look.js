@@ -4,7 +4,7 @@ import {answerSentences} from "./answer.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, wordsOnStage} from "./names.js";
+import {boundNames, symbolOf, wordsOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
@@ -63,11 +63,6 @@ function wordsOnError(result, stage) {
 
 function gridsOf(stage) {
   return study.stages.find(({name}) => name === stage).cells;
-}
-
-function symbolOf(load) {
-  if (load === "bulk") return "The bulk modulus K(t)";
-  return load === "shear" ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
 }
 
 /// A stage with the words that tell it from the end of a chain that the run has not reached.

@@ -55,3 +55,9 @@ export function wordsOnStage(stage) {
 export function listed(words) {
   return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words.at(-1)}`;
 }
+
+/// The symbol of the modulus that a load gives.
+export function symbolOf(load) {
+  if (load === "bulk") return "The bulk modulus K(t)";
+  return load === "shear" ? "G(t)" : `G(t) in ${load.replace("-", " ")}`;
+}

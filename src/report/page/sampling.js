@@ -34,3 +34,10 @@ export function valueAt(times, values, time) {
   const share = Math.log(time / times[right - 1]) / Math.log(times[right] / times[right - 1]);
   return values[right - 1] * Math.pow(values[right] / values[right - 1], share);
 }
+
+/// The smallest and the largest ratio of a curve to a measured one, at the times of both; undefined if there are
+/// none.
+export function ratioRange(curve, measured) {
+  const ratios = measured.x.map((time, i) => valueAt(curve.x, curve.y, time) / measured.y[i]).filter(Number.isFinite);
+  return ratios.length === 0 ? undefined : [Math.min(...ratios), Math.max(...ratios)];
+}

@@ -9,7 +9,7 @@ import {showSpread, showSweepProvenance, showSweepSummary, showTasks} from "./sw
 import {showDeck} from "./table.js";
 
 const curvesOfSweep = sweepCurves();
-showSweepSummary();
+showSweepSummary(curvesOfSweep);
 showTasks(curvesOfSweep);
 showSpread();
 showDeck(sweep);

@@ -4,19 +4,12 @@ import {data} from "./data.js";
 import {boundNames} from "./names.js";
 import {shortNumber} from "./numbers.js";
 import {distinct} from "./records.js";
-import {valueAt} from "./sampling.js";
+import {ratioRange} from "./sampling.js";
 
 /// The measured curves, of the quantity G(t).
 export function measuredCurves() {
   return data.measurements.map(({stage, measurement, time_s: x, measured_Pa: y}) =>
-    ({role: "measured", quantity: "shear", stage, label: `measured, ${measurement}`, x, y}));
-}
-
-/// The smallest and the largest ratio of a curve to a measured one, at the times of both; undefined if there are
-/// none.
-export function ratioRange(curve, measured) {
-  const ratios = measured.x.map((time, i) => valueAt(curve.x, curve.y, time) / measured.y[i]).filter(Number.isFinite);
-  return ratios.length === 0 ? undefined : [Math.min(...ratios), Math.max(...ratios)];
+    ({role: "measured", quantity: "shear", stage, name: measurement, label: `measured, ${measurement}`, x, y}));
 }
 
 /// Columns for the table of tasks, [{head, of}]: over each measurement, the modulus of the stage under each boundary.

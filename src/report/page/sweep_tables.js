@@ -2,17 +2,19 @@
 
 import {readTable, sweep} from "./data.js";
 import {element} from "./elements.js";
-import {boundNames, gridName, listed, methodNames} from "./names.js";
+import {boundNames, gridName, listed, methodNames, symbolOf} from "./names.js";
 import {display, duration, percent} from "./numbers.js";
 import {groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
+import {curvesOfAnswer, sweepSentences} from "./sweep_answer.js";
 import {labelOfKey, sweptKeys} from "./sweep_curves.js";
-import {ratioColumns} from "./sweep_measurements.js";
+import {measuredCurves, ratioColumns} from "./sweep_measurements.js";
 import {table} from "./table.js";
 
 /// Shows the title, what was swept, and what failed.
-export function showSweepSummary() {
+export function showSweepSummary(curves) {
   document.getElementById("title").textContent = sweep.title;
+  if (curves.length > 0) showAnswer(curvesOfAnswer(curves));
   const what = sweptKeys.map(({path, values}) => `${path}: ${listed(values.map(String))}`);
   document.getElementById("summary").append(
     element("p", {}, `One deck, ${sweep.tasks.length} times, with all combinations of`),
@@ -24,6 +26,16 @@ export function showSweepSummary() {
   const list = document.getElementById("warnings");
   list.append(...warnings.map((text) => element("li", {}, text)));
   list.hidden = warnings.length === 0;
+}
+
+function showAnswer(curves) {
+  const [{load, boundary, stage}] = curves;
+  const moving = sweptKeys.filter(({values}) => values.length > 1);
+  const measured = load === "shear" ? measuredCurves().find((one) => one.stage === stage) : undefined;
+  const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), bound: boundNames[boundary], measured,
+    wordsOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});
+  document.getElementById("summary").append(
+    element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
 }
 
 /// Shows the tasks, with links to their reports, and the ratio of their curves to what was measured.

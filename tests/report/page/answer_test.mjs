@@ -6,6 +6,7 @@ import {test} from "node:test";
 import {answerSentences, threeTimes} from "../../../src/report/page/answer.js";
 import {displayRange, percent, shortNumber, withMicroSign} from "../../../src/report/page/numbers.js";
 import {binderOf, stagesOfInterest} from "../../../src/report/page/stages.js";
+import {curvesOfAnswer, sweepSentences} from "../../../src/report/page/sweep_answer.js";
 import {sentencesOnTrust} from "../../../src/report/page/trust_sentences.js";
 import {groupsOfWarnings, lineOnGroup} from "../../../src/report/page/warnings.js";
 
@@ -54,6 +55,28 @@ test("a binder that has flowed away, and curves of no time in common", () => {
   assert.deepEqual(answerSentences({stage: "mix", symbol: "G(t)", curves: sample}),
     ["G(t) of mix is 2 MPa at 1 s (periodic boundary)."]);
   assert.deepEqual([shortNumber(Infinity), shortNumber(NaN), percent(NaN)], ["–", "–", "–"]);
+});
+
+test("a sweep: its range, and the task that is nearest to the measurement", () => {
+  const task = (gap, atBegin) => ({...falling("displacement", atBegin), stage: "mix", load: "shear", method: "quasistatic",
+    values: {gap}});
+  const curves = [task(10, 1e6), task(1, 3e6), task(3, 2e6)];
+  const words = {curves, symbol: "G(t)", bound: "upper bound", wordsOnTask: ({values}) => `gap ${values.gap}`};
+  assert.deepEqual(sweepSentences(words), ["G(t) of mix, upper bound: 1 MPa (gap 10) to 3 MPa (gap 1) at 1 ms and " +
+    "10 kPa (gap 10) to 30 kPa (gap 1) at 10 s."]);
+  // 2e6 sqrt(0.1) / 8e5 = 0.79 and 2e6 / 10 / 2e5 = 1; the others are off by a factor of 2 and 1.5.
+  const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [8e5, 2e5]};
+  assert.equal(sweepSentences({...words, measured})[1],
+    "Nearest to what was measured (Bennett) is gap 3, with 0.79 to 1 times its modulus (upper bound).");
+  assert.equal(sweepSentences({...words, curves: curves.slice(1, 2), measured}).length, 1);
+});
+
+test("the test of a sweep that its sentence is about", () => {
+  const curve = (stage, load, boundary) => ({stage, load, boundary, method: "quasistatic"});
+  const curves = [curve("A", "shear", "displacement"), curve("B", "shear", "traction"), curve("B", "shear", "displacement"),
+    curve("B", "bulk", "displacement")];
+  assert.deepEqual(curvesOfAnswer(curves), [curves[2]]);
+  assert.deepEqual(curvesOfAnswer(curves.slice(0, 2)), [curves[1]]);
 });
 
 test("ranges with their units", () => {

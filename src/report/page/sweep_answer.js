@@ -1,0 +1,52 @@
+/// The result of a sweep in sentences: between which moduli the tasks lie, and which of them is nearest to what was
+/// measured.
+
+import {threeTimes} from "./answer.js";
+import {listed} from "./names.js";
+import {display, shortNumber} from "./numbers.js";
+import {ratioRange, valueAt} from "./sampling.js";
+
+/// The curves of one test that the sentences are about: shear before other loads, the last stage, the upper bound
+/// before others. A task without that test has none.
+export function curvesOfAnswer(curves) {
+  const order = ["displacement", "periodic", "traction"];
+  const load = curves.some((curve) => curve.load === "shear") ? "shear" : curves[0].load;
+  const ofLoad = curves.filter((curve) => curve.load === load);
+  const {stage, method} = ofLoad.at(-1);
+  const ofStage = ofLoad.filter((curve) => curve.stage === stage && curve.method === method);
+  const boundary = order.find((one) => ofStage.some((curve) => curve.boundary === one));
+  return ofStage.filter((curve) => curve.boundary === boundary);
+}
+
+/// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `bound` the name
+/// of the boundary in words, `wordsOnTask` gives what is special in the task of a curve; `measured` {name, x, y} may be
+/// undefined.
+export function sweepSentences({curves, symbol, bound, wordsOnTask, measured}) {
+  const times = threeTimes(curves);
+  const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, wordsOnTask));
+  const sentences = [`${symbol} of ${curves[0].stage}, ${bound}: ${listed([...new Set(ranges)])}.`];
+  return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, bound, wordsOnTask)];
+}
+
+/// "1 MPa (gap 10 um) to 3 MPa (gap 1 um) at 1 ms".
+function rangeAt(curves, time, wordsOnTask) {
+  const values = curves.map((curve) => ({curve, value: valueAt(curve.x, curve.y, time)}))
+    .filter(({value}) => Number.isFinite(value)).sort((one, other) => one.value - other.value);
+  const words = ({curve, value}) => `${display(value, "Pa")} (${wordsOnTask(curve)})`;
+  const [least, most] = [values[0], values.at(-1)];
+  const range = least === most ? words(least) : `${words(least)} to ${words(most)}`;
+  return `${range} at ${display(time, "s")}`;
+}
+
+/// The task whose largest deviation from the measurement, as a factor, is the smallest.
+function nearestTo(measured, curves, bound, wordsOnTask) {
+  const known = curves.map((curve) => ({curve, range: ratioRange(curve, measured)}))
+    .filter(({range}) => range !== undefined);
+  if (known.length < 2) return [];
+  const factor = ([least, most]) => Math.max(1 / least, most);
+  const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
+  const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
+  const ratios = least === most ? least : `${least} to ${most}`;
+  return [`Nearest to what was measured (${measured.name}) is ${wordsOnTask(curve)}, with ${ratios} times its modulus ` +
+    `(${bound}).`];
+}
