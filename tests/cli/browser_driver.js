@@ -82,7 +82,7 @@ async function lookAtFit() {
 async function lookAtSweep() {
   see("title", document.querySelector("h1").textContent);
   see("curves", at("curve-plot").data.length);
-  see("answer", at("answer").textContent.replace(/\d[\d.]*/g, "x"));
+  see("answer", at("answer").textContent.replace(/\d[\d.]*/g, "x").replace(/[kM]Pa/g, "Pa"));
   see("measured in the sweep", at("curve-plot").data.at(-1).name.replace("&lt;", "<"));
   see("ratios to the measurement", [...document.querySelectorAll("#task-table th")].filter((one) =>
     one.textContent.includes("over measured")).length);

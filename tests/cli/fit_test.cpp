@@ -78,7 +78,7 @@ TEST_F(Fit, RelaxationInOtherUnitsBecomesCreep) {
   const auto outcome = run({"g.csv", "--to", "creep"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("Results are in results/g-fit: prony.csv, retardation.csv, fit.csv, creep.csv, "
-                                        "fit.svg, creep.svg, report.html"));
+                                        "fit.svg, creep.svg, material.toml, report.html"));
   EXPECT_LT(worst_difference(result("results/g-fit/creep.csv"), "time_s", "shear_compliance_1_per_Pa", creep), 3e-3);
   EXPECT_LT(worst_difference(result("results/g-fit/fit.csv"), "time_s", "fit_Pa", relaxation), 3e-3);
   for (const auto* name : {"fit.svg", "creep.svg"}) {
@@ -144,6 +144,30 @@ TEST_F(Fit, ItsSeriesGoesIntoADeck) {
   const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
   EXPECT_EQ(check.exit_code, 0) << check.errors;
   EXPECT_THAT(check.output, ::testing::ContainsRegex("relaxing to (1[.]99|2[.]00)[0-9]* MPa"));
+}
+
+// What is printed goes into a deck as it is; so does the table of shift factors.
+TEST_F(Fit, ItsMaterialGoesIntoADeck) {
+  const auto outcome = run({(data / "synthetic_dma.csv").string(), "--reference-temperature", "19 degC"});
+  EXPECT_THAT(outcome.output, HasSubstr("    -41 degC        6.50"));
+  const auto begin = outcome.output.find("shear = {"), end = outcome.output.find("\n\n", begin);
+  ASSERT_NE(end, std::string::npos) << outcome.output;
+  const auto keys = outcome.output.substr(begin, end - begin);
+  EXPECT_THAT(keys, HasSubstr("temperature_shift = { law = \"wlf\", c1 = 6.4"));
+  const auto deck_with = [&](const std::string& text) {
+    directory.write("deck.toml",
+                    test::replaced(std::string(test::good_deck),
+                                   R"(shear   = { terms = [ { time = "10 ms", modulus = "1 MPa" } ] })", text));
+    const auto check = test::run_breccia(directory.path(), {"check", "deck.toml"});
+    EXPECT_EQ(check.exit_code, 0) << check.errors;
+  };
+  deck_with(keys);
+  deck_with(
+      "shear = { prony = \"results/synthetic_dma-fit/prony.csv\" }\ntemperature_shift = { law = \"table\", table = "
+      "\"results/synthetic_dma-fit/shift_factors.csv\", reference = \"19 degC\", temperature = \"-41 degC\" }");
+  const auto material = read_text(directory.path() / "results/synthetic_dma-fit/material.toml");
+  EXPECT_THAT(material, HasSubstr("# density = "));
+  EXPECT_THAT(material, HasSubstr("shear = { prony = \"prony.csv\" }\ntemperature_shift = { law = \"wlf\""));
 }
 
 // DMA in tension as an instrument may export it: of Young's modulus, which no deck must take for that of shear.
