@@ -73,14 +73,12 @@ TEST_F(Displacements, KeepTheirBitsInAState) {
   const auto saved = rising(0.1, 1.0 / 3.0);
   StateWriter writer(path, {"deck", "version"});
   save(writer, "/displacement", saved);
-  writer.write("/processes", std::int64_t{1});
   writer.commit();
   const StateReader reader(path);
   auto restored = elastic_operator_.zero();
   restore(reader, "/displacement", restored);
   EXPECT_EQ(restored.macroscopic(), 0.1);
   EXPECT_EQ(values(restored), values(saved));
-  EXPECT_NO_THROW(require_as_many_processes(reader));
 
   const ElasticOperator<2> larger(Discretisation<2>(Grid<2>{{3, 1}, 1.0}), Volumetric::averaged, Boundary::traction);
   auto too_large = larger.zero();
@@ -107,15 +105,6 @@ TEST_F(Displacements, KeepTheStrainsOfPhasesInAState) {
   // Two phases that strain alike are in parallel: the work of their forces is the arithmetic mean of the moduli.
   const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 1.0}, {.bulk = 9.0, .shear = 3.0}};
   EXPECT_NEAR(work(mixed.forces(moduli, Load::shear, saved), saved), 1.0 + 0.25 * 1.0 + 0.75 * 3.0, 1e-14);
-}
-
-TEST_F(Displacements, AreNotResumedWithAnotherNumberOfProcesses) {
-  const test::TemporaryDirectory directory;
-  const auto path = directory.path() / "state.h5";
-  StateWriter writer(path, {"deck", "version"});
-  writer.write("/processes", std::int64_t{2});
-  writer.commit();
-  EXPECT_THROW(require_as_many_processes(StateReader(path)), InputError);
 }
 
 }  // namespace

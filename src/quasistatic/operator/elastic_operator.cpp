@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include <omp.h>
@@ -71,6 +73,7 @@ NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
   check(
       VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(first_strain_.back()), PETSC_DETERMINE, phase_strains.put()),
       "making strains of phases");
+  if (parallel::ranks() > 1) set_natural_places(natural_places_of_strains(), phase_strains.get());
   check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
   return phase_strains;
 }
@@ -326,28 +329,22 @@ void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli,
   });
 }
 
+/// The places of the strains of this process among those of all mixed cells, in the order of the cells.
 template <int dim>
-std::vector<double> ElasticOperator<dim>::gathered_phase_strains(const Displacement& displacement) const {
-  // The place of each strain in the list of all cells, which the values of a process follow in parts.
-  std::vector<std::size_t> first_of_cell(kind_of_.size());
-  std::size_t count = 0;
+std::vector<PetscInt> ElasticOperator<dim>::natural_places_of_strains() const {
+  std::vector<PetscInt> first_of_cell(kind_of_.size());
+  PetscInt count = 0;
   for (std::size_t cell = 0; cell < kind_of_.size(); ++cell) {
     first_of_cell[cell] = count;
     const auto& mixed = mixed_[kind_of_[cell]];
-    if (mixed) count += static_cast<std::size_t>(mixed->unknowns());
+    if (mixed) count += static_cast<PetscInt>(mixed->unknowns());
   }
-  auto places = zero();
-  {
-    const WriteValues values(places.phase_strains());
-    for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
-      const auto first = static_cast<double>(first_of_cell[grid().cell_index(cell)]);
-      values.range(place, mixed.unknowns()).setLinSpaced(first, first + static_cast<double>(mixed.unknowns() - 1));
-    });
-  }
-  const auto in_parts = on_first_process(displacement.phase_strains()), at = on_first_process(places.phase_strains());
-  std::vector<double> all(in_parts.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[static_cast<std::size_t>(std::lround(at[i]))] = in_parts[i];
-  return all;
+  std::vector<PetscInt> places(first_strain_.back());
+  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+    const auto own = std::span(places).subspan(place, static_cast<std::size_t>(mixed.unknowns()));
+    std::iota(own.begin(), own.end(), first_of_cell[grid().cell_index(cell)]);
+  });
+  return places;
 }
 
 template <int dim>

@@ -14,6 +14,7 @@
 #include "operator/cell_sweep.hpp"
 #include "operator/displacement.hpp"
 #include "operator/mixed_cell.hpp"
+#include "operator/natural_order.hpp"
 #include "operator/node_layout.hpp"
 #include "operator/seen_field.hpp"
 
@@ -66,7 +67,7 @@ class ElasticOperator {
   /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
   /// process; empty on the others.
   [[nodiscard]] std::vector<double> gathered(const Displacement& displacement) const {
-    return nodes_.gathered(displacement.fluctuation());
+    return nodes_in_natural_order(displacement.fluctuation());
   }
 
   /// True if this component of w is held at zero at a node.
@@ -74,7 +75,9 @@ class ElasticOperator {
     return nodes_.is_held(node, component);
   }
   /// Strains of phases of all mixed cells of the box in the order of their list. On the first process; empty on others.
-  [[nodiscard]] std::vector<double> gathered_phase_strains(const Displacement& displacement) const;
+  [[nodiscard]] std::vector<double> gathered_phase_strains(const Displacement& displacement) const {
+    return places_in_natural_order(displacement.phase_strains());
+  }
   /// What a cell holds if it is a mixed one; null otherwise.
   [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
     const auto& mixed = mixed_[kind_of_cell(cell)];
@@ -114,6 +117,7 @@ class ElasticOperator {
 
   void find_kinds(const Discretisation<dim>& discretisation);
   void find_first_strains();
+  [[nodiscard]] std::vector<PetscInt> natural_places_of_strains() const;
   /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;

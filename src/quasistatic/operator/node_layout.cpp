@@ -313,17 +313,6 @@ void NodeLayout<dim>::hold(Vec nodal) const {
 }
 
 template <int dim>
-std::vector<double> NodeLayout<dim>::gathered(Vec nodal) const {
-  if (nodes_.get() == nullptr) return on_first_process(nodal);
-  constexpr const char* what = "gathering nodal values";
-  NodalVector in_rows;
-  check(DMDACreateNaturalVector(nodes_.get(), in_rows.put()), what);
-  check(DMDAGlobalToNaturalBegin(nodes_.get(), nodal, INSERT_VALUES, in_rows.get()), what);
-  check(DMDAGlobalToNaturalEnd(nodes_.get(), nodal, INSERT_VALUES, in_rows.get()), what);
-  return on_first_process(in_rows.get());
-}
-
-template <int dim>
 Matrix NodeLayout<dim>::make_matrix() const {
   const auto nodes = distributed();
   Matrix matrix;
@@ -360,21 +349,5 @@ void NodeLayout<dim>::attach_rigid_motions(Mat matrix) const {
 
 template class NodeLayout<2>;
 template class NodeLayout<3>;
-
-std::vector<double> on_first_process(Vec distributed) {
-  constexpr const char* what = "gathering values";
-  NodalVector on_first;
-  Scatter scatter;
-  check(VecScatterCreateToZero(distributed, scatter.put(), on_first.put()), what);
-  check(VecScatterBegin(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  check(VecScatterEnd(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  PetscInt count = 0;
-  check(VecGetLocalSize(on_first.get(), &count), what);
-  const double* values = nullptr;
-  check(VecGetArrayRead(on_first.get(), &values), what);
-  std::vector<double> all(values, values + count);
-  check(VecRestoreArrayRead(on_first.get(), &values), what);
-  return all;
-}
 
 }  // namespace breccia::quasistatic

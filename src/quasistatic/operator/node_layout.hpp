@@ -83,10 +83,6 @@ class NodeLayout {
   void sum_up(Vec local, Vec nodal) const;
   /// Sets the held components of a nodal vector to zero.
   void hold(Vec nodal) const;
-  /// Values of all nodes of the box, the components of one node after those of the other, in the order of
-  /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
-  /// process; empty on the others.
-  [[nodiscard]] std::vector<double> gathered(Vec nodal) const;
 
   /// A sparse matrix of nodes that share a cell, without values.
   [[nodiscard]] Matrix make_matrix() const;
@@ -120,8 +116,5 @@ class NodeLayout {
 
 extern template class NodeLayout<2>;
 extern template class NodeLayout<3>;
-
-/// All values of a distributed vector, on the first process; empty on the others.
-[[nodiscard]] std::vector<double> on_first_process(Vec distributed);
 
 }  // namespace breccia::quasistatic

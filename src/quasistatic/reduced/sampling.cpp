@@ -1,11 +1,9 @@
 #include "breccia/quasistatic/sampling.hpp"
 
-#include <cstdint>
 #include <memory>
 #include <utility>
 
 #include "breccia/checkpoint/checkpoint.hpp"
-#include "breccia/parallel/session.hpp"
 #include "breccia/quasistatic/greedy_sampling.hpp"
 #include "breccia/quasistatic/linear_effort_state.hpp"
 
@@ -43,14 +41,11 @@ SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, s
   const auto sampled = std::make_shared<SampledCells<dim>>(problem, loads, training_set);
   CellSolver<dim> solver(sampled->composite, problem.linear);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
-    quasistatic::require_as_many_processes(*earlier);
     sampled->sampling.restore(*earlier);
     solver.count_from(read_effort(*earlier, "/effort"));
   }
-  quasistatic::sample(sampled->sampling, solver, training_set, options, observer, checkpoint, [&](StateWriter& state) {
-    state.write("/processes", std::int64_t{parallel::ranks()});
-    save(state, "/effort", solver.effort());
-  });
+  quasistatic::sample(sampled->sampling, solver, training_set, options, observer, checkpoint,
+                      [&](StateWriter& state) { save(state, "/effort", solver.effort()); });
   return {.responses = sampled->sampling.responses(),
           .effort = solver.effort(),
           .fields = [sampled, problem](std::size_t load, std::span<const Material> of_phases, double time) {

@@ -1,10 +1,7 @@
 #include "breccia/quasistatic/log_time_stepping.hpp"
 
-#include <cstdint>
-
 #include <fmt/format.h>
 
-#include "breccia/parallel/session.hpp"
 #include "breccia/quasistatic/linear_effort_state.hpp"
 #include "breccia/quasistatic/log_time_runs.hpp"
 
@@ -49,13 +46,11 @@ SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem
   quasistatic::CellSolver<dim> solver(composite, problem.linear);
   quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
   if (const auto* earlier = checkpoint != nullptr ? checkpoint->earlier() : nullptr) {
-    quasistatic::require_as_many_processes(*earlier);
     runs.restore(*earlier);
     solver.restore_preconditioner(*earlier, "/preparation");
     solver.count_from(read_effort(*earlier, "/effort"));
   }
   quasistatic::take_all_steps(runs, solver, observer, checkpoint, [&](StateWriter& state) {
-    state.write("/processes", std::int64_t{parallel::ranks()});
     solver.save_preconditioner(state, "/preparation");
     save(state, "/effort", solver.effort());
   });
