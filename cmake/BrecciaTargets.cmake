@@ -82,8 +82,10 @@ function(breccia_library)
   install(TARGETS breccia EXPORT brecciaTargets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
+  # The one header that takes more than Eigen and fmt, the headers of MPI, is for the rooms alone.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia
-    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
+    PATTERN communicator.hpp EXCLUDE)
   install(EXPORT brecciaTargets
     NAMESPACE breccia:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/breccia COMPONENT development)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/brecciaConfig.cmake.in

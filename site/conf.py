@@ -24,6 +24,7 @@ myst_heading_anchors = 6
 # Outputs of a program and sketches of paths have no language.
 highlight_language = "none"
 nbsphinx_execute = "never"
+nbsphinx_requirejs_path = ""  # from another site, for outputs with scripts, which our notebooks do not have
 
 html_theme = "furo"
 html_title = f"Breccia {release}"

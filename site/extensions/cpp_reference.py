@@ -28,7 +28,8 @@ def links_by_room(tags: Path) -> dict[str, list[tuple[str, str]]]:
             if "<" not in one.text and one.text.startswith("breccia::"):
                 links[room].add((one.text.removeprefix("breccia::"), pages[one.text]))
         for one in header.findall("member"):
-            if one.get("kind") in ("function", "enumeration", "typedef"):
+            # Not the declarations of instances beside those of their templates.
+            if one.get("kind") in ("function", "enumeration", "typedef") and "<" not in one.findtext("name"):
                 place = f"{one.findtext('anchorfile')}#{one.findtext('anchor')}"
                 links[room].add((one.findtext("name"), place))
     return {room: sorted(set(dict(sorted(all_)).items())) for room, all_ in links.items()}

@@ -14,6 +14,7 @@ from sphinx.util import logging
 LOGGER = logging.getLogger(__name__)
 ASSETS = Path("/usr/share/javascript/katex")  # of the package libjs-katex
 TAG = re.compile(r"\\tag\{([^}]+)\}")
+CLOSING = re.compile(r"[.,;:)\]]+")
 
 
 class Katex:
@@ -44,8 +45,18 @@ def formula(node: nodes.Element, is_block: bool) -> str:
     return answer.get("html", "")
 
 
+def keep_punctuation(app, doctree, name):
+    """What closes after a formula goes with it: a browser may begin a line after any formula, even with a full stop."""
+    for node in doctree.findall(nodes.math):
+        text = node.next_node(descend=False, siblings=True)
+        closing = CLOSING.match(text) if isinstance(text, nodes.Text) else None
+        if closing:
+            node["closing"] = closing[0]
+            node.parent.replace(text, nodes.Text(text[closing.end():]))
+
+
 def visit_inline(self, node):
-    self.body.append(f'<span class="math">{formula(node, False)}</span>')
+    self.body.append(f'<span class="math">{formula(node, False)}{node.get("closing", "")}</span>')
     raise nodes.SkipNode
 
 
@@ -69,5 +80,6 @@ def copy_assets(app, error):
 def setup(app):
     app.add_html_math_renderer("katex", (visit_inline, None), (visit_block, None))
     app.config.html_math_renderer = "katex"
+    app.connect("doctree-resolved", keep_punctuation)
     app.connect("build-finished", copy_assets)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -20,7 +20,7 @@ struct TestSamples {
   Samples samples;
 };
 
-Spread spread_of(double time, const std::vector<double>& moduli) {
+SeedSpread spread_of(double time, const std::vector<double>& moduli) {
   const auto count = static_cast<double>(moduli.size());
   const auto [smallest, largest] = std::ranges::minmax(moduli);
   double sum = 0.0;

@@ -11,7 +11,7 @@
 namespace breccia {
 
 /// Statistics over the tasks that differ only in their seeds: the modulus of one test at one time.
-struct Spread {
+struct SeedSpread {
   double time = 0.0;                ///< [s]
   std::size_t tasks = 0;            ///< two or more
   double mean = 0.0;                ///< [Pa]
@@ -24,7 +24,7 @@ struct Spread {
 struct SpreadCurve {
   std::size_t first_task = 0;  ///< number of the first of these tasks
   TaskCurve test;              ///< stage and test, without a curve
-  std::vector<Spread> spreads;
+  std::vector<SeedSpread> spreads;
 };
 
 /// The spread of every test over the seeds, for each combination of the other keys. Times that only one task has are
