@@ -1,14 +1,30 @@
 #include "fit_material.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
+
+#include "breccia/io/units.hpp"
 
 namespace breccia::cli {
 namespace {
 
-/// A temperature [K] as a deck has it: "19 degC".
-std::string in_celsius(double temperature) {
-  constexpr double zero_celsius = 273.15;
-  return fmt::format("{:.6g} degC", temperature - zero_celsius);
+/// A temperature [K] as a deck has it: "19 degC", or with all digits "292.1515151515 K".
+std::string as_quantity(double temperature) {
+  constexpr double zero_celsius = 273.15, rounding = 1e-7;
+  const auto celsius = fmt::format("{:.6g} degC", temperature - zero_celsius);
+  const bool is_round = std::abs(parse_quantity(celsius, Dimension::temperature) - temperature) < rounding;
+  return is_round ? celsius : fmt::format("{:.13g} K", temperature);
+}
+
+/// A text in the quotes of TOML.
+std::string quoted(const std::string& text) {
+  std::string escaped = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') escaped += '\\';
+    escaped += letter;
+  }
+  return escaped + "\"";
 }
 
 /// The key of a material for a modulus; one of unknown kind is taken for that of shear.
@@ -18,18 +34,26 @@ std::string_view key_of(ModulusKind kind) {
 }
 
 std::string shift_key(const FitResult& result, const std::string& directory) {
-  const auto reference = in_celsius(result.master_curve->reference_temperature);
-  const auto law =
-      result.law ? fmt::format(R"(law = "wlf", c1 = {:.6g}, c2 = "{:.6g} K")", result.law->law.c1, result.law->law.c2)
-                 : fmt::format(R"(law = "table", table = "{}shift_factors.csv")", directory);
+  const auto reference = as_quantity(result.master_curve->reference_temperature);
+  const auto law = [&] {
+    if (!follows_law(result))
+      return fmt::format(R"(law = "table", table = {})", quoted(directory + "shift_factors.csv"));
+    const auto& wlf = result.law->law;
+    return fmt::format(R"(law = "wlf", c1 = {:.6g}, c2 = "{:.6g} K")", wlf.c1, wlf.c2);
+  }();
   return fmt::format("temperature_shift = {{ {}, reference = \"{}\", temperature = \"{}\" }}\n", law, reference,
                      reference);
 }
 
 }  // namespace
 
+bool follows_law(const FitResult& result) {
+  constexpr double most_decades = 0.1;
+  return result.law && result.law->worst_deviation <= most_decades && result.law->c1_error < result.law->law.c1;
+}
+
 std::string material_keys(const FitResult& result, const std::string& directory) {
-  auto text = fmt::format("{} = {{ prony = \"{}prony.csv\" }}\n", key_of(result.kind), directory);
+  auto text = fmt::format("{} = {{ prony = {} }}\n", key_of(result.kind), quoted(directory + "prony.csv"));
   if (result.master_curve) text += shift_key(result, directory);
   return text;
 }

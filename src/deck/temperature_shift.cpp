@@ -11,6 +11,7 @@
 
 #include "breccia/io/file_mistakes.hpp"
 #include "breccia/io/measured_table_reader.hpp"
+#include "breccia/viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {
 namespace {
@@ -34,10 +35,16 @@ std::optional<ShiftLaw> read_arrhenius(const Section& section) {
   return std::isnan(energy + reference) ? std::nullopt : std::optional<ShiftLaw>(arrhenius(energy, reference));
 }
 
+/// A temperature [K] as text: "-41 degC".
+std::string in_celsius(double temperature) {
+  constexpr double zero_celsius = 273.15;
+  return fmt::format("{:.6g} degC", temperature - zero_celsius);
+}
+
 /// log10 a_T of every row of a file that has either a_T or its logarithm. Throws InputError.
 std::vector<double> log10_factors_of(const MeasuredTable& table) {
   if (!table.has({Quantity::shift_factor})) {
-    table.require({Quantity::log10_shift_factor});
+    table.require({Quantity::temperature, Quantity::log10_shift_factor});
     return table.column(Quantity::log10_shift_factor).values;
   }
   auto factors = table.column(Quantity::shift_factor).values;
@@ -53,7 +60,7 @@ std::vector<double> log10_factors_of(const MeasuredTable& table) {
 }
 
 /// A file of temperatures and shift factors, whose rows may be in any order. Throws InputError and FileError.
-ShiftTable read_shift_file(const std::filesystem::path& path, double reference) {
+ShiftTable read_shift_file(const std::filesystem::path& path) {
   const auto table = read_measured_table(path);
   table.require({Quantity::temperature});
   const auto& temperatures = table.column(Quantity::temperature).values;
@@ -61,12 +68,29 @@ ShiftTable read_shift_file(const std::filesystem::path& path, double reference) 
   std::vector<std::size_t> order(temperatures.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t row) { return temperatures[row]; });
+  FileMistakes mistakes(path);
   std::vector<double> sorted_temperatures, sorted_factors;
   for (const auto row : order) {
-    sorted_temperatures.push_back(temperatures[row]);
-    sorted_factors.push_back(factors[row]);
+    const double temperature = temperatures[row], factor = factors[row];
+    const bool is_first = sorted_factors.empty();
+    if (!(temperature > 0.0) || !std::isfinite(temperature)) {
+      mistakes.add(table.place(row), "expected a temperature above absolute zero", in_celsius(temperature));
+    } else if (!(std::abs(factor) <= ShiftTable::most_decades)) {
+      mistakes.add(table.place(row), "expected a shift factor between 1e-100 and 1e100", fmt::format("10^{}", factor));
+    } else if (!is_first && temperature == sorted_temperatures.back()) {
+      mistakes.add(table.place(row), "expected each temperature once", in_celsius(temperature));
+    } else if (!is_first && factor >= sorted_factors.back()) {
+      mistakes.add(
+          table.place(row), "expected factors that fall as the temperature rises",
+          fmt::format("log10 a_T = {:g} at {} after {:g}", factor, in_celsius(temperature), sorted_factors.back()));
+    }
+    sorted_temperatures.push_back(temperature);
+    sorted_factors.push_back(factor);
   }
-  return {std::move(sorted_temperatures), std::move(sorted_factors), reference};
+  if (order.size() < 2) mistakes.add("", "expected at least two temperatures");
+  mistakes.refuse();
+  const double first = sorted_temperatures.front();
+  return {std::move(sorted_temperatures), std::move(sorted_factors), first};
 }
 
 /// Nothing after a mistake.
@@ -75,7 +99,9 @@ std::optional<ShiftLaw> read_table(const Section& section) {
   const double reference = section.quantity("reference", Dimension::temperature, Range::positive());
   std::optional<ShiftLaw> law;
   if (path.empty() || std::isnan(reference)) return law;
-  section.report_errors_of("table", [&] { law = read_shift_file(path, reference); });
+  std::optional<ShiftTable> table;
+  section.report_errors_of("table", [&] { table = read_shift_file(path); });
+  if (table) section.report_errors_of("reference", [&] { law = with_reference(*table, reference); });
   return law;
 }
 
@@ -103,7 +129,7 @@ std::optional<TemperatureShift> read_temperature_shift(const Section& material) 
   const auto section = material.optional_section("temperature_shift");
   if (!section) return std::nullopt;
   const auto law = read_law(*section);
-  const double temperature = section->quantity("temperature", Dimension::temperature, Range::not_negative());
+  const double temperature = section->quantity("temperature", Dimension::temperature, Range::positive());
   std::optional<TemperatureShift> shift;
   if (!law || std::isnan(temperature)) return shift;
   section->report_errors_of("temperature", [&] {

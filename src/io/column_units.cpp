@@ -82,7 +82,7 @@ Conversion fraction(std::string_view unit) {
 }
 
 Conversion number_without_unit(std::string_view unit) {
-  if (unit.empty()) return {};
+  if (unit.empty() || unit == "-" || unit == "1") return {};
   throw InputError(fmt::format("expected none, got \"{}\"", unit));
 }
 

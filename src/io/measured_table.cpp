@@ -34,7 +34,7 @@ std::string_view example_of(Quantity quantity) {
     case Quantity::shift_factor:
       return "called shift_factor";
     case Quantity::log10_shift_factor:
-      return "called log10_shift_factor";
+      return "called shift_factor or log10_shift_factor";
     case Quantity::diameter:
       return "of diameters, such as diameter_um";
     case Quantity::x:

@@ -37,6 +37,10 @@ double celsius(double kelvin) {
   return kelvin - zero_celsius;
 }
 
+double hertz(double omega) {
+  return omega / (2.0 * std::numbers::pi);
+}
+
 }  // namespace
 
 TemperatureRange temperatures_covered(const Composite& composite, double omega) {
@@ -46,8 +50,8 @@ TemperatureRange temperatures_covered(const Composite& composite, double omega) 
                                     std::min(temperature_at(law, -std::log10(omega * composite.times.end)), hottest)};
   if (covered.begin < covered.end) return covered;
   throw InputError(
-      fmt::format("{:.4g} rad/s: no temperature at which the times of the study, {:.3g} to {:.3g} s, cover it", omega,
-                  composite.times.begin, composite.times.end));
+      fmt::format("{:.4g} Hz: no temperature at which the times of the study, {:.3g} to {:.3g} s, cover it",
+                  hertz(omega), composite.times.begin, composite.times.end));
 }
 
 std::vector<IsochronalSample> isochronal_curve(const Composite& composite, double omega,
@@ -65,16 +69,17 @@ std::vector<IsochronalSample> isochronal_curve(const Composite& composite, doubl
   constexpr double rounding = 1e-6;
   if (temperatures && (temperatures->begin < covered.begin - rounding || temperatures->end > covered.end + rounding)) {
     throw InputError(fmt::format(
-        "temperatures: at {:.4g} rad/s the times of the study, {:.3g} to {:.3g} s, cover {:.4g} to {:.4g} degC", omega,
-        composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end)));
+        "temperatures: at {:.4g} Hz the times of the study, {:.3g} to {:.3g} s, and the shift factors of its binder "
+        "cover {:.4g} to {:.4g} degC",
+        hertz(omega), composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end)));
   }
   const auto range = temperatures.value_or(
       TemperatureRange{zero_celsius + step * std::ceil(celsius(covered.begin) / step), covered.end});
   if (range.begin > range.end + rounding) {
     throw InputError(fmt::format(
-        "step: at {:.4g} rad/s the times of the study, {:.3g} to {:.3g} s, cover {:.4g} to {:.4g} degC only, without a "
+        "step: at {:.4g} Hz the times of the study, {:.3g} to {:.3g} s, cover {:.4g} to {:.4g} degC only, without a "
         "multiple of {:g} K; expected a smaller step",
-        omega, composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end), step));
+        hertz(omega), composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end), step));
   }
   constexpr double most_samples = 1e5;
   if ((range.end - range.begin) / step > most_samples) throw InputError("step: too small for these temperatures");

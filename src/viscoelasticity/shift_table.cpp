@@ -35,9 +35,12 @@ ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log
   if (temperatures_.size() != log10_factors_.size() || temperatures_.size() < 2) {
     throw InputError("a table of shift factors: expected at least two temperatures, each with its factor");
   }
-  const auto is_finite = [](double value) { return std::isfinite(value); };
-  if (!std::ranges::all_of(temperatures_, is_finite) || !std::ranges::all_of(log10_factors_, is_finite)) {
-    throw InputError("a table of shift factors: expected finite numbers");
+  const auto is_in_range = [](double log10_factor) { return std::abs(log10_factor) <= most_decades; };
+  if (!std::ranges::all_of(temperatures_, [](double kelvin) { return kelvin > 0.0 && std::isfinite(kelvin); })) {
+    throw InputError("a table of shift factors: expected temperatures above absolute zero");
+  }
+  if (!std::ranges::all_of(log10_factors_, is_in_range)) {
+    throw InputError("a table of shift factors: expected factors between 1e-100 and 1e100");
   }
   const auto out_of_order = std::ranges::adjacent_find(temperatures_, std::greater_equal{});
   if (out_of_order != temperatures_.end()) {
@@ -58,8 +61,13 @@ ShiftTable::ShiftTable(std::vector<double> temperatures, std::vector<double> log
 }
 
 double ShiftTable::log10_factor(double temperature) const {
-  constexpr double rounding = 1e-6;  // [K]; an end of the table may be written in another unit
-  if (!(temperature >= temperatures_.front() - rounding && temperature <= temperatures_.back() + rounding)) {
+  // A row may be written in another unit than the temperature that is meant to be the same.
+  constexpr double rounding = 1e-6;  // [K]
+  const auto is_row = [temperature](double row) { return std::abs(temperature - row) <= rounding; };
+  if (const auto row = std::ranges::find_if(temperatures_, is_row); row != temperatures_.end()) {
+    return log10_factors_[static_cast<std::size_t>(row - temperatures_.begin())];
+  }
+  if (!(temperature >= temperatures_.front() && temperature <= temperatures_.back())) {
     throw InputError(fmt::format("the table of shift factors reaches from {} to {}, got {}",
                                  in_both_scales(temperatures_.front()), in_both_scales(temperatures_.back()),
                                  in_both_scales(temperature)));

@@ -226,7 +226,9 @@ TEST_F(Export, DynamicModuliAgainstTemperature) {
 TEST_F(Export, RefusesTemperaturesThatTheRunDoesNotCover) {
   const auto outcome = export_card("dma", {"--boundary", "displacement", "--temperatures", "-80 degC", "30 degC"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_THAT(outcome.errors, ::testing::ContainsRegex("the times of the study, 1e-05 to 10 s, cover .* degC"));
+  EXPECT_THAT(outcome.errors,
+              ::testing::ContainsRegex(
+                  "the times of the study, 1e-05 to 10 s, and the shift factors of its binder cover .* degC"));
   const auto options =
       export_card("dma", {"--frequency", "1 m", "--temperatures", "30 degC", "20 degC", "--step", "0 K"});
   EXPECT_EQ(options.exit_code, 2);

@@ -147,7 +147,7 @@ TEST_F(Respond, RefusesInvalidTemperatures) {
       {{"--temperature", "40 s"}, R"(--temperature: expected a temperature, got "40 s")"},
       {{"--temperature", "warm"}, R"(got "warm")"},
       {{"--temperature", "-400 degC"}, "expected a temperature above absolute zero"},
-      {{"--temperature", "-120 degC"}, "the WLF law has no meaning at or below"},
+      {{"--temperature", "-120 degC"}, "the shift law has no meaning at or below"},
       {{"--temperature", "40 degC", "--temperature", "313.15 K"}, "40 degC is given twice"},
       {{"--temperature", "40 degC", "--material", "binder.toml"}, "either --material FILE.toml or --temperature"},
       {{"--temperature", "40 degC", "--stage", "medium"}, R"(no response of a stage "medium")"},

@@ -59,7 +59,7 @@ TEST_F(StoredMaterialsTest, NeedAShiftLawIfTheyRelaxAndATemperatureInItsRange) {
               HasSubstr("binder has no temperature_shift in the deck"));
   const auto with = read(binder + law + "}").materials.front();
   EXPECT_THAT(test::message_of<InputError>([&] { static_cast<void>(at_temperature(with, 200.0)); }),
-              HasSubstr("the WLF law has no meaning at or below"));
+              HasSubstr("the shift law has no meaning at or below"));
   auto elastic = without;
   elastic.material.shear = PronySeries(1e6);
   EXPECT_EQ(at_temperature(elastic, 280.0), elastic.material);

@@ -116,7 +116,7 @@ TEST(RequireSound, NamesEachMistakeOfMaterials) {
        {[](Study& study) {
           study.temperature_shifts["binder"] = {WilliamsLandelFerry{17.4, 51.6, 290.0}, 200.0};
         },
-        "temperature shift of binder: the WLF law has no meaning"}},
+        "temperature shift of binder: the shift law has no meaning"}},
       test::two_stages());
 }
 

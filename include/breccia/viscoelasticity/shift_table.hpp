@@ -8,9 +8,12 @@ namespace breccia {
 /// them it is not known (docs/theory.md, Eq. 28d).
 class ShiftTable {
  public:
+  /// Factors beyond 10^100 and 10^-100 are mistakes.
+  static constexpr double most_decades = 100.0;
+
   /// log10 a_T by temperature [K], relative to any temperature; a_T is one at the reference temperature [K]. Throws
-  /// InputError with every mistake: fewer than two temperatures, temperatures that do not rise, factors that do not
-  /// fall, or a reference temperature outside the table.
+  /// InputError: fewer than two temperatures, temperatures that do not rise or are not above zero, factors that do not
+  /// fall or are out of range, or a reference temperature outside the table.
   ShiftTable(std::vector<double> temperatures, std::vector<double> log10_factors, double reference_temperature);
 
   [[nodiscard]] const std::vector<double>& temperatures() const noexcept { return temperatures_; }

@@ -18,7 +18,8 @@ namespace breccia::quasistatic {
 /// Sets a nodal vector to values in the natural order, all of which every process has.
 void set_nodes(std::span<const double> in_natural_order, Vec nodal);
 
-/// Gives a vector, and its duplicates, the places of the values of this process in the natural order.
+/// Gives a vector, and its duplicates, the places of the values of this process in the natural order. They are kept as
+/// the mapping from local to global numbers, so values must not be set by these.
 void set_natural_places(const std::vector<PetscInt>& places, Vec vector);
 /// The same for a vector with such places, or on one process without them.
 [[nodiscard]] std::vector<double> places_in_natural_order(Vec vector);

@@ -47,7 +47,8 @@ function showLaw() {
   const place = document.getElementById("law");
   if (sweeps.length < 2) return;
   if (fit.law === undefined) {
-    place.textContent = "These shift factors do not determine the constants of a law of Williams, Landel and Ferry.";
+    place.textContent = "These shift factors do not determine the constants of a law of Williams, Landel and " +
+      "Ferry. material.toml, beside this page, takes them as a table.";
     return;
   }
   const {c1, c2_K: c2} = lawAt(fit.law, shown.reference_K), stored = fit.law;
@@ -59,8 +60,8 @@ function showLaw() {
     `${celsius(shown.reference_K)}; log₁₀ a_T deviates by ${shortNumber(fit.law.worst_deviation, 2)} at worst, at ` +
     `${celsius(fit.law.worst_at_K)}. In a deck, beside the series of the fit (prony.csv), for a study at ` +
     `${celsius(shown.reference_K)}: `,
-  element("code", {}, `temperature_shift = { law = "wlf", c1 = ${Number(stored.c1.toPrecision(4))}, ` +
-    `c2 = "${Number(stored.c2_K.toPrecision(4))} K", reference = "${reference} degC", ` +
+  element("code", {}, `temperature_shift = { law = "wlf", c1 = ${Number(stored.c1.toPrecision(6))}, ` +
+    `c2 = "${Number(stored.c2_K.toPrecision(6))} K", reference = "${reference} degC", ` +
     `temperature = "${temperature} degC" }`));
 }
 

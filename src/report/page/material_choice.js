@@ -88,7 +88,10 @@ function isComplete(law) {
 /// Shifts the material to the temperature of the slider, and returns a text that says what that does.
 function shiftTo(slider, law, state) {
   const celsius = Number(slider.value);
-  state.decades = decadesOfShift(law, celsius + zeroCelsius) - decadesOfShift(law, law.temperature_K);
+  // The values of the slider are round, the ends of a table need not be.
+  const [coldest, hottest] = meaningOf(law);
+  const temperature = Math.min(Math.max(celsius + zeroCelsius, coldest), hottest);
+  state.decades = decadesOfShift(law, temperature) - decadesOfShift(law, law.temperature_K);
   return `${minus(celsius)} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
 }
 

@@ -19,12 +19,13 @@ export function curvesOfAnswer(curves) {
 }
 
 /// The sentences. `curves` are those of one test, one for each task, `symbol` is that of the modulus, `bound` the name
-/// of the boundary in words, `wordsOnTask` gives what is special in the task of a curve; `measured` {name, x, y} may be
-/// undefined.
-export function sweepSentences({curves, symbol, bound, wordsOnTask, measured}) {
+/// of the boundary in words, `tasks` the number of tasks that are done, `wordsOnTask` gives what is special in the task
+/// of a curve; `measured` {name, x, y} may be undefined.
+export function sweepSentences({curves, symbol, bound, tasks, wordsOnTask, measured}) {
   const times = threeTimes(curves);
   const ranges = [times[0], times.at(-1)].map((time) => rangeAt(curves, time, wordsOnTask));
-  const sentences = [`${symbol} of ${curves[0].stage}, ${bound}: ${listed([...new Set(ranges)])}.`];
+  const part = curves.length < tasks ? `, in ${curves.length} of ${tasks} tasks` : "";
+  const sentences = [`${symbol} of ${curves[0].stage}, ${bound}${part}: ${listed([...new Set(ranges)])}.`];
   return measured === undefined ? sentences : [...sentences, ...nearestTo(measured, curves, bound, wordsOnTask)];
 }
 
@@ -47,6 +48,6 @@ function nearestTo(measured, curves, bound, wordsOnTask) {
   const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${measured.name}) is ${wordsOnTask(curve)}, with ${ratios} times its modulus ` +
-    `(${bound}).`];
+  return [`Nearest to what was measured (${measured.name}) comes ${wordsOnTask(curve)}, with a modulus (${bound}) of ` +
+    `${ratios} times the measured one.`];
 }

@@ -33,6 +33,7 @@ function showAnswer(curves) {
   const moving = sweptKeys.filter(({values}) => values.length > 1);
   const measured = load === "shear" ? measuredCurves().find((one) => one.stage === stage) : undefined;
   const [first, ...others] = sweepSentences({curves, symbol: symbolOf(load), bound: boundNames[boundary], measured,
+    tasks: sweep.tasks.filter(({state}) => state === "done").length,
     wordsOnTask: ({values}) => moving.map(({path, label}) => `${label} ${values[path]}`).join(", ") || "the one task"});
   document.getElementById("summary").append(
     element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));

@@ -63,11 +63,13 @@ export function temperatureOfShift(law, decades) {
   return decades <= -law.c1 ? Infinity : law.reference_K - (law.c2_K * decades) / (law.c1 + decades);
 }
 
-/// y at x on the polygon through points with rising x.
+/// y at x on the polygon through points with rising x; not a number beyond them by more than rounding.
 function onPolygon(xs, ys, x) {
-  if (!(x >= xs[0] && x <= xs.at(-1))) return NaN;
-  const right = Math.max(1, xs.findIndex((one) => one >= x));
-  const share = (x - xs[right - 1]) / (xs[right] - xs[right - 1]);
+  const rounding = 1e-6;
+  const at = Math.min(Math.max(x, xs[0]), xs.at(-1));
+  if (!(Math.abs(at - x) <= rounding)) return NaN;
+  const right = Math.max(1, xs.findIndex((one) => one >= at));
+  const share = (at - xs[right - 1]) / (xs[right] - xs[right - 1]);
   return (1 - share) * ys[right - 1] + share * ys[right];
 }
 

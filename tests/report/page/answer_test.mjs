@@ -67,7 +67,8 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   // 2e6 sqrt(0.1) / 8e5 = 0.79 and 2e6 / 10 / 2e5 = 1; the others are off by a factor of 2 and 1.5.
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [8e5, 2e5]};
   assert.equal(sweepSentences({...words, measured})[1],
-    "Nearest to what was measured (Bennett) is gap 3, with 0.79 to 1 times its modulus (upper bound).");
+    "Nearest to what was measured (Bennett) comes gap 3, with a modulus (upper bound) of 0.79 to 1 times the measured one.");
+  assert.ok(sweepSentences({...words, tasks: 4})[0].startsWith("G(t) of mix, upper bound, in 3 of 4 tasks: 1 MPa"));
   assert.equal(sweepSentences({...words, curves: curves.slice(1, 2), measured}).length, 1);
 });
 
