@@ -52,7 +52,7 @@ temperature_shift = { law = "wlf", c1 = 6.5, c2 = "120 K", reference = "19 degC"
   EXPECT_NEAR(std::log10(binder.shear.terms().at(0).relaxation_time), -0.968085106383, 1e-11);
 }
 
-// ln a_T = (E_a / R) (1 / T - 1 / T_ref): 120 kJ/mol, 293.15 K, 273.15 K; by hand 3.604859...
+// ln a_T = (E_a / R) (1 / T - 1 / T_ref): 120 kJ/mol, 293.15 K, 273.15 K; by hand 3.604840
 TEST_F(DeckMaterials, TemperatureShiftByArrhenius) {
   const auto binder = material(R"(shear = { terms = [{ time = "1 s", modulus = "1 MPa" }] }
 temperature_shift = { law = "arrhenius", activation_energy = "120 kJ/mol", reference = "20 degC", temperature = "0 degC" })");
