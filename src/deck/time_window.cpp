@@ -31,7 +31,12 @@ std::optional<TimeWindow> read_time_window(const Section& section, const std::st
 }
 
 std::optional<TimeWindow> read_times_or_frequencies(const Section& section) {
-  if (!section.has("frequencies")) return read_time_window(section, "times");
+  if (!section.has("frequencies")) {
+    if (section.has("times")) return read_time_window(section, "times");
+    section.report("times",
+                   R"(missing, expected two rising times, such as ["10 ns", "10 ms"], or frequencies instead)");
+    return {};
+  }
   section.refuse({"times"}, "expected times or frequencies, got both");
   return read_frequency_window(section);
 }

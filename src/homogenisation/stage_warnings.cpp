@@ -102,7 +102,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
   const auto shown = display_beside(cells, cells_per_gap);
-  return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}", name, readable(gap, Dimension::length), shown,
+  return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}", name, display(gap, "m"), shown,
                      shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
                      cells_per_gap, cells_per_gap == 1.0 ? "cell" : "cells", consequence,
@@ -142,9 +142,8 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
   const auto shown = display_beside(cells, cells_per_coating);
   return fmt::format(
       "the thinnest coating, {}, is {} {} wide{}; below {:g} cells the strains in it are not resolved, and a coating "
-      "far "
-      "softer than its particle counts for too much or too little{}",
-      readable(*thickness, Dimension::length), shown, shown == "1" ? "cell" : "cells",
+      "far softer than its particle counts for too much or too little{}",
+      display(*thickness, "m"), shown, shown == "1" ? "cell" : "cells",
       grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
       cells_per_coating,
       words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));
@@ -207,10 +206,8 @@ std::optional<std::string> warning_of_cut_particles(const Stage& stage, const st
   const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
   if (cuts && packed.grains && packed.grains->sites.walls == Walls::periodic) {
     return "the displacement or the traction boundary cuts the grains of a periodic box like a window in a larger "
-           "body; "
-           "cut grains are stiff along the sides under the first, and with few grains the two moduli lie far apart; "
-           "the "
-           "boundary \"periodic\" cuts none";
+           "body; cut grains are stiff along the sides under the first, and with few grains the two moduli lie far "
+           "apart; the boundary \"periodic\" cuts none";
   }
   if (cuts && stage.has_image() && stage.is_periodic()) {
     return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "

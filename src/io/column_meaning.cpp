@@ -26,7 +26,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 33> stems{{
+constexpr std::array<Stem, 39> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -60,6 +60,12 @@ constexpr std::array<Stem, 33> stems{{
     {"shift factor", shift_factor},
     {"log10 shift factor", log10_shift_factor},
     {"log shift factor", log10_shift_factor},
+    {"at", shift_factor},
+    {"a t", shift_factor},
+    {"log at", log10_shift_factor},
+    {"log a t", log10_shift_factor},
+    {"log10 at", log10_shift_factor},
+    {"log10 a t", log10_shift_factor},
 }};
 
 /// Symbols of quantities, which are case-sensitive.
@@ -151,6 +157,12 @@ std::optional<Stem> modulus_in_words(const std::vector<std::string>& words) {
   return std::nullopt;
 }
 
+/// The name of these words in any case; a null pointer if there is none.
+const Stem* known_stem(const std::vector<std::string>& words) {
+  const auto* found = std::ranges::find(stems, lower_case(fmt::format("{}", fmt::join(words, " "))), &Stem::text);
+  return found == stems.end() ? nullptr : found;
+}
+
 /// The meaning of a name without its unit.
 std::optional<Stem> stem_of(std::string_view text) {
   if (text.find_first_of(",;[](){}=/") != std::string_view::npos) return std::nullopt;
@@ -158,19 +170,23 @@ std::optional<Stem> stem_of(std::string_view text) {
   if (words.empty()) return std::nullopt;
   const auto* symbol = symbol_of(words.back());
   if (symbol != nullptr && words.size() == 1) return *symbol;
+  if (const auto* known = known_stem(words)) return *known;
   if (symbol != nullptr) words.pop_back();  // as in "Storage modulus G'"
+  const auto* known = known_stem(words);
   for (auto& word : words) word = lower_case(std::move(word));
-  const auto* known = std::ranges::find(stems, fmt::format("{}", fmt::join(words, " ")), &Stem::text);
-  auto stem = known != stems.end() ? std::optional(*known) : modulus_in_words(words);
+  auto stem = known != nullptr ? std::optional(*known) : modulus_in_words(words);
   if (symbol == nullptr || !stem) return stem;
   if (stem->quantity != symbol->quantity) return std::nullopt;
   if (stem->kind == ModulusKind::unspecified) stem->kind = symbol->kind;
   return stem;
 }
 
-/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]".
+/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", and "log(aT)" becomes "log aT".
 std::string without_argument(std::string_view name) {
   std::string text(name);
+  for (const auto* factor : {"aT", "a_T"}) {
+    text = with_replaced(text, fmt::format("({})", factor), fmt::format(" {}", factor));
+  }
   for (const auto* argument : {"(t)", "(ω)", "(omega)", "(f)"}) text = with_replaced(text, argument, "");
   return text;
 }

@@ -193,7 +193,9 @@ TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {
 
 TEST_F(DeckTests, Mistakes) {
   const auto with_times = [&](std::string_view lines) { return mistakes(test::join(times, lines)); };
-  EXPECT_THAT(mistakes(""), HasSubstr("tests.times: missing, expected an array such as [\"10 ns\"]"));
+  EXPECT_THAT(mistakes(""),
+              HasSubstr("tests.times: missing, expected two rising times, such as [\"10 ns\", \"10 ms\"], or "
+                        "frequencies instead"));
   EXPECT_THAT(mistakes("times = [\"1 s\"]"), HasSubstr("tests.times: expected two rising times"));
   EXPECT_THAT(mistakes("frequencies = [\"1 Hz\"]"), HasSubstr("tests.frequencies: expected two rising frequencies"));
   EXPECT_THAT(mistakes("frequencies = [\"2 Hz\", \"1 Hz\"]"), HasSubstr("expected two rising frequencies"));

@@ -89,6 +89,12 @@ TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
       {"y_m", y, 3.0},
       {"cumulative_volume_fraction", cumulative_volume_fraction, 3.0},
       {"cumulative volume fraction [%]", cumulative_volume_fraction, 0.03},
+      {"Shift factor", shift_factor, 3.0},
+      {"a_T", shift_factor, 3.0},
+      {"aT [-]", shift_factor, 3.0},
+      {"log10_shift_factor", log10_shift_factor, 3.0},
+      {"log aT", log10_shift_factor, 3.0},
+      {"log10(a_T)", log10_shift_factor, 3.0},
   };
   for (const auto& [name, quantity, three, kind] : cases) {
     const auto table = read(std::string(name) + ",something\n3,else\n");

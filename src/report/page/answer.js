@@ -77,5 +77,30 @@ function sentenceOnMeasurement(curves, measured) {
   });
   if (parts.length === 0) return [];
   const [from, to] = [Math.min(...seen), Math.max(...seen)].map((time) => display(time, "s", 2));
-  return [`From ${from} to ${to} ${listed(parts)} what was measured (${measured.name}).`];
+  return [`From ${from} to ${to} ${listed(parts)} what was measured (${measured.name}).`,
+    ...sentenceOnPlace(curves, measured)];
+}
+
+/// Where the measurement lies beside both bounds: stretches of times in which it is below, between or above them.
+function sentenceOnPlace(curves, measured) {
+  if (curves.length < 2) return [];
+  const stretches = [];
+  measured.x.forEach((time, i) => {
+    const [least, most] = rangeAt(curves, time);
+    if (!Number.isFinite(least)) return;
+    const place = measured.y[i] < least ? "below both bounds" : measured.y[i] > most ? "above both bounds"
+      : "between the bounds";
+    if (stretches.at(-1)?.place !== place) stretches.push({place, from: time});
+    stretches.at(-1).to = time;
+  });
+  const most = 4;
+  if (stretches.length === 0) return [];
+  if (stretches.length > most) return ["The measurement goes in and out of the bounds."];
+  const parts = stretches.map(({place, from, to}, i) => {
+    if (stretches.length === 1) return `${place} at all of these times`;
+    if (i === 0) return `${place} to ${display(to, "s", 2)}`;
+    return i === stretches.length - 1 ? `${place} from ${display(from, "s", 2)} on`
+      : `${place} from ${display(from, "s", 2)} to ${display(to, "s", 2)}`;
+  });
+  return [`The measurement lies ${listed(parts)}.`];
 }

@@ -8,10 +8,11 @@ import {boundNames, symbolOf, wordsOnStage} from "./names.js";
 import {display, percent, shortNumber, withMicroSign} from "./numbers.js";
 import {own} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
-import {binderOf, stagesOfInterest} from "./stages.js";
+import {binderOf, matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
 import {relaxationModulus} from "./viscoelasticity.js";
 import {groupsOfWarnings, lineOnGroup} from "./warnings.js";
+import {sentenceOnWholeFiller} from "./whole_filler.js";
 
 const orderOfBounds = ["traction", "periodic", "displacement"];
 
@@ -111,7 +112,9 @@ export function showResultPicture() {
   const place = document.getElementById("result-picture");
   place.hidden = svg === undefined;
   if (svg === undefined) return;
-  const words = `${stage.name}: ${wordsOnStage(stage)}.`;
+  const apposition = matrixStageOf(study, stage) === undefined ? "" : ", the composite of the stage before";
+  const words = [`${stage.name}: ${wordsOnStage(stage)}${apposition}.`, sentenceOnWholeFiller(stage)]
+    .filter(Boolean).join(" ");
   place.append(element("a", {href: "#microstructures"}, element("img", {alt: words,
     src: `data:image/svg+xml,${encodeURIComponent(svg)}`})), element("figcaption", {}, words));
 }

@@ -11,7 +11,6 @@ import {runsFigure} from "./runs_figure.js";
 import {showDeck} from "./table.js";
 import {showComparison, showProvenance, showQuality, showStages} from "./tables.js";
 import {showGlossary, showTrust} from "./trust.js";
-import {showWholeFiller} from "./whole_filler.js";
 
 const curvesOfStudy = allCurves();
 showAnswer(curvesOfStudy);
@@ -19,7 +18,6 @@ showWarnings();
 showResultPicture();
 showModuli(curvesOfStudy);
 showStages();
-showWholeFiller();
 showComparison();
 showPictures();
 showFields();

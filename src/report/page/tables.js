@@ -6,7 +6,9 @@ import {boundNames, listed, methodNames, nameOfTest, wordsOnStage} from "./names
 import {display, duration, percent, percentOfWhole, withMicroSign} from "./numbers.js";
 import {distinct, groupsOf} from "./records.js";
 import {decades, valueAt} from "./sampling.js";
+import {matrixStageOf, stagesOfInterest} from "./stages.js";
 import {table} from "./table.js";
+import {sentenceOnWholeFiller} from "./whole_filler.js";
 
 /// Whether a stage was computed by the model of grains and films, without cells.
 function hasFilms(stage) {
@@ -15,10 +17,10 @@ function hasFilms(stage) {
 
 /// Shows what was computed of which stages.
 export function showStages() {
-  const sentences = study.stages.map((stage, i) => {
-    const earlier = study.stages.slice(0, i).some((one) => one.name === stage.matrix);
+  const sentences = study.stages.map((stage) => {
+    const earlier = matrixStageOf(study, stage) !== undefined;
     const cells = hasFilms(stage) ? "computed as grains and films" : `${listed(stage.cells.map(String))} cells a side`;
-    return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the stage before" : ""}; ${cells}.`;
+    return `${stage.name}: ${wordsOnStage(stage)}${earlier ? ", the composite of the stage before" : ""}; ${cells}.`;
   });
   const [begin, end] = study.times_s.map((time) => display(time, "s"));
   const tests = study.stages.flatMap((stage) => stage.tests);
@@ -28,6 +30,8 @@ export function showStages() {
     `${methods} method.`;
   document.getElementById("stages").append(element("p", {}, tests.length > 0 ? what : "Packed, not tested."), sentences.length > 1
     ? element("ol", {}, ...sentences.map((text) => element("li", {}, text))) : element("p", {}, sentences.join("")));
+  const fillers = stagesOfInterest(study).map(sentenceOnWholeFiller).filter(Boolean);
+  if (fillers.length > 0) document.getElementById("stages").append(element("p", {}, fillers.join(" ")));
 }
 
 /// Shows measured and computed moduli at whole decades, and where they agree best and worst.

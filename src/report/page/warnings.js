@@ -1,5 +1,7 @@
 /// Warnings of a study: those that say the same of several stages stand together.
 
+import {listed} from "./names.js";
+
 /// What is the same in warnings of one kind: the text without numbers, their units and the name of the stage.
 function kindOf(text) {
   return text.replace(/[−-]?\d[\d.,]*(e[+-]?\d+)?( ?([fpnumkMGT]|µ)?(m|s|Pa)\b)?/g, "#").replace(/\bcells\b/g, "cell");
@@ -21,12 +23,14 @@ export function groupsOfWarnings(warnings, stageNames) {
   return [...groups.values()];
 }
 
-/// The first clause of the first warning of a group, with the other stages that have one of the same kind.
+/// What the first warning of a group says and what that does to the result, its first two clauses without what stands
+/// in brackets, with the other stages that have one of the same kind.
 export function lineOnGroup({stages, texts}) {
-  const [stage, ...others] = stages;
+  const [stage, ...others] = [...new Set(stages)];
   const whole = stage === undefined ? texts[0] : texts[0].slice(stage.length + 2);
-  const clause = whole.split("; ")[0];
-  const isSame = texts.every((text, i) => stages[i] !== undefined && text.slice(stages[i].length + 2) === whole);
-  const alike = others.length > 0 ? ` (and ${others.join(", ")}${isSame ? "" : ", with other numbers"})` : "";
-  return `${stage === undefined ? "" : `${stage}${alike}: `}${clause}`;
+  const clauses = whole.replace(/ \([^()]*\)/g, "").split("; ").slice(0, 2).join("; ");
+  if (stage === undefined) return clauses;
+  const isSame = texts.every((text, i) => text.slice(stages[i].length + 2) === whole);
+  if (isSame || others.length === 0) return `${listed([stage, ...others])}: ${clauses}`;
+  return `${stage}: ${clauses}. Likewise ${listed(others)}`;
 }

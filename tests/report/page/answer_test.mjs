@@ -28,12 +28,17 @@ test("the modulus at the first, the middle and the last time", () => {
 
 test("beside the binder and the measurement", () => {
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [4e8, 1e8]};
-  const [, binder, ratio] = answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, binder: {at: () => 1e6},
-    measured});
+  const [, binder, ratio, place] = answerSentences({stage: "mix", symbol: "G(t)", curves: bounds,
+    binder: {at: () => 1e6}, measured});
   assert.equal(binder, "That is 1000 to 2000 times its binder at 1 ms and 10 to 20 times its binder at 10 s.");
   // 1e9 sqrt(0.1) / 4e8 = 0.79 and 1e9 / 10 / 1e8 = 1.
   assert.equal(ratio, "From 10 ms to 100 ms the lower bound is 0.79 to 1 times and the upper bound is 1.6 to 2 times " +
     "what was measured (Bennett).");
+  assert.equal(place, "The measurement lies between the bounds at all of these times.");
+  const crossing = {name: "Bennett", x: [1e-3, 1e-2, 1e-1, 1], y: [1e8, 4e8, 1.5e8, 1e9]};
+  assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: crossing}).at(-1),
+    "The measurement lies below both bounds to 1 ms, between the bounds from 10 ms to 100 ms and above both bounds " +
+    "from 1 s on.");
   const elsewhere = {name: "Bennett", x: [100, 1000], y: [1, 1]};
   assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
 });
@@ -100,7 +105,9 @@ test("the same warning of several stages stands in one line", () => {
   const groups = groupsOfWarnings(warnings, ["A", "B"]);
   assert.deepEqual(groups.map(({texts}) => texts.length), [1, 2, 1]);
   assert.deepEqual(groups.map(lineOnGroup), ["b: Poisson's ratio is 0.5",
-    "A (and B, with other numbers): the gap, 500 nm, is 0.52 cells wide", "B: only 7 particles"]);
+    "A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B", "B: only 7 particles"]);
+  const same = ["A: few particles (7 of 30); take more; or not", "B: few particles (7 of 30); take more; or not"];
+  assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["A and B: few particles; take more"]);
 });
 
 test("how far to trust a stage, by what the run knows", () => {
