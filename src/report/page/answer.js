@@ -98,7 +98,7 @@ function sentenceOnPlace(curves, measured) {
   if (stretches.length > most) return ["The measurement goes in and out of the bounds."];
   const parts = stretches.map(({place, from, to}, i) => {
     if (stretches.length === 1) return `${place} at all of these times`;
-    if (i === 0) return `${place} to ${display(to, "s", 2)}`;
+    if (i === 0) return `${place} up to ${display(to, "s", 2)}`;
     return i === stretches.length - 1 ? `${place} from ${display(from, "s", 2)} on`
       : `${place} from ${display(from, "s", 2)} to ${display(to, "s", 2)}`;
   });

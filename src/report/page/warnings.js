@@ -32,5 +32,5 @@ export function lineOnGroup({stages, texts}) {
   if (stage === undefined) return clauses;
   const isSame = texts.every((text, i) => text.slice(stages[i].length + 2) === whole);
   if (isSame || others.length === 0) return `${listed([stage, ...others])}: ${clauses}`;
-  return `${stage}: ${clauses}. Likewise ${listed(others)}`;
+  return `${stage}: ${clauses}. Likewise ${listed(others)}.`;
 }

@@ -37,7 +37,7 @@ test("beside the binder and the measurement", () => {
   assert.equal(place, "The measurement lies between the bounds at all of these times.");
   const crossing = {name: "Bennett", x: [1e-3, 1e-2, 1e-1, 1], y: [1e8, 4e8, 1.5e8, 1e9]};
   assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: crossing}).at(-1),
-    "The measurement lies below both bounds to 1 ms, between the bounds from 10 ms to 100 ms and above both bounds " +
+    "The measurement lies below both bounds up to 1 ms, between the bounds from 10 ms to 100 ms and above both bounds " +
     "from 1 s on.");
   const elsewhere = {name: "Bennett", x: [100, 1000], y: [1, 1]};
   assert.equal(answerSentences({stage: "mix", symbol: "G(t)", curves: bounds, measured: elsewhere}).length, 1);
@@ -105,7 +105,7 @@ test("the same warning of several stages stands in one line", () => {
   const groups = groupsOfWarnings(warnings, ["A", "B"]);
   assert.deepEqual(groups.map(({texts}) => texts.length), [1, 2, 1]);
   assert.deepEqual(groups.map(lineOnGroup), ["b: Poisson's ratio is 0.5",
-    "A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B", "B: only 7 particles"]);
+    "A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B.", "B: only 7 particles"]);
   const same = ["A: few particles (7 of 30); take more; or not", "B: few particles (7 of 30); take more; or not"];
   assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["A and B: few particles; take more"]);
 });
