@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <omp.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/threads.hpp"
 
 #include "boundary_nodes.hpp"
 #include "classical.hpp"
@@ -96,7 +96,7 @@ template class DynamicSolver<3>;
 template <int dim>
 std::unique_ptr<DynamicSolver<dim>> make_dynamic_solver(Formulation formulation, DynamicProblem<dim> problem,
                                                         int threads, InstructionSet instructions) {
-  const int used = threads > 0 ? threads : omp_get_max_threads();
+  const int used = parallel::threads_for(threads);
   switch (formulation) {
     case Formulation::total_lagrangian:
       return std::make_unique<dynamics::TotalLagrangian<dim>>(std::move(problem), used, instructions);

@@ -15,6 +15,7 @@
 #include "breccia/error.hpp"
 #include "breccia/parallel/blas_threads.hpp"
 #include "breccia/parallel/communicator.hpp"
+#include "breccia/parallel/threads.hpp"
 
 namespace breccia::parallel {
 namespace {
@@ -93,6 +94,7 @@ void start() {
   // differently for another number of them.
   static_cast<void>(set_blas_threads(1));
   start_mpi();
+  share_cores();
   start_petsc();
 }
 

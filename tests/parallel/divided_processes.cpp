@@ -1,9 +1,15 @@
-// Under mpirun, two processes: the first question to the library finds both, and they are divided once.
+// Under mpirun, two processes: the first question to the library finds both, they share the cores, and they are divided
+// once.
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+
+#include <omp.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/session.hpp"
+#include "breccia/parallel/threads.hpp"
 
 namespace {
 
@@ -27,6 +33,11 @@ bool is_divided_again() {
 int main() {
   namespace parallel = breccia::parallel;
   bool holds = expect(!parallel::is_alone(), "a process under mpirun takes itself for the only one");
+  // They may run on all cores, which they share.
+  unsetenv("OMP_NUM_THREADS");
+  const int shared = std::min(omp_get_max_threads(), std::max(1, omp_get_num_procs() / 2));
+  holds = expect(parallel::threads_for(0) == shared, "two processes do not share the cores") && holds;
+  holds = expect(parallel::threads_for(3) == 3, "threads that were asked for are not given") && holds;
   parallel::divide(1);
   holds = expect(parallel::groups() == 2 && parallel::ranks() == 1, "two processes are not two groups") && holds;
   const int group = parallel::group();

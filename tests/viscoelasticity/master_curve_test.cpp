@@ -93,7 +93,7 @@ std::string message(const std::vector<FrequencySweep>& bad, double reference = 2
 TEST(MasterCurve, RefusesBadSweeps) {
   using testing::HasSubstr;
   const auto good = sweeps(0.0);
-  EXPECT_THAT(message(good, 293.15), HasSubstr("no sweep at the reference temperature 293.15 K; there are 232.15, "));
+  EXPECT_THAT(message(good, 293.15), HasSubstr("no sweep at the reference temperature 293.15 K (20 degC); there are 232.15 K (-41 degC), "));
   EXPECT_THAT(message({good[6]}), HasSubstr("two temperatures at least"));
   EXPECT_THAT(message({good[6], good[6]}), HasSubstr("two sweeps at 292.15 K"));
   EXPECT_THAT(message({good[0], good[6]}), HasSubstr("the storage moduli at 232.15 and 292.15 K do not overlap"));

@@ -107,9 +107,9 @@ class DynamicSolver {
 extern template class DynamicSolver<2>;
 extern template class DynamicSolver<3>;
 
-/// A solver for the problem. `threads` = 0 takes all that OpenMP offers; the results depend neither on it nor on the
-/// instructions of the total-lagrangian formulation, which this processor must have.
-/// Throws InputError when the problem is incomplete or its time step not stable. Instantiated for 2 and 3 dimensions.
+/// A solver for the problem. `threads` = 0 takes all cores of this process (parallel::threads_for); the results depend
+/// neither on it nor on the instructions of the total-lagrangian formulation, which this processor must have. Throws
+/// InputError when the problem is incomplete or its time step not stable. Instantiated for 2 and 3 dimensions.
 template <int dim>
 std::unique_ptr<DynamicSolver<dim>> make_dynamic_solver(Formulation formulation, DynamicProblem<dim> problem,
                                                         int threads = 0,

@@ -7,9 +7,8 @@
 #include <span>
 #include <utility>
 
-#include <omp.h>
-
 #include "breccia/error.hpp"
+#include "breccia/parallel/threads.hpp"
 
 #include "operator/vector_values.hpp"
 
@@ -19,7 +18,7 @@ ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation,
                                       Boundary boundary, int threads)
     : nodes_({discretisation.grid().cells, 1.0}, boundary),
       volumetric_(volumetric),
-      threads_(threads > 0 ? threads : omp_get_max_threads()) {
+      threads_(parallel::threads_for(threads)) {
   find_kinds(discretisation);
   find_first_strains();
 }

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/first_exception.hpp"
 #include "breccia/parallel/reduction.hpp"
+#include "breccia/parallel/threads.hpp"
 
 #include "operator/vector_values.hpp"
 
@@ -49,7 +49,7 @@ void combine(double factor, std::vector<double>& a, double other, const std::vec
 SubstructuringSolver::SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options)
     : ElasticSolver(elastic_operator, options, false),
       blocks_(elastic_operator),
-      threads_(useful_threads(options.threads > 0 ? options.threads : omp_get_max_threads(), blocks_.grid().blocks())),
+      threads_(useful_threads(parallel::threads_for(options.threads), blocks_.grid().blocks())),
       place_of_unknown_(static_cast<std::size_t>(blocks_.grid().owned_unknowns())) {
   const auto& grid = blocks_.grid();
   for (int b = 0; b < grid.blocks(); ++b) {

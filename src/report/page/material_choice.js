@@ -4,7 +4,7 @@
 import {element} from "./elements.js";
 import {display, minus, shortNumber} from "./numbers.js";
 import {readSpectrum} from "./spectrum_text.js";
-import {decadesOfShift} from "./viscoelasticity.js";
+import {decadesOfShift, temperaturesOfLaw} from "./viscoelasticity.js";
 
 const zeroCelsius = 273.15;
 
@@ -89,7 +89,7 @@ function isComplete(law) {
 function shiftTo(slider, law, state) {
   const celsius = Number(slider.value);
   // The values of the slider are round, the ends of a table need not be.
-  const [coldest, hottest] = meaningOf(law);
+  const [coldest, hottest] = temperaturesOfLaw(law);
   const temperature = Math.min(Math.max(celsius + zeroCelsius, coldest), hottest);
   state.decades = decadesOfShift(law, temperature) - decadesOfShift(law, law.temperature_K);
   return `${minus(celsius)} °C, relaxation times × ${shortNumber(10 ** state.decades)}`;
@@ -99,17 +99,11 @@ function shiftTo(slider, law, state) {
 function setRange(slider, law) {
   const below = 40, above = 60;
   const ofRun = Number((law.temperature_K - zeroCelsius).toFixed(2));
-  const [coldest, hottest] = meaningOf(law).map((temperature) => temperature - zeroCelsius);
+  const [coldest, hottest] = temperaturesOfLaw(law).map((temperature) => temperature - zeroCelsius);
   // In steps of whole degrees from the temperature of the run.
   slider.min = ofRun - Math.max(0, Math.min(below, Math.floor(ofRun - coldest)));
   slider.max = ofRun + Math.max(0, Math.min(above, Math.floor(hottest - ofRun)));
   slider.value = ofRun;
-}
-
-/// The temperatures [K] between which a law has a meaning: those of a table, or well above T_ref - c2.
-function meaningOf({temperatures_K: temperatures, reference_K: reference, c2_K: c2}) {
-  const room = 10;
-  return temperatures === undefined ? [reference - c2 + room, Infinity] : [temperatures[0], temperatures.at(-1)];
 }
 
 /// Fields for the constants of the law, which they change before they call `changed`.

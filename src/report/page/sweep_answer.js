@@ -39,8 +39,11 @@ function rangeAt(curves, time, wordsOnTask) {
   return `${range} at ${display(time, "s")}`;
 }
 
-/// The task whose largest deviation from the measurement, as a factor, is the smallest.
-function nearestTo(measured, curves, bound, wordsOnTask) {
+/// The task whose largest deviation from the measurement, as a factor, is the smallest, at the times of all tasks.
+function nearestTo({name, x, y}, curves, bound, wordsOnTask) {
+  const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
+  const places = [...x.keys()].filter((i) => isCommon(x[i]));
+  const measured = {x: places.map((i) => x[i]), y: places.map((i) => y[i])};
   const known = curves.map((curve) => ({curve, range: ratioRange(curve, measured)}))
     .filter(({range}) => range !== undefined);
   if (known.length < 2) return [];
@@ -48,6 +51,6 @@ function nearestTo(measured, curves, bound, wordsOnTask) {
   const {curve, range} = known.reduce((best, one) => (factor(one.range) < factor(best.range) ? one : best));
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
-  return [`Nearest to what was measured (${measured.name}) comes ${wordsOnTask(curve)}, with a modulus (${bound}) of ` +
+  return [`Nearest to what was measured (${name}) comes ${wordsOnTask(curve)}, with a modulus (${bound}) of ` +
     `${ratios} times the measured one.`];
 }

@@ -63,6 +63,12 @@ export function temperatureOfShift(law, decades) {
   return decades <= -law.c1 ? Infinity : law.reference_K - (law.c2_K * decades) / (law.c1 + decades);
 }
 
+/// The temperatures [K] between which a law has a meaning: those of a table, or well above T_ref - c2.
+export function temperaturesOfLaw({temperatures_K: temperatures, reference_K: reference, c2_K: c2}) {
+  const room = 10;
+  return temperatures === undefined ? [reference - c2 + room, Infinity] : [temperatures[0], temperatures.at(-1)];
+}
+
 /// y at x on the polygon through points with rising x; not a number beyond them by more than rounding.
 function onPolygon(xs, ys, x) {
   const rounding = 1e-6;

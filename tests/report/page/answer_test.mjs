@@ -73,6 +73,11 @@ test("a sweep: its range, and the task that is nearest to the measurement", () =
   const measured = {name: "Bennett", x: [1e-2, 1e-1], y: [8e5, 2e5]};
   assert.equal(sweepSentences({...words, measured})[1],
     "Nearest to what was measured (Bennett) comes gap 3, with a modulus (upper bound) of 0.79 to 1 times the measured one.");
+  // A task of fewer times is compared with the others at its own.
+  const short = {...task(5, 1.9e6), x: curves[0].x.slice(0, 4), y: task(5, 1.9e6).y.slice(0, 4)};
+  const late = {name: "Bennett", x: [1e-2, 1e-1], y: [6e5, 6e5]};
+  assert.ok(sweepSentences({...words, curves: [...curves, short], measured: late})[1].includes("comes gap 5, with a " +
+    "modulus (upper bound) of 1 times"));
   assert.ok(sweepSentences({...words, tasks: 4})[0].startsWith("G(t) of mix, upper bound, in 3 of 4 tasks: 1 MPa"));
   assert.equal(sweepSentences({...words, curves: curves.slice(1, 2), measured}).length, 1);
 });

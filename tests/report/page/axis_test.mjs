@@ -5,7 +5,7 @@ import {test} from "node:test";
 
 import {parted} from "../../../src/report/page/end_labels.js";
 import {lawOf, overTemperature, usualAbscissa} from "../../../src/report/page/temperature_axis.js";
-import {decadesOfShift, temperatureOfShift} from "../../../src/report/page/viscoelasticity.js";
+import {decadesOfShift, temperatureOfShift, temperaturesOfLaw} from "../../../src/report/page/viscoelasticity.js";
 import {assertClose} from "./close.mjs";
 
 const law = {c1: 6.5, c2_K: 120, reference_K: 292.15, temperature_K: 293.15};
@@ -56,4 +56,11 @@ test("names do not cover one another", () => {
   assert.deepEqual(parted([{at: 10, height: 12}, {at: 50, height: 12}], 100), [10, 50]);
   assert.deepEqual(parted([{at: 50, height: 20}, {at: 45, height: 20}], 100), [65, 45]);
   assert.deepEqual(parted([{at: 95, height: 20}, {at: 96, height: 20}], 100), [70, 90]);
+});
+
+test("the temperatures at which a law has a meaning", () => {
+  assert.deepEqual(temperaturesOfLaw({c1: 6.5, c2_K: 120, reference_K: 292}), [182, Infinity]);
+  // The law of Arrhenius is that of WLF with c2 = T_ref: down to absolute zero.
+  assert.deepEqual(temperaturesOfLaw({c1: 30, c2_K: 300, reference_K: 300}), [10, Infinity]);
+  assert.deepEqual(temperaturesOfLaw({temperatures_K: [232, 260, 332], reference_K: 292}), [232, 332]);
 });
