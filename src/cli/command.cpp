@@ -51,7 +51,9 @@ void add_run_arguments(CLI::App& command, RunArguments& arguments) {
   add_deck_arguments(command, arguments.deck);
   command.add_option("--out", arguments.directory, "directory for the results (default: results/<name of the deck>)")
       ->type_name("DIR");
-  command.add_option("--threads", arguments.threads, "number of threads of each process (default: one for each core, shared by processes)")
+  command
+      .add_option("--threads", arguments.threads,
+                  "number of threads of each process (default: one for each core, shared by processes)")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");

@@ -26,9 +26,10 @@ struct SampledFilms {
 FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                     std::span<const Moduli> training_set, const SamplingOptions& options,
                                     const std::function<void(const SamplingProgress&)>& observer,
-                                    Checkpoint* checkpoint) {
+                                    Checkpoint* checkpoint, const std::optional<TargetCurve>& target) {
   constexpr PhaseIndex binder = 0;
-  const auto path = matrix_path(binder, training_set);
+  auto path = matrix_path(binder, training_set);
+  path.target = target;
   quasistatic::require_complete(loads, path);
   const auto sampled = std::make_shared<SampledFilms>(problem, loads, path);
   auto& sampling = sampled->sampling;

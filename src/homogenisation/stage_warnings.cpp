@@ -102,7 +102,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
   const double cells = gap / stage.side * grids.front();
   if (cells >= cells_per_gap * (1.0 - rounding)) return std::nullopt;
   const auto shown = display_beside(cells, cells_per_gap);
-  return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}", name, display(gap, "m"), shown,
+  return fmt::format("{}, {}, is {} {} wide{}; below {:g} {} {}{}", name, display(gap, "m", 4), shown,
                      shown == "1" ? "cell" : "cells",
                      grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
                      cells_per_gap, cells_per_gap == 1.0 ? "cell" : "cells", consequence,
@@ -143,7 +143,7 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
   return fmt::format(
       "the thinnest coating, {}, is {} {} wide{}; below {:g} cells the strains in it are not resolved, and a coating "
       "far softer than its particle counts for too much or too little{}",
-      display(*thickness, "m"), shown, shown == "1" ? "cell" : "cells",
+      display(*thickness, "m", 4), shown, shown == "1" ? "cell" : "cells",
       grids.size() > 1 ? fmt::format(" on the coarsest grid, of {} cells a side", grids.front()) : "",
       cells_per_coating,
       words_on_finer_grids(grids, std::ceil(cells_per_coating * stage.side / *thickness * (1.0 - rounding))));

@@ -70,7 +70,9 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
   // training set has both.
   const auto near_times = [&test](const auto& of_phases) { return carson_path(of_phases, test.times); };
-  TrainingPath path = {.phases = test.varying, .points = moduli_on_paths(test, materials, near_times)};
+  TrainingPath path = {.phases = test.varying,
+                       .points = moduli_on_paths(test, materials, near_times),
+                       .target = TargetCurve{materials, test.times}};
   if (test.options.range == SampledRange::matrix) {
     const auto everywhere = [&test](const auto& of_phases) { return relaxation_path(of_phases, test.times); };
     const auto whole = test.relaxation.empty() ? moduli_on_paths(test, materials, everywhere) : test.relaxation;
@@ -104,8 +106,8 @@ std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticT
                                     QuasistaticTestResult& result) {
   std::vector<Moduli> of_binder;
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
-  auto sampled =
-      sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow, checkpoint);
+  auto sampled = sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow,
+                                       checkpoint, path.target);
   for (const double time : test.field_times) result.film_fields.push_back({time, sampled.fields(0, materials, time)});
   result.effort = sampled.effort;
   return std::move(sampled.responses);

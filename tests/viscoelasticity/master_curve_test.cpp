@@ -93,16 +93,17 @@ std::string message(const std::vector<FrequencySweep>& bad, double reference = 2
 TEST(MasterCurve, RefusesBadSweeps) {
   using testing::HasSubstr;
   const auto good = sweeps(0.0);
-  EXPECT_THAT(message(good, 293.15), HasSubstr("no sweep at the reference temperature 293.15 K (20 degC); there are 232.15 K (-41 degC), "));
+  EXPECT_THAT(message(good, 293.15),
+              HasSubstr("no sweep at the reference temperature 293.15 K (20 degC); there are 232.15 K (-41 degC), "));
   EXPECT_THAT(message({good[6]}), HasSubstr("two temperatures at least"));
   EXPECT_THAT(message({good[6], good[6]}), HasSubstr("two sweeps at 292.15 K"));
   EXPECT_THAT(message({good[0], good[6]}), HasSubstr("the storage moduli at 232.15 and 292.15 K do not overlap"));
   auto bad = good;
   bad[3].loss[2] = -1.0;
-  EXPECT_THAT(message(bad), HasSubstr("the sweep at 262.15 K: expected positive frequencies and moduli"));
+  EXPECT_THAT(message(bad), HasSubstr("the sweep at 262.15 K (-11 degC): expected positive frequencies and moduli"));
   bad = good;
   std::swap(bad[3].frequencies[2], bad[3].frequencies[3]);
-  EXPECT_THAT(message(bad), HasSubstr("the sweep at 262.15 K: expected rising frequencies"));
+  EXPECT_THAT(message(bad), HasSubstr("the sweep at 262.15 K (-11 degC): expected rising frequencies"));
   bad = good;
   bad[3].storage.pop_back();
   EXPECT_THAT(message(bad), HasSubstr("has 16 frequencies, 15 storage and 16 loss moduli"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
+#include "breccia/quasistatic/target_curve.hpp"
 
 namespace breccia {
 
@@ -26,14 +28,16 @@ struct FilmResponses {
 
 /// Builds a reduced response of grains and films for each load, like sample_responses() of cells: the moduli of the
 /// binder, which is the matrix, vary in it. `training_set` are moduli [Pa] of the binder from stiff to soft
-/// (carson_path(), relaxation_path()). What works on the responses of cells works on these: creep_compliance(), exact
-/// in time for a Prony series, coverage(), calibration. With a checkpoint, the state is saved between solutions when
-/// that is due, and an earlier state is resumed. Throws InputError when the problem is not sound or there are no loads
-/// or moduli, NumericalError when a system cannot be solved or the tolerance cannot be met.
+/// (carson_path(), relaxation_path()), `target` is the curve of a binder that is to be as accurate in time. What works
+/// on the responses of cells works on these: creep_compliance(), exact in time for a Prony series, coverage(),
+/// calibration. With a checkpoint, the state is saved between solutions when that is due, and an earlier state is
+/// resumed. Throws InputError when the problem is not sound or there are no loads or moduli, NumericalError when a
+/// system cannot be solved or the tolerance cannot be met.
 [[nodiscard]] FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                                   std::span<const Moduli> training_set,
                                                   const SamplingOptions& options = {},
                                                   const std::function<void(const SamplingProgress&)>& observer = {},
-                                                  Checkpoint* checkpoint = nullptr);
+                                                  Checkpoint* checkpoint = nullptr,
+                                                  const std::optional<TargetCurve>& target = {});
 
 }  // namespace breccia

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "breccia/quasistatic/reduced_basis.hpp"
 #include "breccia/quasistatic/residual_rounding.hpp"
 #include "breccia/quasistatic/sampling.hpp"
+#include "breccia/quasistatic/target_curve.hpp"
 #include "breccia/quasistatic/training_path.hpp"
 
 namespace breccia::quasistatic {
@@ -79,6 +81,13 @@ class GreedySampling {
       }
     }
     return choice.estimate > 0.0 ? choice : Candidate{within_rounding.moduli, 0.0};
+  }
+
+  /// The largest change of the relaxation modulus that the last vectors of the bases have made (change_by_last_vector).
+  [[nodiscard]] double change_in_time(const TargetCurve& target) const {
+    double largest = 0.0;
+    for (const auto& basis : bases_) largest = std::max(largest, change_by_last_vector(basis.response(), target));
+    return largest;
   }
 
   [[nodiscard]] std::vector<ReducedResponse> responses() const {
@@ -171,8 +180,21 @@ void require_complete(std::span<const Load> loads, const TrainingPath& training_
 /// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
 void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
 
-/// Adds snapshots of the training set until the tolerance is met. With a checkpoint, the state is saved between
-/// solutions when that is due: save_others(state) adds what the caller needs to go on.
+/// Whether a basis that meets the tolerance at Laplace variables does so in time, too, or would gain nothing more: the
+/// last vector has changed the curve by little, what is left at Laplace variables is far below the tolerance, or there
+/// are as many snapshots as allowed.
+template <AffineComposite Composite>
+[[nodiscard]] bool is_enough(const GreedySampling<Composite>& sampling, const std::optional<TargetCurve>& target,
+                             double estimate, const SamplingOptions& options) {
+  // The error that is left may be as large as the last change.
+  constexpr double change_by_last = 10.0, far_below = 1e-3;
+  return !target || sampling.snapshots() >= options.most_snapshots || estimate <= far_below * options.tolerance ||
+         sampling.change_in_time(*target) <= change_by_last * options.tolerance;
+}
+
+/// Adds snapshots of the training set until the tolerance is met, in time as well where the set has a target. With a
+/// checkpoint, the state is saved between solutions when that is due: save_others(state) adds what the caller needs to
+/// go on.
 template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
 void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
             const SamplingOptions& options, const std::function<void(const SamplingProgress&)>& observer,
@@ -200,7 +222,7 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
   while (training_set.points.size() > 1) {
     const auto choice = sampling.greedy_choice(training_set.points);
     const double error = std::max(sampling.error(), choice.estimate);
-    if (error <= options.tolerance) break;
+    if (error <= options.tolerance && is_enough(sampling, training_set.target, choice.estimate, options)) break;
     require_more_snapshots(sampling.snapshots(), error, options);
     save_if_due();
     sampling.add_selected_snapshot(solver, choice.moduli, options.tolerance);

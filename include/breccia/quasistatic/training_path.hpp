@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/discretisation/phase.hpp"
+#include "breccia/quasistatic/target_curve.hpp"
 
 namespace breccia {
 
@@ -22,6 +24,8 @@ struct VaryingPhase {
 struct TrainingPath {
   std::vector<VaryingPhase> phases;
   std::vector<std::vector<Moduli>> points;  ///< each with the moduli of the phases, in their order
+  /// The curve that is to be as accurate in time, if one is known.
+  std::optional<TargetCurve> target = {};
 };
 
 /// The training set in which the moduli [Pa] of the matrix alone vary.

@@ -46,6 +46,11 @@ function areCrossed(curves, times) {
 /// Below this share of its unrelaxed modulus a binder has flowed away, and nothing is told over it.
 const relaxedAway = 1e-6;
 
+/// Has this binder {at} flowed away at a time [s]?
+export function hasFlowedAway(binder, time) {
+  return !(binder.at(time) > relaxedAway * binder.at(0));
+}
+
 /// The sentences. `symbol` is that of the modulus, `curves` are those of the stage, one for each boundary; `error` tells
 /// that of the grid in words; `binder` {at} and `measured` {name, x, y} may be undefined.
 export function answerSentences({stage, symbol, curves, error, binder, measured}) {
@@ -54,7 +59,7 @@ export function answerSentences({stage, symbol, curves, error, binder, measured}
   const bounds = areCrossed(curves, times) ? "the bounds cross: do not use them" : wordsOnBounds(curves);
   const sentences = [`${symbol} of ${stage} is ${listed(moduli)} (${[bounds, error].filter(Boolean).join("; ")}).`];
   if (binder !== undefined) {
-    const ratios = [times[0], times.at(-1)].filter((time) => binder.at(time) > relaxedAway * binder.at(0))
+    const ratios = [times[0], times.at(-1)].filter((time) => !hasFlowedAway(binder, time))
       .map((time) => `${ratioText(rangeAt(curves, time).map((value) => value / binder.at(time)))} times its binder at ` +
         display(time, "s"));
     if (ratios.length > 0) sentences.push(`That is ${listed([...new Set(ratios)])}.`);

@@ -1,6 +1,6 @@
 /// The first screen of a study: what came out, what to doubt, and the moduli at whole decades.
 
-import {answerSentences} from "./answer.js";
+import {answerSentences, hasFlowedAway} from "./answer.js";
 import {bestGrid} from "./curves.js";
 import {data, study} from "./data.js";
 import {element} from "./elements.js";
@@ -142,7 +142,9 @@ export function showModuli(curves) {
     columns.push([boundNames[curve.boundary], (time) => modulusText(curve, time)]);
   }
   const ratios = (reference, time) => result.map((curve) => shortNumber(at(curve, time) / reference, 2)).join(" … ");
-  if (binder !== undefined) columns.push([`over ${binder.name}`, (time) => ratios(binder.at(time), time)]);
+  if (binder !== undefined) {
+    columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
+  }
   for (const young of youngsModuli(curves, result)) {
     columns.push([`Young's modulus, ${boundNames[young.boundary]}`, (time) => display(at(young, time), "Pa")]);
   }
