@@ -43,7 +43,8 @@ std::string in_celsius(double temperature) {
 
 /// log10 a_T of every row of a file that has either a_T or its logarithm. Throws InputError.
 std::vector<double> log10_factors_of(const MeasuredTable& table) {
-  if (!table.has({Quantity::shift_factor})) {
+  // Where a file has both, the logarithm has more digits.
+  if (!table.has({Quantity::shift_factor}) || table.has({Quantity::log10_shift_factor})) {
     table.require({Quantity::temperature, Quantity::log10_shift_factor});
     return table.column(Quantity::log10_shift_factor).values;
   }

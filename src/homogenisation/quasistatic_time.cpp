@@ -90,7 +90,7 @@ double time_of_cube(const Study& study, const Stage& stage, Boundary boundary, d
   constexpr double forces = 50e-9;
   const auto loads = static_cast<double>(loads_of(study, stage).size());
   if (study.tests.quasistatic.solver == Solver::stepping) {
-    constexpr double forces_of_step = 8.0;
+    constexpr double forces_of_step = 14.0;
     return loads * unknowns * steps_of(study.tests) * (solution + forces_of_step * forces);
   }
   // A new vector of the basis takes the products of the forces of its parts with those of all others.

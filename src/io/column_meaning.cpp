@@ -184,8 +184,10 @@ std::optional<Stem> stem_of(std::string_view text) {
 /// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", and "log(aT)" becomes "log aT".
 std::string without_argument(std::string_view name) {
   std::string text(name);
-  for (const auto* factor : {"aT", "a_T"}) {
-    text = with_replaced(text, fmt::format("({})", factor), fmt::format(" {}", factor));
+  for (const auto* logarithm : {"log", "log10", "Log", "Log10"}) {
+    for (const auto* factor : {"aT", "a_T"}) {
+      if (text == fmt::format("{}({})", logarithm, factor)) return fmt::format("{} {}", logarithm, factor);
+    }
   }
   for (const auto* argument : {"(t)", "(ω)", "(omega)", "(f)"}) text = with_replaced(text, argument, "");
   return text;

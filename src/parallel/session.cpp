@@ -94,8 +94,8 @@ void start() {
   // differently for another number of them.
   static_cast<void>(set_blas_threads(1));
   start_mpi();
-  share_cores();
   start_petsc();
+  share_cores();
 }
 
 void divide(int processes_each) {

@@ -9,7 +9,7 @@
 #include <omp.h>
 #include <sched.h>
 
-#include "breccia/parallel/session.hpp"
+#include "breccia/parallel/communicator.hpp"
 
 namespace breccia::parallel {
 namespace {
@@ -39,7 +39,7 @@ bool meet(const cpu_set_t& one, const cpu_set_t& other) noexcept {
 
 void share_cores() {
   MPI_Comm machine = MPI_COMM_NULL;
-  MPI_Comm_split_type(MPI_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_split_type(communicator(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
   int processes = 1;
   MPI_Comm_size(machine, &processes);
   const auto own = allowed_cores();
@@ -53,7 +53,6 @@ void share_cores() {
 int threads_for(int asked) {
   if (asked > 0) return asked;
   if (std::getenv("OMP_NUM_THREADS") != nullptr) return omp_get_max_threads();
-  if (is_under_mpirun()) start();
   return std::min(omp_get_max_threads(), own_cores());
 }
 

@@ -70,9 +70,9 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   // When the matrix is a fit to a composite, the fit differs a little from the Carson moduli of the composite: the
   // training set has both.
   const auto near_times = [&test](const auto& of_phases) { return carson_path(of_phases, test.times); };
-  TrainingPath path = {.phases = test.varying,
-                       .points = moduli_on_paths(test, materials, near_times),
-                       .target = TargetCurve{materials, test.times}};
+  TrainingPath path = {.phases = test.varying, .points = moduli_on_paths(test, materials, near_times)};
+  // With several phases the curve takes a network of many unknowns, too many for a look after each snapshot.
+  if (test.varying.size() == 1) path.target = TargetCurve{materials, test.times};
   if (test.options.range == SampledRange::matrix) {
     const auto everywhere = [&test](const auto& of_phases) { return relaxation_path(of_phases, test.times); };
     const auto whole = test.relaxation.empty() ? moduli_on_paths(test, materials, everywhere) : test.relaxation;

@@ -22,11 +22,14 @@ constexpr TimeWindow ten_relaxation_times = {1e-3, 0.1};
 class RelaxedComposite : public testing::Test {
  protected:
   [[nodiscard]] ReducedResponse sampled(double tolerance, bool has_target) const {
+    SamplingOptions options;
+    options.tolerance = tolerance;
+    return sampled(options, has_target);
+  }
+  [[nodiscard]] ReducedResponse sampled(const SamplingOptions& options, bool has_target) const {
     constexpr std::array loads = {Load::shear};
     auto path = matrix_path(0, carson_path(binder_, ten_relaxation_times));
     if (has_target) path.target = target_;
-    SamplingOptions options;
-    options.tolerance = tolerance;
     return sample_responses(composite_, loads, path, options).responses.front();
   }
   [[nodiscard]] double modulus_of(const ReducedResponse& response) const {
@@ -44,6 +47,18 @@ TEST_F(RelaxedComposite, IsAccurateInTimeWithATarget) {
   // At Laplace variables both meet the tolerance. Less than a hundredth of the unrelaxed modulus is left here.
   EXPECT_GT(std::abs(modulus_of(sampled(tolerance, false)) / exact - 1.0), 100.0 * tolerance);
   EXPECT_NEAR(modulus_of(sampled(tolerance, true)) / exact, 1.0, 10.0 * tolerance);
+}
+
+// With no more snapshots than the tolerance takes at Laplace variables, the target is not a reason to fail.
+TEST_F(RelaxedComposite, EndsWithAsManySnapshotsAsAllowed) {
+  constexpr double tolerance = 1e-4;
+  const auto without = sampled(tolerance, false);
+  SamplingOptions options;
+  options.tolerance = tolerance;
+  options.most_snapshots = static_cast<int>(without.snapshots.size());
+  EXPECT_EQ(modulus_of(sampled(options, true)), modulus_of(without));
+  ++options.most_snapshots;
+  EXPECT_EQ(sampled(options, true).snapshots.size(), without.snapshots.size() + 1);
 }
 
 TEST_F(RelaxedComposite, ChangesWithTheLastVectorByAboutItsError) {

@@ -24,6 +24,8 @@
 
 namespace breccia::quasistatic {
 
+[[nodiscard]] bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others);
+
 /// The candidate for the next snapshot: where in the training set the error estimate is largest.
 struct Candidate {
   std::vector<Moduli> moduli;  ///< [Pa] of the phases that vary
@@ -70,24 +72,24 @@ class GreedySampling {
   /// snapshot would reduce it.
   [[nodiscard]] Candidate greedy_choice(std::span<const std::vector<Moduli>> training_set) const {
     Candidate choice, within_rounding;
-    for (std::size_t l = 0; l < bases_.size(); ++l) {
-      auto response = bases_[l].response();
-      response.residual_scale = scales_[l] > 0.0 ? scales_[l] : 1.0;
-      for (const auto& moduli : training_set) {
-        const double estimate = response.error_estimate(moduli);
-        const bool is_rounding = estimate <= rounding_of_error_estimate(response, moduli);
-        auto& largest = is_rounding ? within_rounding : choice;
-        if (estimate > largest.estimate) largest = {moduli, estimate};
-      }
-    }
+    for (std::size_t l = 0; l < bases_.size(); ++l) add_candidates(l, training_set, choice, within_rounding);
     return choice.estimate > 0.0 ? choice : Candidate{within_rounding.moduli, 0.0};
   }
 
-  /// The largest change of the relaxation modulus that the last vectors of the bases have made (change_by_last_vector).
-  [[nodiscard]] double change_in_time(const TargetCurve& target) const {
-    double largest = 0.0;
-    for (const auto& basis : bases_) largest = std::max(largest, change_by_last_vector(basis.response(), target));
-    return largest;
+  /// The largest error estimate of one load, in the same way.
+  [[nodiscard]] double largest_estimate(std::size_t load, std::span<const std::vector<Moduli>> training_set) const {
+    Candidate choice, within_rounding;
+    add_candidates(load, training_set, choice, within_rounding);
+    return std::max(0.0, choice.estimate);
+  }
+
+  /// Whether the bases have met the tolerance at Laplace variables before. A snapshot that is added later may correct
+  /// the estimates upwards.
+  [[nodiscard]] bool has_met_tolerance() const noexcept { return has_met_tolerance_; }
+  void tolerance_is_met() noexcept { has_met_tolerance_ = true; }
+  [[nodiscard]] bool is_snapshot(const std::vector<Moduli>& moduli) const {
+    return std::ranges::any_of(bases_.front().response().snapshots,
+                               [&](const Snapshot& one) { return are_equal(one.moduli, moduli); });
   }
 
   [[nodiscard]] std::vector<ReducedResponse> responses() const {
@@ -103,6 +105,7 @@ class GreedySampling {
   void save(StateWriter& state) const {
     state.write("/sampling/snapshots", std::int64_t{snapshots_});
     state.write("/sampling/error", error_);
+    state.write("/sampling/has_met_tolerance", std::int64_t{has_met_tolerance_ ? 1 : 0});
     state.write("/sampling/scales", scales_);
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       const auto group = fmt::format("/sampling/load/{}", l);
@@ -114,6 +117,7 @@ class GreedySampling {
   void restore(const StateReader& state) {
     snapshots_ = static_cast<int>(state.integer("/sampling/snapshots"));
     error_ = state.number("/sampling/error");
+    has_met_tolerance_ = state.integer("/sampling/has_met_tolerance") != 0;
     scales_ = state.numbers("/sampling/scales", bases_.size());
     for (std::size_t l = 0; l < bases_.size(); ++l) {
       const auto group = fmt::format("/sampling/load/{}", l);
@@ -123,6 +127,20 @@ class GreedySampling {
   }
 
  private:
+  /// Takes the moduli with the largest estimate of a load among those of other loads: of estimates that rounding alone
+  /// may have caused, and of all others.
+  void add_candidates(std::size_t load, std::span<const std::vector<Moduli>> training_set, Candidate& choice,
+                      Candidate& within_rounding) const {
+    auto response = bases_[load].response();
+    response.residual_scale = scales_[load] > 0.0 ? scales_[load] : 1.0;
+    for (const auto& moduli : training_set) {
+      const double estimate = response.error_estimate(moduli);
+      const bool is_rounding = estimate <= rounding_of_error_estimate(response, moduli);
+      auto& largest = is_rounding ? within_rounding : choice;
+      if (estimate > largest.estimate) largest = {moduli, estimate};
+    }
+  }
+
   [[nodiscard]] std::vector<double> parameters(std::span<const Moduli> varying) const {
     return bases_.front().response().parameters(varying);
   }
@@ -168,6 +186,7 @@ class GreedySampling {
   std::vector<std::vector<double>> measured_;   ///< errors of the snapshots, by load
   int snapshots_ = 0;
   double error_ = 1.0;
+  bool has_met_tolerance_ = false;
 };
 
 /// The middle of a training set, and both its ends where they differ from it.
@@ -180,19 +199,26 @@ void require_complete(std::span<const Load> loads, const TrainingPath& training_
 /// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
 void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
 
-/// Whether a basis that meets the tolerance at Laplace variables does so in time, too, or would gain nothing more: the
-/// last vector has changed the curve by little, what is left at Laplace variables is far below the tolerance, or there
-/// are as many snapshots as allowed.
+/// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
+/// would gain nothing more: because what is left of a load at Laplace variables is far below the tolerance, or as small
+/// as the error of the linear solver.
 template <AffineComposite Composite>
-[[nodiscard]] bool is_enough(const GreedySampling<Composite>& sampling, const std::optional<TargetCurve>& target,
-                             double estimate, const SamplingOptions& options) {
+[[nodiscard]] bool is_accurate_in_time(const GreedySampling<Composite>& sampling, const TrainingPath& training_set,
+                                       const Candidate& next, double tolerance) {
+  if (!training_set.target || sampling.is_snapshot(next.moduli)) return true;
   // The error that is left may be as large as the last change.
-  constexpr double change_by_last = 10.0, far_below = 1e-3;
-  return !target || sampling.snapshots() >= options.most_snapshots || estimate <= far_below * options.tolerance ||
-         sampling.change_in_time(*target) <= change_by_last * options.tolerance;
+  constexpr double change_by_last = 10.0, far_below = 1e-3, of_the_solver = 1e-8;
+  const double nothing = std::max(far_below * tolerance, of_the_solver);
+  for (std::size_t load = 0; load < sampling.bases().size(); ++load) {
+    if (sampling.largest_estimate(load, training_set.points) <= nothing) continue;
+    const auto response = sampling.bases()[load].response();
+    if (!(change_by_last_vector(response, *training_set.target) <= change_by_last * tolerance)) return false;
+  }
+  return true;
 }
 
-/// Adds snapshots of the training set until the tolerance is met, in time as well where the set has a target. With a
+/// Adds snapshots of the training set until the tolerance is met, and then, where the set has a target and as long as
+/// more snapshots are allowed, until it is accurate in time. With a
 /// checkpoint, the state is saved between solutions when that is due: save_others(state) adds what the caller needs to
 /// go on.
 template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
@@ -222,7 +248,11 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
   while (training_set.points.size() > 1) {
     const auto choice = sampling.greedy_choice(training_set.points);
     const double error = std::max(sampling.error(), choice.estimate);
-    if (error <= options.tolerance && is_enough(sampling, training_set.target, choice.estimate, options)) break;
+    if (error <= options.tolerance) {
+      sampling.tolerance_is_met();
+      if (is_accurate_in_time(sampling, training_set, choice, options.tolerance)) break;
+    }
+    if (sampling.has_met_tolerance() && sampling.snapshots() >= options.most_snapshots) break;
     require_more_snapshots(sampling.snapshots(), error, options);
     save_if_due();
     sampling.add_selected_snapshot(solver, choice.moduli, options.tolerance);

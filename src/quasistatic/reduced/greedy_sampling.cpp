@@ -1,15 +1,12 @@
 #include "breccia/quasistatic/greedy_sampling.hpp"
 
 namespace breccia::quasistatic {
-namespace {
 
 bool are_equal(std::span<const Moduli> some, std::span<const Moduli> others) {
   return std::ranges::equal(some, others, [](const Moduli& one, const Moduli& other) {
     return one.bulk == other.bulk && one.shear == other.shear;
   });
 }
-
-}  // namespace
 
 std::vector<std::vector<Moduli>> initial_snapshots(const TrainingPath& training_set) {
   const auto& points = training_set.points;

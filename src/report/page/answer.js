@@ -86,13 +86,15 @@ function sentenceOnMeasurement(curves, measured) {
     ...sentenceOnPlace(curves, measured)];
 }
 
-/// Where the measurement lies beside both bounds: stretches of times in which it is below, between or above them.
+/// Where the measurement lies beside both bounds: stretches of times in which it is below, between or above them. None
+/// without both, and for bounds that cross.
 function sentenceOnPlace(curves, measured) {
-  if (curves.length < 2) return [];
+  const bounds = ["traction", "displacement"].map((name) => curves.find(({boundary}) => boundary === name));
+  if (bounds.includes(undefined) || areCrossed(curves, measured.x)) return [];
   const stretches = [];
   measured.x.forEach((time, i) => {
-    const [least, most] = rangeAt(curves, time);
-    if (!Number.isFinite(least)) return;
+    const [least, most] = bounds.map(({x, y}) => valueAt(x, y, time));
+    if (![least, most, measured.y[i]].every(Number.isFinite)) return;
     const place = measured.y[i] < least ? "below both bounds" : measured.y[i] > most ? "above both bounds"
       : "between the bounds";
     if (stretches.at(-1)?.place !== place) stretches.push({place, from: time});
@@ -104,8 +106,9 @@ function sentenceOnPlace(curves, measured) {
   const parts = stretches.map(({place, from, to}, i) => {
     if (stretches.length === 1) return `${place} at all of these times`;
     if (i === 0) return `${place} up to ${display(to, "s", 2)}`;
-    return i === stretches.length - 1 ? `${place} from ${display(from, "s", 2)} on`
-      : `${place} from ${display(from, "s", 2)} to ${display(to, "s", 2)}`;
+    const [begin, end] = [from, to].map((time) => display(time, "s", 2));
+    if (i === stretches.length - 1) return `${place} from ${begin} on`;
+    return begin === end ? `${place} at ${begin}` : `${place} from ${begin} to ${end}`;
   });
   return [`The measurement lies ${listed(parts)}.`];
 }

@@ -43,6 +43,7 @@ function rangeAt(curves, time, wordsOnTask) {
 function nearestTo({name, x, y}, curves, bound, wordsOnTask) {
   const isCommon = (time) => curves.every((curve) => Number.isFinite(valueAt(curve.x, curve.y, time)));
   const places = [...x.keys()].filter((i) => isCommon(x[i]));
+  const isPart = places.length < x.filter((time) => curves.some((one) => Number.isFinite(valueAt(one.x, one.y, time)))).length;
   const measured = {x: places.map((i) => x[i]), y: places.map((i) => y[i])};
   const known = curves.map((curve) => ({curve, range: ratioRange(curve, measured)}))
     .filter(({range}) => range !== undefined);
@@ -52,5 +53,5 @@ function nearestTo({name, x, y}, curves, bound, wordsOnTask) {
   const [least, most] = range.map((ratio) => shortNumber(ratio, 2));
   const ratios = least === most ? least : `${least} to ${most}`;
   return [`Nearest to what was measured (${name}) comes ${wordsOnTask(curve)}, with a modulus (${bound}) of ` +
-    `${ratios} times the measured one.`];
+    `${ratios} times the measured one${isPart ? ", at the times that all tasks have" : ""}.`];
 }
