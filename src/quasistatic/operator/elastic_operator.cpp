@@ -41,20 +41,26 @@ void ElasticOperator<dim>::find_first_strains() {
 
 template <int dim>
 void ElasticOperator<dim>::find_kinds(const Discretisation<dim>& discretisation) {
+  const auto& own = nodes_.cells();
   std::map<CellPhases<dim>, std::uint32_t> known;
-  kind_of_.reserve(discretisation.cells().size());
-  for (const auto& cell : discretisation.cells()) {
-    if (std::find(cell.begin(), cell.end(), no_phase) != cell.end()) {
+  PetscInt strains = 0;  // of the cells before
+  grid().for_each_cell([&](const Index<dim>& cell) {
+    const auto& phases = discretisation.cell(cell);
+    if (std::find(phases.begin(), phases.end(), no_phase) != phases.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
-    const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint32_t>(known.size()));
-    if (is_new) {
-      kinds_.push_back(cell);
-      const auto* mixture = discretisation.mixture(cell.front());
-      mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+    const auto* mixture = discretisation.mixture(phases.front());
+    if (own.contains(cell)) {
+      if (cell.front() == own.begin.front()) first_strain_of_row_.push_back(strains);
+      const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
+      if (is_new) {
+        kinds_.push_back(phases);
+        mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+      }
+      kind_of_.push_back(kind->second);
     }
-    kind_of_.push_back(kind->second);
-  }
+    if (mixture != nullptr) strains += static_cast<PetscInt>(MixedCell<dim>::unknowns_of(*mixture));
+  });
   if (volumetric_ == Volumetric::standard && !discretisation.mixtures().empty()) {
     throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
@@ -215,8 +221,9 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
     if (!same) cells.stiffnesses.push_back(stiffness_of(kind, moduli));
   }
   const auto& begin = nodes_.cells().begin;
-  const auto row = static_cast<std::size_t>(grid().cells[0]);
-  cells.kind_of = {kind_of_.data() + grid().cell_index(begin), row, row * static_cast<std::size_t>(grid().cells[1])};
+  const auto size = nodes_.cells().size();
+  const auto row = static_cast<std::size_t>(size[0]);
+  cells.kind_of = {kind_of_.data(), row, row * static_cast<std::size_t>(size[1])};
   if (cells.stiffnesses.empty()) return cells;
   nodes_.for_cells([&](const Index<dim>& cell) {
     const auto kind = kind_of_cell(cell);
@@ -331,17 +338,18 @@ void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli,
 /// The places of the strains of this process among those of all mixed cells, in the order of the cells.
 template <int dim>
 std::vector<PetscInt> ElasticOperator<dim>::natural_places_of_strains() const {
-  std::vector<PetscInt> first_of_cell(kind_of_.size());
-  PetscInt count = 0;
-  for (std::size_t cell = 0; cell < kind_of_.size(); ++cell) {
-    first_of_cell[cell] = count;
-    const auto& mixed = mixed_[kind_of_[cell]];
-    if (mixed) count += static_cast<PetscInt>(mixed->unknowns());
-  }
+  const auto& cells = nodes_.cells();
+  const auto in_row = static_cast<std::size_t>(cells.size().front());
   std::vector<PetscInt> places(first_strain_.back());
+  auto row = first_strain_of_row_.size();
+  PetscInt next = 0;
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+    const auto row_of_cell = cells.place_of(cell) / in_row;
+    if (row_of_cell != row) next = first_strain_of_row_[row_of_cell];
+    row = row_of_cell;
     const auto own = std::span(places).subspan(place, static_cast<std::size_t>(mixed.unknowns()));
-    std::iota(own.begin(), own.end(), first_of_cell[grid().cell_index(cell)]);
+    std::iota(own.begin(), own.end(), next);
+    next += static_cast<PetscInt>(mixed.unknowns());
   });
   return places;
 }
