@@ -30,7 +30,8 @@ TEST(OrderedValues, AreFoundByTheirPlaces) {
 
 TEST(OrderedValues, ComeInPiecesOfWhichTheLastIsShorter) {
   std::vector<std::pair<std::size_t, std::size_t>> pieces;
-  for_each_piece(2 * places_of_a_piece + 5, [&](std::size_t begin, std::size_t end) { pieces.emplace_back(begin, end); });
+  for_each_piece(2 * places_of_a_piece + 5,
+                 [&](std::size_t begin, std::size_t end) { pieces.emplace_back(begin, end); });
   using Piece = std::pair<std::size_t, std::size_t>;
   EXPECT_THAT(pieces, ElementsAre(Piece{0, places_of_a_piece}, Piece{places_of_a_piece, 2 * places_of_a_piece},
                                   Piece{2 * places_of_a_piece, 2 * places_of_a_piece + 5}));
