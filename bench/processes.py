@@ -5,8 +5,8 @@ first number.
     bench/processes.py DECK [--processes N ...] [--set KEY=VALUE ...] [--threads N]
 
 The program is `breccia` of the path, or BRECCIA of the environment; `libmpi_traffic.so` of the preset `release` counts the
-messages. Processor time is that of the whole program; processes that wait for others spend it, too, so on fewer cores than
-processes it is too much. The messages of MUMPS are not counted."""
+messages and the processor time in MPI, most of which a process waits for others. The work is the processor time of the
+whole program without that. The messages of MUMPS are not counted."""
 
 import argparse
 import csv
@@ -59,8 +59,9 @@ class Run:
             sys.exit(f"{' '.join(command)}: failed")
         usage = numbers(record)
         self.seconds = sum(seconds for seconds, _ in usage)
+        self.work = self.seconds - sum(line[5] for line in numbers(traffic))
         self.memory = max(memory for _, memory in usage)
-        self.sent = [(bytes_, messages) for _, bytes_, messages, _, _ in numbers(traffic)]
+        self.sent = max((line[1] for line in numbers(traffic)), default=0.0)
         self.moduli = last_columns(results / "curves.csv")
         stages = json.loads((results / "study.json").read_text())["stages"]
         efforts = [test["linear"] for stage in stages for test in stage["tests"] if "linear" in test]
@@ -79,20 +80,19 @@ def main():
     parser.add_argument("--threads", type=int, default=1)
     arguments = parser.parse_args()
     options = [word for key in arguments.set for word in ("--set", key)]
-    print("| processes | largest difference | iterations, most of each test | processor time | ... over one | "
+    print("| processes | largest difference | iterations, most of each test | processor time | work | ... over one | "
           "memory of the largest | ... times processes over one | sent by a process, an iteration |")
-    print("|---" * 8 + "|")
+    print("|---" * 9 + "|")
     first = None
     with tempfile.TemporaryDirectory() as work:
         for processes in arguments.processes:
             run = Run(arguments.deck, processes, options, arguments.threads, Path(work))
             first = first or run
-            most = max((bytes_ for bytes_, _ in run.sent), default=0.0)
             share = processes / arguments.processes[0]
             print(f"| {processes} | {run.difference(first):.0e} | {run.iterations}, "
                   f"{' '.join(str(n) for n in run.most_iterations)} | {run.seconds:.1f} s | "
-                  f"{run.seconds / first.seconds:.2f} | {run.memory / 1e6:.0f} MB | "
-                  f"{share * run.memory / first.memory:.2f} | {most / max(1, run.iterations):.0f} B |", flush=True)
+                  f"{run.work:.1f} s | {run.work / first.work:.2f} | {run.memory / 1e6:.0f} MB | "
+                  f"{share * run.memory / first.memory:.2f} | {run.sent / max(1, run.iterations):.0f} B |", flush=True)
 
 
 if __name__ == "__main__":
