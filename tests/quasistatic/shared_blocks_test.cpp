@@ -131,7 +131,7 @@ TEST(BlockDivision, HasLargerBlocksForMoreProcesses) {
   EXPECT_EQ(side(1), 8);
   EXPECT_EQ(side(15), 8);
   EXPECT_EQ(side(16), 16);
-  EXPECT_EQ(side(127), 16);
+  EXPECT_EQ(side(120), 16);
   EXPECT_EQ(side(128), 24);
 }
 
