@@ -136,8 +136,8 @@ class ElasticOperator {
   [[nodiscard]] typename Shape::Stiffness stiffness_of(std::size_t kind, std::span<const Moduli> moduli) const;
   template <class OfKind>
   [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const;
-  // In 3 dimensions. They are templates of their own because clang 14 instantiates with a class also those of its members
-  // whose constraints do not hold.
+  // In 3 dimensions. They are templates of their own because clang 14 instantiates with a class also those of its
+  // members whose constraints do not hold.
   template <int space = dim>
   [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
       requires(space == 3);
