@@ -132,12 +132,13 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
       mistakes.add(table.place(rows[corner]), fmt::format("particle {}: {}", number, text));
     }
     if (!filler_of_row.empty()) {
-      const auto differs = [&](std::size_t row) { return filler_of_row[row] != filler_of_row[rows.front()]; };
+      const auto filler = filler_of_row[rows.front()];
+      const auto differs = [&](std::size_t row) { return filler_of_row[row] != filler; };
       const auto other = std::ranges::find_if(rows, differs);
       if (other != rows.end()) {
         mistakes.add(table.place(*other), fmt::format("particle {}: expected one filler for all corners", number));
       }
-      polygons.fillers.push_back(filler_of_row[rows.front()]);
+      polygons.fillers.push_back(filler);
     }
     if (!of_corners.empty()) continue;
     const auto centre = centroid(corners);

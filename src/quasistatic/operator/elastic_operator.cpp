@@ -207,8 +207,7 @@ std::optional<Moduli> ElasticOperator<dim>::uniform_moduli(std::size_t kind, std
 /// The moduli of the cells of this process; of_kind(kind) gives those of a kind of cells of one material or mixture.
 template <int dim>
 template <class OfKind>
-CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
-    requires(dim == 3) {
+CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   CellModuli cells;
   std::vector<std::uint32_t> other;  // place among the stiffnesses of the other cells, by kind
@@ -236,15 +235,17 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
 }
 
 template <int dim>
-CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3) {
+template <int space>
+CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli) const requires(space == 3) {
   return collect_cells(moduli, [&](std::size_t kind) { return uniform_moduli(kind, moduli); });
 }
 
 /// The forces in 3 dimensions: those of all cells but the mixed ones row by row, then those of the mixed cells. What is
 /// not needed any longer is given back on the way, for memory is short where this is called.
 template <int dim>
+template <int space>
 Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load load,
-                                            const Displacement& displacement) const requires(dim == 3) {
+                                            const Displacement& displacement) const requires(space == 3) {
   const auto strain = unit_strain<dim>(load);
   std::optional<SeenField> moved(std::in_place, nodes_, threads_), exerted;
   moved->read(nodes_, displacement.fluctuation(), displacement.macroscopic(), strain);
@@ -272,9 +273,10 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
 
 /// Adds the forces of the mixed cells on their nodes, and sets those on the strains of their phases.
 template <int dim>
+template <int space>
 void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement,
                                             const CellSweep& sweep, const SeenField& moved, SeenField& exerted,
-                                            Vec on_phase_strains) const requires(dim == 3) {
+                                            Vec on_phase_strains) const requires(space == 3) {
   const ReadValues strains(displacement.phase_strains());
   const WriteValues on_strains(on_phase_strains);
   const auto displacements = moved.from(0);
@@ -373,5 +375,6 @@ void ElasticOperator<dim>::assemble(std::span<const Moduli> moduli, Mat matrix) 
 
 template class ElasticOperator<2>;
 template class ElasticOperator<3>;
+template CellModuli ElasticOperator<3>::condensed_cells<3>(std::span<const Moduli>) const;
 
 }  // namespace breccia::quasistatic

@@ -91,8 +91,9 @@ class ElasticOperator {
   /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
   [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
 
-  /// The moduli of the cells of this process, where the strains of phases have been eliminated.
-  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3);
+  /// In 3 dimensions, the moduli of the cells of this process, where the strains of phases have been eliminated.
+  template <int space = dim>
+  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(space == 3);
 
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
@@ -123,12 +124,15 @@ class ElasticOperator {
   [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
   [[nodiscard]] typename Shape::Stiffness stiffness_of(std::size_t kind, std::span<const Moduli> moduli) const;
   template <class OfKind>
-  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
-      requires(dim == 3);
+  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const;
+  // In 3 dimensions. They are templates of their own because clang 14 instantiates with a class also those of its
+  // members whose constraints do not hold.
+  template <int space = dim>
   [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
-      requires(dim == 3);
+      requires(space == 3);
+  template <int space = dim>
   void add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement, const CellSweep& sweep,
-                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(dim == 3);
+                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(space == 3);
 
   NodeLayout<dim> nodes_;
   Volumetric volumetric_;
