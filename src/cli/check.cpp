@@ -258,7 +258,7 @@ void add_check(CLI::App& application) {
       ->add_option("--processes", arguments->processes,
                    "tell the memory and the time of each of N processes under mpirun, too")
       ->type_name("N")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 1 << 20).description(""));
   command->callback([arguments] {
     const auto errors = errors_of(arguments->errors);
     const auto sweep = arguments->deck.read();
