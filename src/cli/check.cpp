@@ -231,7 +231,7 @@ std::vector<double> errors_of(const std::vector<std::string>& texts) {
     const auto error = parse_percentage(text);
     if (!error || !(*error > 0.0 && *error < 1.0)) {
       throw InputError(
-          fmt::format("--error: expected a percentage between 0 and 100 %, such as \"2 %\", got \"{}\"", text));
+          fmt::format(R"(--error: expected a percentage between 0 and 100 %, such as "2 %", got "{}")", text));
     }
     errors.push_back(*error);
   }
@@ -252,7 +252,7 @@ void add_check(CLI::App& application) {
   add_deck_arguments(*command, arguments->deck);
   command
       ->add_option("--error", arguments->errors,
-                   "tell the cells for these errors of the modulus (default: \"5 %\" \"2 %\" \"1 %\")")
+                   R"(tell the cells for these errors of the modulus (default: "5 %" "2 %" "1 %"))")
       ->type_name("SHARE ...");
   command
       ->add_option("--processes", arguments->processes,

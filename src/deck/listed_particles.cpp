@@ -23,6 +23,7 @@ void check_centre(const std::array<double, dim>& centre, double side, const std:
   const auto is_outside = [side](double x) { return x < 0.0 || x > side; };
   if (std::ranges::none_of(centre, is_outside)) return;
   std::vector<std::string> coordinates;
+  coordinates.reserve(dim);
   for (const double x : centre) coordinates.push_back(readable(x, Dimension::length));
   mistakes.add(place, fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
                fmt::format("({})", fmt::join(coordinates, ", ")));
