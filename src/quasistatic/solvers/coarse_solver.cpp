@@ -85,4 +85,10 @@ void CoarseSolver::solve(const std::vector<double>& right, std::vector<double>& 
   require_no_breakdown(solver_.get(), cannot_be_factorised);
 }
 
+std::int64_t CoarseSolver::unknowns() const {
+  PetscInt unknowns = 0;
+  check(MatGetSize(matrix_.get(), &unknowns, nullptr), "counting the unknowns of the coarse problem");
+  return unknowns;
+}
+
 }  // namespace breccia::quasistatic
