@@ -216,7 +216,7 @@ TEST_F(DeckImage, MayBeADataSetOfHdf5) {
     file.create_group("/labels");
     for (const auto* name : {"/labels/phase", "/labels/other"}) {
       file.create<std::int64_t>(name, {2, 2});
-      file.write_part(name, 0, std::span(values));
+      file.write_part(name, 0, std::span<const std::int64_t>(values));
     }
     file.commit();
   }
