@@ -143,8 +143,8 @@ typename ElasticOperator<dim>::SumOverCells ElasticOperator<dim>::sum_over_cells
 
 template <int dim>
 Forces ElasticOperator<dim>::load_forces(Load load) const {
-  auto forces = zero();
   if (boundary() != Boundary::traction) {
+    auto forces = zero();
     forces.set_macroscopic(1.0);
     return forces;
   }
@@ -155,8 +155,7 @@ Forces ElasticOperator<dim>::load_forces(Load load) const {
   CellValues of_cell = CellValues::Zero();
   for (int p = 0; p < Shape::points; ++p) of_cell += Shape::strain_matrix(p).transpose() * stress / Shape::points;
   auto [macroscopic, on_nodes] = sum_over_cells([&](const Index<dim>&) { return std::pair(of_cell, 0.0); });
-  forces.set_fluctuation(std::move(on_nodes));
-  return forces;
+  return {macroscopic, std::move(on_nodes), zero_strains_of_phases()};
 }
 
 template <int dim>
