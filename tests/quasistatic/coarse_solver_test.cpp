@@ -33,6 +33,10 @@ TEST_F(Coarse, SolvesASmallSystem) {
   EXPECT_NEAR(solution[1], -2.0 / 3.0, 1e-15);
 }
 
+TEST_F(Coarse, CountsItsUnknowns) {
+  EXPECT_EQ(solver(0.5).unknowns(), 2);
+}
+
 TEST_F(Coarse, SaysThatItCannotBeFactorised) {
   EXPECT_THAT([] { solver(1.0); }, ThrowsMessage<NumericalError>(
                                        AllOf(HasSubstr("cannot be factorised"), HasSubstr("memory may have run out"))));

@@ -66,7 +66,7 @@ std::vector<Material> random_materials(Random& random) {
 
 /// The same spheres with z in the place of x, x in that of y and y in that of z.
 Microstructure<3> turned(Microstructure<3> box) {
-  for (auto& sphere : box.particles) std::ranges::rotate(sphere.centre, sphere.centre.end() - 1);
+  for (auto& sphere : box.particles) std::rotate(sphere.centre.begin(), sphere.centre.end() - 1, sphere.centre.end());
   return box;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ class BddcPreconditioner {
   /// z = M^-1 r, for a residual r of all unknowns between the blocks; zero on held ones. Processes that share an
   /// unknown have the same value of it, in both vectors.
   void apply(const std::vector<double>& residual, std::vector<double>& result);
+
+  /// Number of unknowns of the coarse problem, of all processes.
+  [[nodiscard]] std::int64_t coarse_unknowns() const { return coarse_solver_->unknowns(); }
 
  private:
   /// The two parts of M^-1 on one kind of block with neighbours, weighted by the averages at its edges. Single

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "solvers/breakdown.hpp"
+#include "solvers/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -71,7 +72,7 @@ CoarseSolver::CoarseSolver(int owned, int unknowns, const SharedValues& shared, 
   check(KSPGetPC(solver_.get(), &factors), what);
   check(PCSetType(factors, PCCHOLESKY), what);
   check(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS), what);
-  check(KSPSetUp(solver_.get()), what);
+  set_up_with_room(solver_.get(), what);
   require_no_breakdown(solver_.get(), cannot_be_factorised);
 }
 
@@ -82,6 +83,12 @@ void CoarseSolver::solve(const std::vector<double>& right, std::vector<double>& 
   check(VecCreateMPIWithArray(PETSC_COMM_WORLD, 1, owned_, PETSC_DETERMINE, solution.data(), to.put()), what);
   check(KSPSolve(solver_.get(), from.get(), to.get()), what);
   require_no_breakdown(solver_.get(), cannot_be_factorised);
+}
+
+std::int64_t CoarseSolver::unknowns() const {
+  PetscInt unknowns = 0;
+  check(MatGetSize(matrix_.get(), &unknowns, nullptr), "counting the unknowns of the coarse problem");
+  return unknowns;
 }
 
 }  // namespace breccia::quasistatic

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -27,6 +28,9 @@ class CoarseSolver {
 
   /// Finds the unknowns of this process, from the right sides of its own.
   void solve(const std::vector<double>& right, std::vector<double>& solution) const;
+
+  /// Number of unknowns, of all processes.
+  [[nodiscard]] std::int64_t unknowns() const;
 
  private:
   int owned_;

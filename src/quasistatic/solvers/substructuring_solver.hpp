@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ class SubstructuringSolver final : public ElasticSolver<2> {
 
   /// Does nothing: the preconditioner is made with every set of moduli.
   void update_preconditioner() override {}
+
+  /// Number of unknowns of the coarse problem of the present preconditioner, of all processes.
+  [[nodiscard]] std::int64_t coarse_unknowns() const { return preconditioner_.value().coarse_unknowns(); }
 
  private:
   void update_stiffness(std::span<const Moduli> moduli) override;
