@@ -28,7 +28,6 @@
 #include "operator/elastic_operator.hpp"
 #include "operator/petsc_handle.hpp"
 #include "operator/vector_values.hpp"
-#include "solvers/substructures.hpp"
 #include "solvers/substructuring_solver.hpp"
 #include "waiting.hpp"
 
@@ -50,7 +49,6 @@ constexpr auto pcbddc_options =
     "-pc_bddc_neumann_pc_type cholesky -pc_bddc_neumann_pc_factor_mat_solver_type mumps "
     "-pc_bddc_coarse_pc_type cholesky -pc_bddc_coarse_pc_factor_mat_solver_type mumps";
 
-using Preconditioner = PetscHandle<PC, PCDestroy>;
 using Viewer = PetscHandle<PetscViewer, PetscViewerDestroy>;
 using Indices = PetscHandle<IS, ISDestroy>;
 using Numbering = PetscHandle<ISLocalToGlobalMapping, ISLocalToGlobalMappingDestroy>;
