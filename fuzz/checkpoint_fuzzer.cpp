@@ -69,7 +69,7 @@ void read_all(const StateReader& state) {
   read([&] { return read_quasistatic_result(state); });
   read([&] { return read_domains(state); });
   read([&] { return read_domain(state, "/running"); });
-  read([&] { return read_fields(state, "/fields", two_cells); });
+  read([&] { return read_fields(state, "/fields", two_cells, two_cells.grid().all_cells()); });
   read([&] { return state.text("/field_file/0/file"); });
   fuzz::allow_refusal([&] { go_on_packing(state, Walls::hard); });
   fuzz::allow_refusal([&] { go_on_packing(state, Walls::periodic); });

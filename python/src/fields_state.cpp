@@ -35,7 +35,8 @@ py::list state_of_all(const std::vector<TimedFields<dim>>& all) {
   py::list states;
   for (const auto& [time, fields] : all) {
     const py::array_t<PhaseIndex> phases(static_cast<py::ssize_t>(fields.phase.size()), fields.phase.data());
-    states.append(py::make_tuple(time, phases, flat(fields.displacement), flat(fields.strain), flat(fields.stress)));
+    states.append(py::make_tuple(time, phases, flat(fields.displacement), flat(fields.strain), flat(fields.stress),
+                                 fields.cells.begin, fields.cells.end));
   }
   return states;
 }
@@ -75,6 +76,7 @@ std::vector<TimedFields<dim>> fields_from(const py::list& states) {
     fields.displacement = rows_from<size>(state[2]);
     fields.strain = rows_from<size + shears>(state[3]);
     fields.stress = rows_from<3 + shears>(state[4]);
+    fields.cells = {state[5].cast<Index<dim>>(), state[6].cast<Index<dim>>()};
   }
   return all;
 }

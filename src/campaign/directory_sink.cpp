@@ -90,19 +90,16 @@ void DirectorySink::domain_finished(const Stage& stage, const TestId& test, std:
 
 bool DirectorySink::take_fields(const Stage& stage, const TestId& test, const Discretisation<2>& discretisation,
                                 const std::vector<TimedFields<2>>& fields) {
-  write_once([&] {
-    auto files = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
-    records_[stage.name].fields.push_back({test, std::move(files)});
-  });
+  // Every process gives the fields of its cells.
+  auto files = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
+  records_[stage.name].fields.push_back({test, std::move(files)});
   return true;
 }
 
 bool DirectorySink::take_volume_fields(const Stage& stage, const TestId& test, const Discretisation<3>& discretisation,
                                        const std::vector<TimedFields<3>>& fields) {
-  write_once([&] {
-    auto files = write_volume_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
-    records_[stage.name].fields.push_back({test, std::move(files)});
-  });
+  auto files = write_volume_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
+  records_[stage.name].fields.push_back({test, std::move(files)});
   return true;
 }
 

@@ -57,6 +57,15 @@ void StateWriter::write(const std::string& name, std::span<const double> values)
   if (file_) attempt([&] { file_->write(name, values); });
 }
 
+void StateWriter::write(const std::string& name, std::span<const double> own, const parallel::OrderedPlaces& places,
+                        std::size_t count) {
+  if (file_) attempt([&] { file_->create<double>(name, {count}); });
+  parallel::for_each_piece(count, [&](std::size_t begin, std::size_t end) {
+    const auto piece = parallel::collect(own, places, begin, end);
+    if (file_) attempt([&] { file_->write_part(name, begin, std::span(piece)); });
+  });
+}
+
 void StateWriter::write(const std::string& name, const std::string& text) {
   if (!file_) return;
   attempt([&] {
@@ -91,10 +100,25 @@ std::int64_t StateReader::integer(const std::string& name) const {
 
 std::vector<double> StateReader::numbers(const std::string& name, std::size_t count) const {
   auto values = numbers(name);
-  if (values.size() != count) {
-    throw FileError(fmt::format("{}: expected {} numbers as {}, got {}", path_, count, name, values.size()));
-  }
+  require_count(name, count, values.size());
   return values;
+}
+
+void StateReader::read(const std::string& name, std::span<double> own, const parallel::OrderedPlaces& places,
+                       std::size_t count) const {
+  const auto shape = file_.shape(name);
+  require_count(name, count, shape.empty() ? 1 : shape.front());
+  parallel::for_each_piece(count, [&](std::size_t begin, std::size_t end) {
+    const auto from = places.before(begin), to = places.before(end);
+    if (from == to) return;
+    const auto values = file_.read_numbers(name, begin, end - begin);
+    for (auto i = from; i < to; ++i) own[i] = values[places.place_of(i) - begin];
+  });
+}
+
+void StateReader::require_count(const std::string& name, std::size_t expected, std::size_t found) const {
+  if (found == expected) return;
+  throw FileError(fmt::format("{}: expected {} numbers as {}, got {}", path_, expected, name, found));
 }
 
 std::string StateReader::text(const std::string& name) const {

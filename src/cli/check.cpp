@@ -17,6 +17,7 @@
 #include "breccia/homogenisation/film_estimate.hpp"
 #include "breccia/homogenisation/grid_estimate.hpp"
 #include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/process_share.hpp"
 #include "breccia/homogenisation/quasistatic_time.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
@@ -38,12 +39,15 @@ namespace {
 struct Plan {
   std::string text = {};
   double seconds = 0.0;
-  double bytes = 0.0;  ///< memory of the largest test [B]
+  double bytes = 0.0;       ///< memory of the largest test [B]
+  ProcessShare share = {};  ///< of each of several processes
 
   void add(const Plan& further) {
     text += further.text;
     seconds += further.seconds;
     bytes = std::max(bytes, further.bytes);
+    share.seconds += further.share.seconds;
+    share.bytes = std::max(share.bytes, further.share.bytes);
   }
 };
 
@@ -53,7 +57,7 @@ std::string memory(double bytes) {
 
 /// The plan of a test on a grid with `cells` cells per side, from the same test on a grid that is no finer.
 template <int dim>
-Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells) {
+Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells, int processes) {
   const auto plan = plan_dynamic_test(test, static_cast<double>(cells) / test.discretisation.grid().cells[0]);
   const double speed = trial_speed(test);
   const auto points = point_count(stage, cells);
@@ -70,24 +74,26 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells) {
   const double seconds = static_cast<double>(points) * static_cast<double>(steps) / speed;
   text += fmt::format("    together {} steps, about {} at {:.0f} million points x steps/s here\n", steps,
                       display_duration(seconds), speed / 1e6);
-  return {text, seconds, bytes};
+  const double nodes = std::pow(cells + 1.0, dim);
+  return {text, seconds, bytes, dynamic_share(dim, bytes, seconds, nodes, processes)};
 }
 
-Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells) {
+Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells, int processes) {
   const double unknowns = quasistatic_unknowns(stage, cells);
   const double bytes = quasistatic_memory(study, stage, cells);
   const double seconds = quasistatic_time(study, stage, boundary, cells);
   return {fmt::format("  {} {}, quasi-static: {} cells, {:.0f} unknowns, about {}, some {}\n", stage.name,
                       bound_of(boundary), cells_in_words(stage, cells), unknowns, memory(bytes),
                       display_duration(seconds, 1)),
-          seconds, bytes};
+          seconds, bytes, quasistatic_share(study, stage, boundary, cells, processes)};
 }
 
-Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, Method method, int cells) {
+Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, Method method, int cells,
+             int processes) {
   Plan plan;
   for (const auto boundary : study.tests.boundaries) {
     if (method == Method::quasistatic) {
-      plan.add(quasistatic_plan(study, stage, boundary, cells));
+      plan.add(quasistatic_plan(study, stage, boundary, cells, processes));
       continue;
     }
     // A finer grid is planned by this one, which takes some 20 MB a Prony term: its points would take long, and memory
@@ -97,7 +103,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
     const auto add_loads = [&](const auto& discretisation) {
       for (const auto load : loads_of(study, stage)) {
         const auto test = make_dynamic_test(study, stage, matrix, discretisation, boundary, load, 0);
-        plan.add(dynamic_plan(stage, test, cells));
+        plan.add(dynamic_plan(stage, test, cells, processes));
       }
     };
     std::visit(add_loads, discretise(stage, packed, std::min(cells, most_planned), study.tests.mixing));
@@ -106,32 +112,37 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
 }
 
 /// The plan of a test of grains and films.
-Plan film_plan(const Study& study, const Stage& stage, const StageGrains& placed, Boundary boundary) {
+Plan film_plan(const Study& study, const Stage& stage, const StageGrains& placed, Boundary boundary, int processes) {
   const auto grains = placed_grains(stage, placed);
   const double bytes = film_memory(study, stage, grains), seconds = film_time(study, stage, grains);
   return {fmt::format("  {} {}, quasi-static: {} grains and films, {:.0f} unknowns, about {}, some {}\n", stage.name,
                       bound_of(boundary), placed.count, film_unknowns(study.tests, grains), memory(bytes),
                       display_duration(seconds, 1)),
-          seconds, bytes};
+          seconds, bytes, film_share(study, stage, grains, processes)};
 }
 
-Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed) {
+Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& packed, int processes) {
   Plan plan;
   if (model_of(study.tests, stage) == Model::films) {
-    for (const auto boundary : study.tests.boundaries) plan.add(film_plan(study, stage, *packed.grains, boundary));
+    for (const auto boundary : study.tests.boundaries) {
+      plan.add(film_plan(study, stage, *packed.grains, boundary, processes));
+    }
     return plan;
   }
   for (const int cells : stage.grids()) {
-    for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells));
+    for (const auto method : study.tests.methods) plan.add(plan_of(study, stage, packed, method, cells, processes));
   }
   return plan;
 }
 
-/// The line with the total of all tests.
-std::string total(const Study& study, const Plan& plan) {
+/// The lines with the total of all tests.
+std::string total(const Study& study, const Plan& plan, int processes) {
   const bool is_quasistatic = std::ranges::count(study.tests.methods, Method::dynamic) == 0;
-  return fmt::format("together about {}{}, at most {} of memory\n", display_duration(plan.seconds),
-                     is_quasistatic ? " on one core" : "", memory(plan.bytes));
+  auto text = fmt::format("together about {}{}, at most {} of memory\n", display_duration(plan.seconds),
+                          is_quasistatic ? " on one core" : "", memory(plan.bytes));
+  if (processes == 1) return text;
+  return text + fmt::format("on {} processes with a core each about {}, at most {} of memory a process\n", processes,
+                            display_duration(plan.share.seconds), memory(plan.share.bytes));
 }
 
 /// A length of the microstructure of which the cells tell the error of a grid.
@@ -192,7 +203,7 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
                      fmt::join(advice, ", "));
 }
 
-void print_plan(const Study& study, const std::vector<double>& errors) {
+void print_plan(const Study& study, const std::vector<double>& errors, int processes) {
   fmt::print("{}\nplan, with an estimate of the composite's modulus (a run computes it and may need less)\n",
              summary(study));
   Plan all;
@@ -200,15 +211,16 @@ void print_plan(const Study& study, const std::vector<double>& errors) {
   for (const auto& stage : study.stages) {
     const auto packed = make_microstructure(stage);
     fillers.push_back(packed.fillers);
-    const auto plan = plan_of(study, stage, packed);
+    const auto plan = plan_of(study, stage, packed, processes);
     const bool has_grid = model_of(study.tests, stage) == Model::cells;
     fmt::print("{}{}", plan.text, has_grid ? grid_advice(stage, packed, study.tests.mixing, errors) : "");
     for (const auto& warning : warnings_on(study, stage, packed)) fmt::print("warning: {}\n", warning);
     all.add(plan);
   }
   fmt::print("{}", filler_summary(study, fillers));
-  fmt::print("{}", total(study, all));
-  require_memory(study, available_memory());
+  fmt::print("{}", total(study, all, processes));
+  // What several processes take may be the memory of several machines.
+  if (processes == 1) require_memory(study, available_memory());
 }
 
 /// The errors that the option --error names [-]. Throws InputError for one that is no percentage of less than 100 %.
@@ -219,7 +231,7 @@ std::vector<double> errors_of(const std::vector<std::string>& texts) {
     const auto error = parse_percentage(text);
     if (!error || !(*error > 0.0 && *error < 1.0)) {
       throw InputError(
-          fmt::format("--error: expected a percentage between 0 and 100 %, such as \"2 %\", got \"{}\"", text));
+          fmt::format(R"(--error: expected a percentage between 0 and 100 %, such as "2 %", got "{}")", text));
     }
     errors.push_back(*error);
   }
@@ -234,20 +246,26 @@ void add_check(CLI::App& application) {
   struct Arguments {
     DeckArguments deck;
     std::vector<std::string> errors;
+    int processes = 1;
   };
   auto arguments = std::make_shared<Arguments>();
   add_deck_arguments(*command, arguments->deck);
   command
       ->add_option("--error", arguments->errors,
-                   "tell the cells for these errors of the modulus (default: \"5 %\" \"2 %\" \"1 %\")")
+                   R"(tell the cells for these errors of the modulus (default: "5 %" "2 %" "1 %"))")
       ->type_name("SHARE ...");
+  command
+      ->add_option("--processes", arguments->processes,
+                   "tell the memory and the time of each of N processes under mpirun, too")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1 << 20).description(""));
   command->callback([arguments] {
     const auto errors = errors_of(arguments->errors);
     const auto sweep = arguments->deck.read();
     if (!sweep.keys.empty()) {
       fmt::print("a sweep of {} tasks\n\n{}\nthe first one:\n\n", sweep.tasks.size(), table_of_tasks(sweep));
     }
-    print_plan(sweep.tasks.front().study, errors);
+    print_plan(sweep.tasks.front().study, errors, arguments->processes);
   });
 }
 

@@ -51,8 +51,8 @@ std::vector<ValueSyntax> values_of(const CLI::Option& option) {
 
 /// The description as far as the first example, default or remark.
 std::string first_clause_of(const std::string& description) {
-  const auto end = std::ranges::min({description.find("; "), description.find(" ("), description.find(", as in "),
-                                     description.find(", such as "), description.find(": ")});
+  const auto end = std::min({description.find("; "), description.find(" ("), description.find(", as in "),
+                             description.find(", such as "), description.find(": ")});
   return description.substr(0, end);
 }
 

@@ -67,6 +67,7 @@ class OptionReader {
 template <class Enum>
 std::vector<std::string> names_of_words() {
   std::vector<std::string> names;
+  names.reserve(words<Enum>.size());
   for (const auto& [word, value] : words<Enum>) names.emplace_back(word);
   return names;
 }
@@ -75,7 +76,7 @@ double read_share(const std::string& option, const std::string& text) {
   const auto share = parse_percentage(text);
   if (share && *share > 0.0 && *share < 1.0) return *share;
   throw InputError(
-      fmt::format("{}: expected a share above 0 % and below 100 %, such as \"1 %\", got \"{}\"", option, text));
+      fmt::format(R"({}: expected a share above 0 % and below 100 %, such as "1 %", got "{}")", option, text));
 }
 
 double read_poisson(const std::string& text) {

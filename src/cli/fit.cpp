@@ -56,6 +56,7 @@ struct FitArguments {
 /// The columns that the user has chosen. Throws InputError with every choice that is none.
 std::vector<ColumnChoice> column_choices(const FitArguments& arguments) {
   std::vector<std::string> words;
+  words.reserve(quantities_of_columns.size());
   for (const auto& [word, quantity] : quantities_of_columns) words.push_back(word);
   std::vector<ColumnChoice> choices;
   std::vector<std::string> mistakes;
@@ -65,7 +66,7 @@ std::vector<ColumnChoice> column_choices(const FitArguments& arguments) {
     const auto known = quantities_of_columns.find(word);
     if (sign == std::string::npos || sign + 1 == text.size()) {
       mistakes.push_back(
-          fmt::format("--columns: expected QUANTITY=NAME, such as storage=\"E1 [MPa]\", got \"{}\"", text));
+          fmt::format(R"(--columns: expected QUANTITY=NAME, such as storage="E1 [MPa]", got "{}")", text));
     } else if (known == quantities_of_columns.end()) {
       mistakes.push_back(fmt::format("--columns: unknown quantity \"{}\"{}", word, suggestion(word, words)));
     } else if (std::ranges::find(choices, known->second, &ColumnChoice::quantity) != choices.end()) {

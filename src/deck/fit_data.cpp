@@ -131,7 +131,8 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
       "  dynamic moduli        frequency_Hz or angular_frequency_rad_per_s, storage_modulus_Pa, loss_modulus_Pa and,\n"
       "                        for a master curve, temperature_K or temperature_degC\n"
       "  a Prony series        relaxation_time_s, modulus_Pa\n"
-      "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}",
+      "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}\n"
+      "breccia fit --columns tells which column is which, as in --columns storage=NAME --columns loss=NAME",
       table.path().string(), table.list_of_names()));
 }
 

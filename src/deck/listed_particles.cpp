@@ -23,6 +23,7 @@ void check_centre(const std::array<double, dim>& centre, double side, const std:
   const auto is_outside = [side](double x) { return x < 0.0 || x > side; };
   if (std::ranges::none_of(centre, is_outside)) return;
   std::vector<std::string> coordinates;
+  coordinates.reserve(dim);
   for (const double x : centre) coordinates.push_back(readable(x, Dimension::length));
   mistakes.add(place, fmt::format("expected a centre in the box, 0 to {}", readable(side, Dimension::length)),
                fmt::format("({})", fmt::join(coordinates, ", ")));
@@ -132,12 +133,13 @@ ListedPolygons read_polygons(const std::filesystem::path& file, double side, std
       mistakes.add(table.place(rows[corner]), fmt::format("particle {}: {}", number, text));
     }
     if (!filler_of_row.empty()) {
-      const auto differs = [&](std::size_t row) { return filler_of_row[row] != filler_of_row[rows.front()]; };
+      const auto filler = filler_of_row[rows.front()];
+      const auto differs = [&](std::size_t row) { return filler_of_row[row] != filler; };
       const auto other = std::ranges::find_if(rows, differs);
       if (other != rows.end()) {
         mistakes.add(table.place(*other), fmt::format("particle {}: expected one filler for all corners", number));
       }
-      polygons.fillers.push_back(filler_of_row[rows.front()]);
+      polygons.fillers.push_back(filler);
     }
     if (!of_corners.empty()) continue;
     const auto centre = centroid(corners);

@@ -18,8 +18,9 @@ PhaseIndex phase_at(const Discretisation<dim>& discretisation, PhaseIndex phase)
 }
 
 template <int dim>
-LatticeFields<dim> zero_lattice(std::size_t size) {
+LatticeFields<dim> zero_lattice(const IndexRange<dim>& cells, std::size_t size) {
   LatticeFields<dim> fields;
+  fields.cells = cells;
   fields.phase.resize(size);
   fields.displacement.resize(size);
   fields.strain.resize(size);
@@ -27,47 +28,84 @@ LatticeFields<dim> zero_lattice(std::size_t size) {
   return fields;
 }
 
-}  // namespace
+template <int dim>
+std::size_t count(const IndexRange<dim>& cells) {
+  return Grid<dim>{.cells = cells.size()}.cell_count();
+}
 
 template <int dim>
-PointFields<dim> zero_fields(const Discretisation<dim>& discretisation) {
-  const auto& grid = discretisation.grid();
-  auto fields = zero_lattice<dim>(discretisation.points());
-  grid.for_each_cell([&](const Index<dim>& cell) {
+PointFields<dim> zero_fields(const Discretisation<dim>& discretisation, const IndexRange<dim>& cells) {
+  constexpr int points = Discretisation<dim>::points_per_cell;
+  auto fields = zero_lattice<dim>(cells, points * count(cells));
+  const Grid<dim> part = {.cells = cells.size()};
+  for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
+    auto place = cell;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) place[axis] -= cells.begin[axis];
     const auto& phases = discretisation.cell(cell);
-    for (int p = 0; p < Discretisation<dim>::points_per_cell; ++p) {
-      fields.phase[grid.point_index(cell, p)] = phase_at(discretisation, phases[static_cast<std::size_t>(p)]);
+    for (int p = 0; p < points; ++p) {
+      fields.phase[part.point_index(place, p)] = phase_at(discretisation, phases[static_cast<std::size_t>(p)]);
     }
   });
   return fields;
 }
 
 template <int dim>
-CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation) {
-  const auto& grid = discretisation.grid();
-  auto fields = zero_lattice<dim>(grid.cell_count());
-  grid.for_each_cell([&](const Index<dim>& cell) {
+CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation, const IndexRange<dim>& cells) {
+  auto fields = zero_lattice<dim>(cells, count(cells));
+  auto next = fields.phase.begin();
+  for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
     const auto& phases = discretisation.cell(cell);
     const auto points_of = [&phases](PhaseIndex phase) { return std::ranges::count(phases, phase); };
-    fields.phase[grid.cell_index(cell)] = phase_at(discretisation, *std::ranges::max_element(phases, {}, points_of));
+    *next++ = phase_at(discretisation, *std::ranges::max_element(phases, {}, points_of));
   });
   return fields;
 }
 
+}  // namespace
+
 template <int dim>
-LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation) {
+PointFields<dim> zero_fields(const Discretisation<dim>& discretisation) {
+  return zero_fields(discretisation, discretisation.grid().all_cells());
+}
+
+template <int dim>
+CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation) {
+  return zero_cell_fields(discretisation, discretisation.grid().all_cells());
+}
+
+template <int dim>
+LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation, const IndexRange<dim>& cells) {
   if constexpr (dim == 2) {
-    return zero_fields(discretisation);
+    return zero_fields(discretisation, cells);
   } else {
-    return zero_cell_fields(discretisation);
+    return zero_cell_fields(discretisation, cells);
   }
+}
+
+template <int dim>
+parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const IndexRange<dim>& cells) {
+  // The lattice of points has two to a cell along each axis.
+  const int finer = dim == 2 ? 2 : 1;
+  Grid<dim> all = grid, part = {.cells = cells.size()};
+  auto begin = cells.begin;
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+    for (int* along : {&all.cells[axis], &part.cells[axis], &begin[axis]}) *along *= finer;
+  }
+  const auto place_of = [all, part, begin](std::size_t value) {
+    auto place = part.cell_at(value);
+    for (std::size_t axis = 0; axis < begin.size(); ++axis) place[axis] += begin[axis];
+    return all.cell_index(place);
+  };
+  return {part.cell_count(), place_of};
 }
 
 template PointFields<2> zero_fields(const Discretisation<2>&);
 template PointFields<3> zero_fields(const Discretisation<3>&);
 template CellFields<2> zero_cell_fields(const Discretisation<2>&);
 template CellFields<3> zero_cell_fields(const Discretisation<3>&);
-template LatticeFields<2> zero_timed_fields(const Discretisation<2>&);
-template LatticeFields<3> zero_timed_fields(const Discretisation<3>&);
+template LatticeFields<2> zero_timed_fields(const Discretisation<2>&, const IndexRange<2>&);
+template LatticeFields<3> zero_timed_fields(const Discretisation<3>&, const IndexRange<3>&);
+template parallel::OrderedPlaces places_of_timed_fields(const Grid<2>&, const IndexRange<2>&);
+template parallel::OrderedPlaces places_of_timed_fields(const Grid<3>&, const IndexRange<3>&);
 
 }  // namespace breccia

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
+#include <type_traits>
 
 #include <fmt/format.h>
 
@@ -11,54 +13,68 @@ namespace breccia {
 
 namespace {
 
-template <std::size_t size>
-void save_tuples(StateWriter& state, const std::string& name, const std::vector<std::array<double, size>>& tuples) {
-  static_assert(sizeof(std::array<double, size>) == size * sizeof(double));
-  state.write(name, std::span(tuples.empty() ? nullptr : tuples.front().data(), size * tuples.size()));
+/// Numbers of tuples of a size, in the places of the tuples.
+parallel::OrderedPlaces places_of_numbers(const parallel::OrderedPlaces& tuples, std::size_t size) {
+  return {size * tuples.count, [tuples, size](std::size_t i) { return size * tuples.place_of(i / size) + i % size; }};
 }
 
-template <std::size_t size>
-void read_tuples(const StateReader& state, const std::string& name, std::vector<std::array<double, size>>& tuples) {
-  const auto values = state.numbers(name, size * tuples.size());
-  auto value = values.begin();
-  for (auto& tuple : tuples) {
-    for (auto& component : tuple) component = *value++;
-  }
+/// Calls action(name, tuples) for all that fields hold but the phases.
+template <class Fields, class Action>
+void for_each_list(const std::string& group, Fields& fields, const Action& action) {
+  action(group + "/displacement_m", fields.displacement);
+  action(group + "/strain", fields.strain);
+  action(group + "/stress_Pa", fields.stress);
+}
+
+/// The numbers of tuples, one after the other.
+template <class Tuples>
+auto numbers_of(Tuples& tuples) {
+  constexpr std::size_t size = std::tuple_size_v<typename Tuples::value_type>;
+  static_assert(sizeof(typename Tuples::value_type) == size * sizeof(double));
+  return std::span(tuples.empty() ? nullptr : tuples.front().data(), size * tuples.size());
 }
 
 }  // namespace
 
 template <int dim>
-void save(StateWriter& state, const std::string& group, const std::vector<TimedFields<dim>>& fields) {
+void save(StateWriter& state, const std::string& group, const Grid<dim>& grid,
+          const std::vector<TimedFields<dim>>& fields) {
   state.write(group + "/count", static_cast<std::int64_t>(fields.size()));
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const auto one = fmt::format("{}/{}", group, i);
     state.write(one + "/time_s", fields[i].time);
-    save_tuples(state, one + "/displacement_m", fields[i].fields.displacement);
-    save_tuples(state, one + "/strain", fields[i].fields.strain);
-    save_tuples(state, one + "/stress_Pa", fields[i].fields.stress);
+    const auto places = places_of_timed_fields(grid, fields[i].fields.cells);
+    for_each_list(one, fields[i].fields, [&](const std::string& name, const auto& tuples) {
+      constexpr std::size_t size = std::tuple_size_v<typename std::decay_t<decltype(tuples)>::value_type>;
+      state.write(name, numbers_of(tuples), places_of_numbers(places, size), size * size_of_timed_fields(grid));
+    });
   }
 }
 
 template <int dim>
 std::vector<TimedFields<dim>> read_fields(const StateReader& state, const std::string& group,
-                                          const Discretisation<dim>& discretisation) {
+                                          const Discretisation<dim>& discretisation, const IndexRange<dim>& cells) {
   std::vector<TimedFields<dim>> fields;
+  const auto& grid = discretisation.grid();
+  const auto places = places_of_timed_fields(grid, cells);
   const auto count = state.integer(group + "/count");
   for (std::int64_t i = 0; i < count; ++i) {
     const auto one = fmt::format("{}/{}", group, i);
     auto& timed =
-        fields.emplace_back(TimedFields<dim>{state.number(one + "/time_s"), zero_timed_fields(discretisation)});
-    read_tuples(state, one + "/displacement_m", timed.fields.displacement);
-    read_tuples(state, one + "/strain", timed.fields.strain);
-    read_tuples(state, one + "/stress_Pa", timed.fields.stress);
+        fields.emplace_back(TimedFields<dim>{state.number(one + "/time_s"), zero_timed_fields(discretisation, cells)});
+    for_each_list(one, timed.fields, [&](const std::string& name, auto& tuples) {
+      constexpr std::size_t size = std::tuple_size_v<typename std::decay_t<decltype(tuples)>::value_type>;
+      state.read(name, numbers_of(tuples), places_of_numbers(places, size), size * size_of_timed_fields(grid));
+    });
   }
   return fields;
 }
 
-template void save(StateWriter&, const std::string&, const std::vector<TimedFields<2>>&);
-template void save(StateWriter&, const std::string&, const std::vector<TimedFields<3>>&);
-template std::vector<TimedFields<2>> read_fields(const StateReader&, const std::string&, const Discretisation<2>&);
-template std::vector<TimedFields<3>> read_fields(const StateReader&, const std::string&, const Discretisation<3>&);
+template void save(StateWriter&, const std::string&, const Grid<2>&, const std::vector<TimedFields<2>>&);
+template void save(StateWriter&, const std::string&, const Grid<3>&, const std::vector<TimedFields<3>>&);
+template std::vector<TimedFields<2>> read_fields(const StateReader&, const std::string&, const Discretisation<2>&,
+                                                 const IndexRange<2>&);
+template std::vector<TimedFields<3>> read_fields(const StateReader&, const std::string&, const Discretisation<3>&,
+                                                 const IndexRange<3>&);
 
 }  // namespace breccia

@@ -40,11 +40,11 @@ BRECCIA_INLINE Modes shear_response(const Materials& materials, const Modes& str
   auto terms = shear_terms(materials);
   for (int k = 0; k < materials.shear_term_count; ++k, history += shear_modes<2> * lanes) {
     const auto& term = terms[k];
-    advance(s.xx, history, term, increment.xx);
-    advance(s.yy, history + lanes, term, increment.yy);
-    advance(s.xy, history + 2 * lanes, term, increment.xy);
-    advance(s.qu, history + 3 * lanes, term, increment.qu);
-    advance(s.qv, history + 4 * lanes, term, increment.qv);
+    advance<2>(s.xx, history, term, increment.xx);
+    advance<2>(s.yy, history + lanes, term, increment.yy);
+    advance<2>(s.xy, history + 2 * lanes, term, increment.xy);
+    advance<2>(s.qu, history + 3 * lanes, term, increment.qu);
+    advance<2>(s.qv, history + 4 * lanes, term, increment.qv);
   }
   return s;
 }
@@ -58,10 +58,10 @@ BRECCIA_INLINE VolumeModes bulk_response(const MaterialStep& material, const Mod
   VolumeModes p = {k_inf * (strain.xx + strain.yy), k_inf * strain.qu, k_inf * strain.qv};
   for (int k = 0; k < material.bulk_term_count; ++k, history += modes * lanes) {
     const TermStep& term = material.bulk_terms[k];
-    advance(p.centre, history, term, increment.xx + increment.yy);
+    advance<2>(p.centre, history, term, increment.xx + increment.yy);
     if constexpr (!averaged) {
-      advance(p.qu, history + lanes, term, increment.qu);
-      advance(p.qv, history + 2 * lanes, term, increment.qv);
+      advance<2>(p.qu, history + lanes, term, increment.qu);
+      advance<2>(p.qv, history + 2 * lanes, term, increment.qv);
     }
   }
   return p;
@@ -73,7 +73,7 @@ BRECCIA_INLINE Pack dilatational_response(const CellsOfRegister& cells, const Mo
   Pack p = cells.of_each(&CellMaterialStep::dilatational) * (strain.xx + strain.yy);
   TermsOfCells terms(cells.of_lane, &CellMaterialStep::dilatational_terms);
   for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) {
-    advance(p, history, terms[k], increment.xx + increment.yy);
+    advance<2>(p, history, terms[k], increment.xx + increment.yy);
   }
   return p;
 }

@@ -27,6 +27,20 @@ void visit_numbers(Point& point, const Visit& visit) {
 template <int dim>
 constexpr std::size_t numbers_per_point = 4 * dim + 2 * tensor_components<dim> + 1;
 
+/// Where the values of a point, which has a place in the lattice of all points, stand in the fields of the whole box.
+template <int dim>
+std::size_t place_in_fields(const Grid<dim>& grid, std::size_t point) {
+  Grid<dim> points = grid;
+  for (int& along : points.cells) along *= 2;
+  auto cell = points.cell_at(point);
+  int number = 0;
+  for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+    number += (cell[axis] % 2) << axis;
+    cell[axis] /= 2;
+  }
+  return place_in_timed_fields(grid.all_cells(), cell, number);
+}
+
 /// A number of a checkpoint as an index below `end`. Throws FileError when it is none.
 std::size_t index_below(std::size_t end, double number) {
   if (number >= 0.0 && number < static_cast<double>(end) && std::floor(number) == number) {
@@ -79,9 +93,11 @@ template <int dim>
 LatticeFields<dim> Classical<dim>::fields() const {
   const double scale = 1.0 / problem().amplitude;
   const auto& discretisation = problem().discretisation;
-  auto fields = zero_timed_fields(discretisation);
+  const auto cells = own_cells(Formulation::classical, discretisation.grid());
+  auto fields = zero_timed_fields(discretisation, cells);
+  if (fields.phase.empty()) return fields;
   for (const auto& point : points_) {
-    const auto place = place_in_timed_fields(discretisation.grid(), point.lattice);
+    const auto place = place_in_fields(discretisation.grid(), point.lattice);
     Vector<dim> displacement{};
     typename decltype(fields.strain)::value_type strain{};
     typename decltype(fields.stress)::value_type stress{};

@@ -109,11 +109,11 @@ BRECCIA_INLINE CubeModes shear_response(const Materials& materials, const CubeMo
   auto terms = shear_terms(materials);
   for (int k = 0; k < materials.shear_term_count; ++k) {
     const auto& term = terms[k];
-    for (int i = 0; i < 6; ++i, history += lanes) advance(s.mean[i], history, term, increment.mean[i]);
+    for (int i = 0; i < 6; ++i, history += lanes) advance<3>(s.mean[i], history, term, increment.mean[i]);
     for (int c = 0; c < axes; ++c) {
-      for (int d = 0; d < axes; ++d, history += lanes) advance(s.twist[c][d], history, term, increment.twist[c][d]);
+      for (int d = 0; d < axes; ++d, history += lanes) advance<3>(s.twist[c][d], history, term, increment.twist[c][d]);
     }
-    for (int c = 0; c < axes; ++c, history += lanes) advance(s.warp[c], history, term, increment.warp[c]);
+    for (int c = 0; c < axes; ++c, history += lanes) advance<3>(s.warp[c], history, term, increment.warp[c]);
   }
   return s;
 }
@@ -131,14 +131,14 @@ BRECCIA_INLINE CubeVolumeModes bulk_response(const MaterialStep& material, const
   }
   for (int k = 0; k < material.bulk_term_count; ++k) {
     const TermStep& term = material.bulk_terms[k];
-    advance(p.centre, history, term, trace(increment));
+    advance<3>(p.centre, history, term, trace(increment));
     history += lanes;
     if constexpr (!averaged) {
       for (int axis = 0; axis < axes; ++axis, history += lanes) {
-        advance(p.along[axis], history, term, volume_along(increment, axis));
+        advance<3>(p.along[axis], history, term, volume_along(increment, axis));
       }
       for (int axis = 0; axis < axes; ++axis, history += lanes) {
-        advance(p.across[axis], history, term, increment.warp[axis]);
+        advance<3>(p.across[axis], history, term, increment.warp[axis]);
       }
     }
   }
@@ -151,7 +151,7 @@ BRECCIA_INLINE Pack bulk_response(const CellsOfRegister& cells, const CubeModes&
   Pack p = cells.of_each(&CellMaterialStep::dilatational) * trace(strain);
   TermsOfCells terms(cells.of_lane, &CellMaterialStep::dilatational_terms);
   for (int k = 0; k < cells.dilatational_term_count; ++k, history += lanes) {
-    advance(p, history, terms[k], trace(increment));
+    advance<3>(p, history, terms[k], trace(increment));
   }
   return p;
 }

@@ -9,10 +9,12 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/session.hpp"
 #include "breccia/parallel/threads.hpp"
 
 #include "boundary_nodes.hpp"
 #include "classical.hpp"
+#include "layer_exchange.hpp"
 #include "step_times.hpp"
 #include "total_lagrangian.hpp"
 
@@ -106,6 +108,15 @@ std::unique_ptr<DynamicSolver<dim>> make_dynamic_solver(Formulation formulation,
   throw InputError("dynamic run: unknown formulation");
 }
 
+template <int dim>
+IndexRange<dim> own_cells(Formulation formulation, const Grid<dim>& grid) {
+  if (formulation == Formulation::total_lagrangian) return dynamics::own_layers(grid);
+  // Every process runs the whole of the others.
+  return parallel::rank() == 0 ? grid.all_cells() : IndexRange<dim>{};
+}
+
+template IndexRange<2> own_cells(Formulation, const Grid<2>&);
+template IndexRange<3> own_cells(Formulation, const Grid<3>&);
 template std::unique_ptr<DynamicSolver<2>> make_dynamic_solver(Formulation, DynamicProblem<2>, int, InstructionSet);
 template std::unique_ptr<DynamicSolver<3>> make_dynamic_solver(Formulation, DynamicProblem<3>, int, InstructionSet);
 

@@ -27,23 +27,31 @@ BRECCIA_INLINE void store(double* to, const Pack& pack) {
   __builtin_memcpy(to, &pack, sizeof(pack));
 }
 
-/// Histories 8 KB ahead are prefetched, since the hardware prefetcher stops at the end of a page. Prefetches are best
-/// spread among the terms. Where a block takes several registers they would keep the compiler from reordering the
-/// arithmetic there, and stand before the block instead.
+/// Histories 8 KB ahead are prefetched, since the hardware prefetcher stops at the end of a page. Those of cubes go
+/// into the second level of the cache, because the first can wait for too few lines at a time to use the bandwidth;
+/// those of squares, which are short and often in the cache, into the first. Prefetches are best spread among the
+/// terms. Where a block takes several registers they would keep the compiler from reordering the arithmetic there, and
+/// stand before the block instead.
 constexpr int fetch_distance = 1024;
 constexpr bool fetches_among_terms = parts == 1;
+
+template <int dim>
+BRECCIA_INLINE void fetch_ahead(const double* history) {
+  constexpr int for_reading = 0, into_second_level = 2, into_first_level = 3;
+  __builtin_prefetch(history + fetch_distance, for_reading, dim == 3 ? into_second_level : into_first_level);
+}
 
 template <int dim>
 [[maybe_unused]] BRECCIA_INLINE void fetch_ahead(const Block& block) {
   if (block.by_cell != nullptr) {
     const CellMaterials& cells = *block.by_cell;
     const int lines = cells.shear_term_count * shear_modes<dim> + cells.dilatational_term_count;
-    for (int line = 0; line < lines; ++line) __builtin_prefetch(cells.history + fetch_distance + line * lanes);
+    for (int line = 0; line < lines; ++line) fetch_ahead<dim>(cells.history + line * lanes);
   }
   for (int i = 0; i < block.share_count; ++i) {
     const Share& share = block.shares[i];
     const int lines = share.material->shear_term_count * shear_modes<dim> + share.material->bulk_term_count;
-    for (int line = 0; line < lines; ++line) __builtin_prefetch(share.history + fetch_distance + line * lanes);
+    for (int line = 0; line < lines; ++line) fetch_ahead<dim>(share.history + line * lanes);
   }
 }
 
@@ -52,9 +60,9 @@ struct TermSteps {
   Pack decay, gain;
 };
 
-template <class Term>
+template <int dim, class Term>
 BRECCIA_INLINE void advance(Pack& sum, double* history, const Term& term, const Pack& strain) {
-  if constexpr (fetches_among_terms) __builtin_prefetch(history + fetch_distance);
+  if constexpr (fetches_among_terms) fetch_ahead<dim>(history);
   const Pack h = term.decay * load(history) + term.gain * strain;
   store(history, h);
   sum += h;

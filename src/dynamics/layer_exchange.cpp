@@ -40,7 +40,22 @@ void unpack(const std::vector<double>& message, const LayerForces<3>& forces) {
   for (std::size_t c = 0; c < 3; ++c) std::copy_n(message.data() + c * length, length, forces.of_axis[c]);
 }
 
+/// The first layer of a process, of some layers for some processes.
+int first_layer(int layers, int rank, int ranks) noexcept {
+  return static_cast<int>(static_cast<std::int64_t>(layers) * rank / ranks);
+}
+
 }  // namespace
+
+template <int dim>
+IndexRange<dim> own_layers(const Grid<dim>& grid) {
+  auto cells = grid.all_cells();
+  if (!parallel::is_under_mpirun()) return cells;
+  parallel::start();
+  cells.begin.back() = first_layer(grid.cells.back(), parallel::rank(), parallel::ranks());
+  cells.end.back() = first_layer(grid.cells.back(), parallel::rank() + 1, parallel::ranks());
+  return cells;
+}
 
 template <int dim>
 LayerExchange<dim>::LayerExchange(const Grid<dim>& grid, bool wraps) : layers_(grid.cells.back()), wraps_(wraps) {
@@ -58,7 +73,7 @@ LayerExchange<dim>::LayerExchange(const Grid<dim>& grid, bool wraps) : layers_(g
 
 template <int dim>
 int LayerExchange<dim>::first_of(int rank) const noexcept {
-  return static_cast<int>(static_cast<std::int64_t>(layers_) * rank / ranks_);
+  return first_layer(layers_, rank, ranks_);
 }
 
 template <int dim>
@@ -99,27 +114,17 @@ void LayerExchange<dim>::finish(const LayerForces<dim>& highest, const LayerForc
 }
 
 template <int dim>
-void LayerExchange<dim>::gather_cell_layers(std::span<double> values) const {
-  gather(values, layers_);
-}
-
-template <int dim>
 void LayerExchange<dim>::gather_node_layers(std::span<double> values) const {
-  gather(values, layers_ + 1);
-}
-
-template <int dim>
-void LayerExchange<dim>::gather(std::span<double> values, int layers) const {
   if (ranks_ == 1) return;
   std::vector<int> counts, begins;
   for (int rank = 0; rank < ranks_; ++rank) {
     // The highest layer of nodes goes with the last process.
-    const int end = rank + 1 < ranks_ ? first_of(rank + 1) : layers;
+    const int end = rank + 1 < ranks_ ? first_of(rank + 1) : layers_ + 1;
     begins.push_back(first_of(rank));
     counts.push_back(end - first_of(rank));
   }
   // MPI counts in 32 bits, and a list may have more values than that: it is passed in whole layers.
-  const auto per_layer = values.size() / static_cast<std::size_t>(layers);
+  const auto per_layer = values.size() / static_cast<std::size_t>(layers_ + 1);
   MPI_Datatype layer = MPI_DATATYPE_NULL;
   MPI_Type_contiguous(static_cast<int>(per_layer), MPI_DOUBLE, &layer);
   MPI_Type_commit(&layer);
@@ -129,47 +134,17 @@ void LayerExchange<dim>::gather(std::span<double> values, int layers) const {
 }
 
 template <int dim>
-std::span<const double> LayerExchange<dim>::collect(std::span<const double> own, std::vector<double>& all) const {
-  if (ranks_ == 1) return own;
-  // MPI counts in 32 bits.
-  constexpr std::size_t portion = std::size_t{1} << 28U;
-  std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
-  const std::uint64_t count = own.size();
-  MPI_Gather(&count, 1, MPI_UINT64_T, counts.data(), 1, MPI_UINT64_T, 0, parallel::communicator());
-  const auto in_portions = [&](std::size_t size, const auto& pass) {
-    for (std::size_t done = 0; done < size; done += portion) {
-      pass(done, static_cast<int>(std::min(portion, size - done)));
-    }
-  };
-  if (rank_ > 0) {
-    in_portions(own.size(), [&](std::size_t begin, int length) {
-      MPI_Send(own.data() + begin, length, MPI_DOUBLE, 0, 0, parallel::communicator());
-    });
-    return {};
-  }
-  all.resize(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
-  std::copy(own.begin(), own.end(), all.begin());
-  std::size_t place = own.size();
-  for (int rank = 1; rank < ranks_; ++rank) {
-    const auto size = counts[static_cast<std::size_t>(rank)];
-    in_portions(size, [&](std::size_t begin, int length) {
-      MPI_Recv(all.data() + place + begin, length, MPI_DOUBLE, rank, 0, parallel::communicator(), MPI_STATUS_IGNORE);
-    });
-    place += size;
-  }
-  return all;
-}
-
-template <int dim>
 typename LayerExchange<dim>::Place LayerExchange<dim>::place_of(std::size_t own) const {
-  if (ranks_ == 1) return {0, own};
+  if (ranks_ == 1) return {parallel::consecutive_places(0, own), own};
   std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
   const std::uint64_t count = own;
   MPI_Allgather(&count, 1, MPI_UINT64_T, counts.data(), 1, MPI_UINT64_T, parallel::communicator());
-  return {std::accumulate(counts.begin(), counts.begin() + rank_, std::uint64_t{0}),
-          std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})};
+  const auto first = std::accumulate(counts.begin(), counts.begin() + rank_, std::uint64_t{0});
+  return {parallel::consecutive_places(first, own), std::accumulate(counts.begin(), counts.end(), std::uint64_t{0})};
 }
 
+template IndexRange<2> own_layers(const Grid<2>&);
+template IndexRange<3> own_layers(const Grid<3>&);
 template class LayerExchange<2>;
 template class LayerExchange<3>;
 

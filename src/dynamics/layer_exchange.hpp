@@ -8,11 +8,17 @@
 #include <mpi.h>
 
 #include "breccia/discretisation/grid.hpp"
+#include "breccia/parallel/ordered_values.hpp"
 
 #include "cell_row_kernel.hpp"
 #include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
+
+/// The layers of cells of this process: those of all processes follow one another in the order of the processes. All
+/// without mpirun, where MPI is not started.
+template <int dim>
+[[nodiscard]] IndexRange<dim> own_layers(const Grid<dim>& grid);
 
 /// The layers of cells of this process, if mpirun has started several, and the messages between processes. A process
 /// that runs alone has all layers, and MPI is not started for it.
@@ -36,18 +42,15 @@ class LayerExchange {
   /// On a side where there is no neighbour nothing is written.
   void finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below, const LayerForces<dim>& from_above);
 
-  /// Completes a list that has the same number of values for each layer of cells, or of nodes, on every process. Before
-  /// the call each process has the values of its own layers.
-  void gather_cell_layers(std::span<double> values) const;
+  /// Completes a list that has the same number of values for each layer of nodes on every process. Before the call each
+  /// process has the values of its own layers.
   void gather_node_layers(std::span<double> values) const;
 
-  /// Joins lists of any lengths, one from each process, in the order of the processes. The first process gets the
-  /// joined list, which is stored in `all`; the others get nothing. A process that runs alone gets its own list back.
-  [[nodiscard]] std::span<const double> collect(std::span<const double> own, std::vector<double>& all) const;
-  /// Where the list of this process begins in the joined one, and the length of that.
+  /// The place in an order of the values of all processes, one process after the other, of which this process has
+  /// `own`, and the number of all.
   struct Place {
-    std::size_t begin;
-    std::size_t size;
+    parallel::OrderedPlaces own;
+    std::size_t count;
   };
   [[nodiscard]] Place place_of(std::size_t own) const;
 
@@ -55,7 +58,6 @@ class LayerExchange {
   [[nodiscard]] int first_of(int rank) const noexcept;
   [[nodiscard]] int process_above() const noexcept;
   [[nodiscard]] int process_below() const noexcept;
-  void gather(std::span<double> values, int layers) const;
 
   int layers_;
   bool wraps_;

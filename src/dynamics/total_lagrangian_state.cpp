@@ -187,7 +187,7 @@ void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const 
   for (int p = 0; p < Shape::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
     if (phase == no_phase) continue;
-    const auto place = place_in_timed_fields(grid, grid.point_index(cell, p));
+    const auto place = place_in_timed_fields(fields.cells, cell, p);
     const auto weights = Shape::weights(p);
     Vector<dim> displacement{};
     for (std::size_t node = 0; node < weights.size(); ++node) {
@@ -209,19 +209,9 @@ void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const 
 
 template <int dim>
 LatticeFields<dim> TotalLagrangian<dim>::fields() const {
-  const auto& grid = problem().discretisation.grid();
-  auto fields = zero_timed_fields(problem().discretisation);
-  Index<dim> begin{};
-  auto end = grid.cells;
-  begin.back() = exchange_.first();
-  end.back() = exchange_.end();
-  for_each_index(begin, end, [&](const Index<dim>& cell) { set_fields_of_cell(fields, cell); });
-  const auto places = fields.phase.size();
-  for (const auto values : {std::span(fields.displacement.front().data(), dim * places),
-                            std::span(fields.strain.front().data(), fields.strain.front().size() * places),
-                            std::span(fields.stress.front().data(), fields.stress.front().size() * places)}) {
-    exchange_.gather_cell_layers(values);
-  }
+  const auto cells = own_layers(problem().discretisation.grid());
+  auto fields = zero_timed_fields(problem().discretisation, cells);
+  for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) { set_fields_of_cell(fields, cell); });
   return fields;
 }
 
@@ -246,18 +236,18 @@ template <int dim>
 void TotalLagrangian<dim>::save_arrays(StateWriter& state, const std::string& group) const {
   fetch_nodes();
   state.write(group + "/nodes", std::as_const(layers_).nodes().values());
-  std::vector<double> all;
-  state.write(group + "/history", exchange_.collect(std::as_const(layers_).layout().history(), all));
+  const auto history = std::as_const(layers_).layout().history();
+  const auto [places, count] = exchange_.place_of(history.size());
+  state.write(group + "/history", history, places, count);
 }
 
 template <int dim>
 void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::string& group) {
   const auto nodes = layers_.nodes().values();
   std::ranges::copy(state.numbers(group + "/nodes", nodes.size()), nodes.begin());
-  const auto own = layers_.layout().history();
-  const auto [begin, size] = exchange_.place_of(own.size());
-  const auto all = state.numbers(group + "/history", size);
-  std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(begin), own.size(), own.begin());
+  const auto history = layers_.layout().history();
+  const auto [places, count] = exchange_.place_of(history.size());
+  state.read(group + "/history", history, places, count);
 }
 
 template Footprint TotalLagrangian<2>::footprint() const;

@@ -41,7 +41,7 @@ FilmVector FilmComposite::forces(std::span<const double> parameters, Load load, 
 
 namespace {
 
-/// What factors may take in the memory [B]. Not the memory that is left decides: the last digits differ.
+/// What factors may take in the memory of a process [B]. Not the memory that is left decides: the last digits differ.
 constexpr double memory_of_factors = 2e9;
 
 }  // namespace
@@ -52,7 +52,8 @@ FilmSolver::FilmSolver(const FilmComposite& composite) : composite_(&composite),
 
 void FilmSolver::prepare(std::span<const double> parameters) {
   std::ranges::copy(parameters, parameters_.begin());
-  factors_.factorise(composite_->film_operator().matrix({.bulk = parameters_[1], .shear = parameters_[0]}));
+  factors_.factorise(
+      [this] { return composite_->film_operator().matrix({.bulk = parameters_[1], .shear = parameters_[0]}); });
   ++effort_.factorisations;
 }
 

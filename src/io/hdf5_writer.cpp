@@ -3,6 +3,7 @@
 #include <functional>
 #include <numeric>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -56,6 +57,20 @@ Hdf5Handle create_file(const std::filesystem::path& path) {
   return file_handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
 }
 
+template <class Number>
+hid_t type_of() {
+  if constexpr (std::is_same_v<Number, double>) {
+    return H5T_NATIVE_DOUBLE;
+  } else if constexpr (std::is_same_v<Number, float>) {
+    return H5T_NATIVE_FLOAT;
+  } else if constexpr (std::is_same_v<Number, std::int64_t>) {
+    return H5T_NATIVE_INT64;
+  } else {
+    static_assert(std::is_same_v<Number, std::uint8_t>);
+    return H5T_NATIVE_UINT8;
+  }
+}
+
 /// Creation properties of datasets without time stamps, so that the same numbers give the same bytes.
 Hdf5Handle dataset_properties() {
   auto properties = property_handle(H5Pcreate(H5P_DATASET_CREATE));
@@ -94,34 +109,23 @@ void Hdf5Writer::create_group(const std::string& name) {
   if (group.id() < 0) fail("create group", name);
 }
 
-void Hdf5Writer::write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape, dataset_properties().id());
+void Hdf5Writer::write(const std::string& name, std::span<const double> values) {
+  create<double>(name, {values.size()});
+  write_part(name, 0, values);
 }
 
-void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape) {
-  write_raw(name, values.data(), values.size(), H5T_NATIVE_INT64, shape, dataset_properties().id());
+void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values) {
+  create<std::int64_t>(name, {values.size()});
+  write_part(name, 0, values);
 }
 
-void Hdf5Writer::write_compressed(const std::string& name, std::span<const double> values, const Hdf5Shape& shape) {
-  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_DOUBLE, shape);
+template <class Number>
+void Hdf5Writer::create(const std::string& name, const Hdf5Shape& shape) {
+  create_raw(name, type_of<Number>(), shape, dataset_properties().id());
 }
 
-void Hdf5Writer::write_compressed(const std::string& name, std::span<const float> values, const Hdf5Shape& shape) {
-  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_FLOAT, shape);
-}
-
-void Hdf5Writer::write_compressed(const std::string& name, std::span<const std::int64_t> values,
-                                  const Hdf5Shape& shape) {
-  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_INT64, shape);
-}
-
-void Hdf5Writer::write_compressed(const std::string& name, std::span<const std::uint8_t> values,
-                                  const Hdf5Shape& shape) {
-  write_in_chunks(name, values.data(), values.size(), H5T_NATIVE_UINT8, shape);
-}
-
-void Hdf5Writer::write_in_chunks(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                                 const Hdf5Shape& shape) {
+template <class Number>
+void Hdf5Writer::create_compressed(const std::string& name, const Hdf5Shape& shape) {
   const Hdf5Silence silence;
   constexpr hsize_t longest = 16384;
   std::vector<hsize_t> chunk;
@@ -131,22 +135,12 @@ void Hdf5Writer::write_in_chunks(const std::string& name, const void* values, st
   H5Pset_shuffle(properties.id());
   constexpr unsigned effort = 4;
   H5Pset_deflate(properties.id(), effort);
-  write_raw(name, values, count, type, shape, properties.id());
+  create_raw(name, type_of<Number>(), shape, properties.id());
 }
 
-void Hdf5Writer::write(const std::string& name, std::span<const double> values) {
-  write(name, values, {values.size()});
-}
-
-void Hdf5Writer::write(const std::string& name, std::span<const std::int64_t> values) {
-  write(name, values, {values.size()});
-}
-
-void Hdf5Writer::write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                           const Hdf5Shape& shape, std::int64_t properties) {
+void Hdf5Writer::create_raw(const std::string& name, std::int64_t type, const Hdf5Shape& shape,
+                            std::int64_t properties) {
   const Hdf5Silence silence;
-  const auto capacity = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
-  if (capacity != count) fail(fmt::format("fill a shape of {} with {} values:", capacity, count), name);
   const std::vector<hsize_t> extents(shape.begin(), shape.end());
   const auto space = space_handle(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr));
   const auto links = property_handle(H5Pcreate(H5P_LINK_CREATE));
@@ -154,8 +148,43 @@ void Hdf5Writer::write_raw(const std::string& name, const void* values, std::siz
   const auto dataset =
       dataset_handle(H5Dcreate2(file_.id(), name.c_str(), type, space.id(), links.id(), properties, H5P_DEFAULT));
   if (dataset.id() < 0) fail("create dataset", name);
-  if (H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) fail("write dataset", name);
 }
+
+template <class Number>
+void Hdf5Writer::write_part(const std::string& name, std::size_t first, std::span<const Number> values) {
+  const Hdf5Silence silence;
+  const auto dataset = dataset_handle(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT));
+  if (dataset.id() < 0) fail("open dataset", name);
+  const auto in_file = space_handle(H5Dget_space(dataset.id()));
+  std::vector<hsize_t> part(static_cast<std::size_t>(H5Sget_simple_extent_ndims(in_file.id())));
+  H5Sget_simple_extent_dims(in_file.id(), part.data(), nullptr);
+  const auto all = part.front();
+  const auto each = std::accumulate(part.begin() + 1, part.end(), hsize_t{1}, std::multiplies<>());
+  part.front() = values.size() / each;
+  if (part.front() * each != values.size() || first + part.front() > all) {
+    fail(fmt::format("put {} values, of {} each and from {} on, into the {} of", values.size(), each, first, all),
+         name);
+  }
+  if (values.empty()) return;
+  std::vector<hsize_t> begin(part.size(), 0);
+  begin.front() = first;
+  const auto in_memory = space_handle(H5Screate_simple(static_cast<int>(part.size()), part.data(), nullptr));
+  H5Sselect_hyperslab(in_file.id(), H5S_SELECT_SET, begin.data(), nullptr, part.data(), nullptr);
+  if (H5Dwrite(dataset.id(), type_of<Number>(), in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()) < 0) {
+    fail("write dataset", name);
+  }
+}
+
+template void Hdf5Writer::create<double>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::create<std::int64_t>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::create_compressed<double>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::create_compressed<float>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::create_compressed<std::int64_t>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::create_compressed<std::uint8_t>(const std::string&, const Hdf5Shape&);
+template void Hdf5Writer::write_part(const std::string&, std::size_t, std::span<const double>);
+template void Hdf5Writer::write_part(const std::string&, std::size_t, std::span<const float>);
+template void Hdf5Writer::write_part(const std::string&, std::size_t, std::span<const std::int64_t>);
+template void Hdf5Writer::write_part(const std::string&, std::size_t, std::span<const std::uint8_t>);
 
 void Hdf5Writer::write_attribute(const std::string& object, const std::string& attribute, const Hdf5Attribute& value) {
   const Hdf5Silence silence;

@@ -23,4 +23,9 @@ double largest(double value) {
   return reduced(value, MPI_MAX);
 }
 
+void copy_from_first(std::span<double> values) {
+  constexpr int first = 0;
+  if (ranks() > 1) MPI_Bcast(values.data(), static_cast<int>(values.size()), MPI_DOUBLE, first, communicator());
+}
+
 }  // namespace breccia::parallel

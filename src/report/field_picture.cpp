@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
+#include "breccia/report/map_means.hpp"
 
 #include "colour_range.hpp"
 #include "embedded_png.hpp"
@@ -26,19 +27,9 @@ struct Raster {
 
 /// Means over equal squares, the smallest for which at most `most` columns remain; the last squares may be smaller.
 Raster reduced(const std::vector<double>& values, std::size_t columns, std::size_t most) {
-  const auto side = (columns + most - 1) / most;
-  Raster raster = {(columns + side - 1) / side, {}};
-  for (std::size_t row = 0; row < columns; row += side) {
-    for (std::size_t column = 0; column < columns; column += side) {
-      const auto last_row = std::min(row + side, columns), last_column = std::min(column + side, columns);
-      double sum = 0.0;
-      for (auto y = row; y < last_row; ++y) {
-        for (auto x = column; x < last_column; ++x) sum += values[y * columns + x];
-      }
-      raster.values.push_back(sum / static_cast<double>((last_row - row) * (last_column - column)));
-    }
-  }
-  return raster;
+  MapMeans means(columns, most);
+  for (const double value : values) means.add(value);
+  return {means.columns(), means.values()};
 }
 
 /// The pixels row by row from the top, while the values begin at the bottom.
@@ -67,8 +58,7 @@ void require_square(const std::vector<double>& values, std::size_t columns) {
 
 std::string field_picture(const FieldPicture& picture) {
   require_square(picture.values, picture.columns);
-  constexpr std::size_t most_columns = 600;
-  const auto raster = reduced(picture.values, picture.columns, most_columns);
+  const auto raster = reduced(picture.values, picture.columns, most_map_columns);
   const auto colours = ColourRange::diverging_if_signed(picture.scale, raster.values);
   PlacedMap map{.image = encoded_map(raster, colours)};
   if (!picture.phases.empty()) {
@@ -76,7 +66,7 @@ std::string field_picture(const FieldPicture& picture) {
       throw InputError(
           fmt::format("picture of a field: {} phases of {} values", picture.phases.size(), picture.values.size()));
     }
-    map.outlines = outlines_of(picture.phases, picture.columns, most_columns);
+    map.outlines = outlines_of(picture.phases, picture.columns, most_map_columns);
   }
   return framed_maps({.title = picture.title,
                       .quantity = picture.quantity,

@@ -1,6 +1,5 @@
 #include "dynamic_curves.hpp"
 
-#include <ranges>
 #include <vector>
 
 #include "breccia/io/csv.hpp"
@@ -16,7 +15,8 @@ void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& 
   for (const auto& stage : result.stages) {
     for (const auto* test : best_tests(stage)) {
       if (!(test->series.unrelaxed() > 0.0)) continue;
-      for (const auto& sample : test->modulus | std::views::reverse) {
+      const Curve by_frequency(test->modulus.rbegin(), test->modulus.rend());
+      for (const auto& sample : by_frequency) {
         const double frequency = 1.0 / sample.time;
         const auto modulus = test->series.complex_modulus(frequency);
         tests.add(stage.name, test->id);

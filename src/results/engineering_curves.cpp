@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,7 +91,8 @@ void write_engineering_curves(const std::filesystem::path& directory, const Stud
         in_time.add("youngs_modulus_Pa", moduli.youngs_modulus(sample.time));
         in_time.add("poisson_ratio", moduli.poisson_ratio(sample.time));
       }
-      for (const auto& sample : pair.shear->modulus | std::views::reverse) {
+      const Curve by_frequency(pair.shear->modulus.rbegin(), pair.shear->modulus.rend());
+      for (const auto& sample : by_frequency) {
         const double frequency = 1.0 / sample.time;
         const auto young = moduli.complex_youngs_modulus(frequency);
         const auto poisson = moduli.complex_poisson_ratio(frequency);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,7 +16,9 @@
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/vtkhdf.hpp"
 #include "breccia/report/field_picture.hpp"
+#include "breccia/report/map_means.hpp"
 
+#include "field_pieces.hpp"
 #include "field_quantities.hpp"
 
 namespace breccia {
@@ -21,55 +26,91 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write_vtkhdf(const fs::path& path, const Grid<2>& grid, const TimedFields<2>& timed) {
-  const auto& [time, fields] = timed;
-  // Each material point is drawn as a quarter of a cell, so that integrals over the squares are those of the solver.
-  const double spacing = 0.5 * grid.cell_side;
-  const auto columns = 2 * static_cast<std::size_t>(grid.columns()), rows = 2 * static_cast<std::size_t>(grid.rows());
-  std::vector<float> displacement, strain, stress;
-  const auto append = [](std::vector<float>& values, std::initializer_list<double> components) {
-    for (const double component : components) values.push_back(static_cast<float>(component));
-  };
-  for (const auto& u : fields.displacement) append(displacement, {u[0], u[1], 0.0});
-  for (const auto& e : fields.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
-  for (const auto& s : fields.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
-  // The phases of points are those of a stage, which are few: mixtures have been told apart by their largest part.
-  std::vector<std::uint8_t> phases(fields.phase.begin(), fields.phase.end());
-  breccia::write_vtkhdf(path, {columns, rows, {0.0, 0.0}, spacing},
-                        {{"material", 1, std::move(phases)},
-                         {"displacement_m", 3, std::move(displacement)},
-                         {"strain", 6, std::move(strain)},
-                         {"stress_Pa", 6, std::move(stress)}},
-                        {{"time_s", time}});
-}
+/// A map of the points, and the sum over them of the value that tells the unit of its labels.
+struct PointMap {
+  explicit PointMap(std::size_t columns) : means(columns, most_map_columns) {}
 
-/// The stress component of a load, relative to the applied strain or stress.
-FieldPicture stress_map(const PointFields<2>& fields, Boundary boundary, Load load) {
-  FieldPicture map;
+  MapMeans means;
   double sum = 0.0;
-  for (const auto& s : fields.stress) {
-    map.values.push_back(modulus_of<2>(load, {.xx = s[0], .yy = s[1], .xy = s[3]}));
-    sum += map.values.back();
-  }
-  auto [words, unit_size] = stress_quantity(boundary, load, sum / static_cast<double>(fields.stress.size()));
-  map.quantity = std::move(words);
-  map.unit_size = unit_size;
-  return map;
-}
+};
 
-/// The largest shear strain at each point over the mean shear strain or dilatation of the load.
-FieldPicture strain_map(const PointFields<2>& fields, Load load) {
-  FieldPicture map{.scale = ColourScale::logarithmic};
-  double sum = 0.0;
-  for (const auto& [xx, yy, xy] : fields.strain) {
-    map.values.push_back(std::hypot(xx - yy, 2.0 * xy));
-    sum += compliance_of<2>(load, {.xx = xx, .yy = yy, .xy = xy});
+/// The file and the pictures of the fields of the points of a square, from their pieces.
+class FieldsOfSquare {
+ public:
+  FieldsOfSquare(const fs::path& path, const Grid<2>& grid, double time, Load load)
+      : load_(load),
+        columns_(2 * static_cast<std::size_t>(grid.columns())),
+        // Each material point is drawn as a quarter of a cell, so that integrals over the squares are those of the
+        // solver.
+        file_(path, PlaneLattice{columns_, 2 * static_cast<std::size_t>(grid.rows()), {0.0, 0.0}, 0.5 * grid.cell_side},
+              {{"time_s", time}}),
+        stress_(columns_),
+        strain_(columns_) {
+    file_.add_field<std::uint8_t>("material", 1);
+    file_.add_field<float>("displacement_m", 3);
+    file_.add_field<float>("strain", 6);
+    file_.add_field<float>("stress_Pa", 6);
   }
-  auto [words, unit_size] = strain_quantity(load, sum / static_cast<double>(fields.strain.size()));
-  map.quantity = std::move(words);
-  map.unit_size = unit_size;
-  return map;
-}
+
+  void take(std::size_t first, const PointFields<2>& piece) {
+    write(first, piece);
+    for (std::size_t i = 0; i < piece.phase.size(); ++i) {
+      if (stress_.means.begins_square()) phases_.push_back(static_cast<std::uint8_t>(piece.phase[i]));
+      const auto& s = piece.stress[i];
+      const double stress = modulus_of<2>(load_, {.xx = s[0], .yy = s[1], .xy = s[3]});
+      stress_.means.add(stress);
+      stress_.sum += stress;
+      const auto& [xx, yy, xy] = piece.strain[i];
+      strain_.means.add(std::hypot(xx - yy, 2.0 * xy));
+      strain_.sum += compliance_of<2>(load_, {.xx = xx, .yy = yy, .xy = xy});
+    }
+  }
+
+  void commit() { file_.commit(); }
+
+  /// The stress component of the load, relative to the applied strain or stress.
+  [[nodiscard]] FieldPicture stress_picture(Boundary boundary) const {
+    return picture_of(stress_, stress_quantity(boundary, load_, mean_of(stress_)), ColourScale::linear);
+  }
+  /// The largest shear strain at each point over the mean shear strain or dilatation of the load.
+  [[nodiscard]] FieldPicture strain_picture() const {
+    return picture_of(strain_, strain_quantity(load_, mean_of(strain_)), ColourScale::logarithmic);
+  }
+
+ private:
+  void write(std::size_t first, const PointFields<2>& piece) {
+    std::vector<float> displacement, strain, stress;
+    const auto append = [](std::vector<float>& values, std::initializer_list<double> components) {
+      for (const double component : components) values.push_back(static_cast<float>(component));
+    };
+    for (const auto& u : piece.displacement) append(displacement, {u[0], u[1], 0.0});
+    for (const auto& e : piece.strain) append(strain, {e[0], e[1], 0.0, e[2], 0.0, 0.0});
+    for (const auto& s : piece.stress) append(stress, {s[0], s[1], s[2], s[3], 0.0, 0.0});
+    // The phases of points are those of a stage, which are few: mixtures have been told apart by their largest part.
+    file_.write("material", first, std::vector<std::uint8_t>(piece.phase.begin(), piece.phase.end()));
+    file_.write("displacement_m", first, displacement);
+    file_.write("strain", first, strain);
+    file_.write("stress_Pa", first, stress);
+  }
+
+  [[nodiscard]] double mean_of(const PointMap& map) const { return map.sum / static_cast<double>(columns_ * columns_); }
+
+  [[nodiscard]] FieldPicture picture_of(const PointMap& map, FieldQuantity quantity, ColourScale scale) const {
+    return {.quantity = std::move(quantity.words),
+            .unit_size = quantity.unit_size,
+            .columns = map.means.columns(),
+            .values = map.means.values(),
+            .scale = scale,
+            .load = drawn_load(load_),
+            .phases = phases_};
+  }
+
+  Load load_;
+  std::size_t columns_;
+  VtkhdfFile file_;
+  PointMap stress_, strain_;
+  std::vector<std::uint8_t> phases_;  ///< of the first point of each square of the maps
+};
 
 /// Whether a name is this stem, alone or with a dash and a number.
 bool is_numbered(std::string_view name, std::string_view stem) {
@@ -105,20 +146,23 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
   for (const auto& [time, points] : fields) times.push_back(time);
   auto records = field_records(study, test, times);
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto& [time, points] = fields[i];
+    const auto& [time, own] = fields[i];
     const auto& record = records[i];
-    write_vtkhdf(directory / record.file, discretisation.grid(), fields[i]);
-    const auto draw = [&, &points = fields[i].fields, title = field_title(stage, test, time)](const std::string& file,
-                                                                                              FieldPicture picture) {
-      picture.columns = 2 * static_cast<std::size_t>(discretisation.grid().columns());
+    std::optional<FieldsOfSquare> all;
+    const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldPicture picture) {
       picture.title = title;
       picture.side = stage.side;
-      picture.load = drawn_load(test.load);
-      picture.phases.assign(points.phase.begin(), points.phase.end());
       write_text(directory / file, field_picture(picture));
     };
-    draw(record.stress_picture, stress_map(points, test.boundary, test.load));
-    draw(record.strain_picture, strain_map(points, test.load));
+    collect_fields(
+        discretisation.grid(), own,
+        [&, time = time] { all.emplace(directory / record.file, discretisation.grid(), time, test.load); },
+        [&](std::size_t first, const PointFields<2>& piece) { all->take(first, piece); },
+        [&] {
+          all->commit();
+          draw(record.stress_picture, all->stress_picture(test.boundary));
+          draw(record.strain_picture, all->strain_picture());
+        });
   }
   return records;
 }

@@ -168,10 +168,11 @@ void append_shift_table(const ShiftTable& shift, double temperature, std::vector
 std::vector<std::string> origin_of(const Composite& composite, const CardSettings& settings, const MaterialCard& card,
                                    const BulkOfCard& bulk) {
   const auto units = settings.units == CardUnits::m_kg_s ? "m, kg, s, Pa, K" : "mm, t, s, MPa, K";
+  const bool is_bound = composite.boundary != Boundary::periodic;
+  const auto bound = is_bound ? fmt::format(" ({})", bound_of(composite.boundary)) : "";
   std::vector<std::string> lines = {
-      fmt::format("{}, stage {}: {} boundary ({}), load {}; by breccia {}", composite.title, composite.stage,
-                  name_of(composite.boundary), bound_of(composite.boundary), name_of(composite.shear_load),
-                  BRECCIA_VERSION),
+      fmt::format("{}, stage {}: {} boundary{}, load {}; by breccia {}", composite.title, composite.stage,
+                  name_of(composite.boundary), bound, name_of(composite.shear_load), BRECCIA_VERSION),
       fmt::format("Units: {}", units),
       fmt::format("From {} to {} s: G(t) within {} of the results, by {}", card.times.begin, card.times.end,
                   percent(card.shear_deviation), terms_in_words(card.shear))};

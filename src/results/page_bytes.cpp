@@ -10,7 +10,11 @@
 
 namespace breccia {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json bytes_for_page(std::span<const std::uint8_t> bytes) {
   return encode_base64(zlib_stream({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));

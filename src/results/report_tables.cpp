@@ -9,7 +9,11 @@
 
 namespace breccia {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json table_for_page(const std::filesystem::path& file, const std::vector<std::string>& text_columns) {
   Json columns = Json::object();

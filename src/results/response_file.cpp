@@ -24,8 +24,8 @@ constexpr std::int64_t format_of_matrix = 4, format_of_phases = 5;
 void write_matrix(Hdf5Writer& file, const std::string& name, const Eigen::MatrixXd& matrix) {
   // HDF5 stores matrices by rows, Eigen by columns.
   const Eigen::MatrixXd rows = matrix.transpose();
-  file.write(name, std::span(rows.data(), static_cast<std::size_t>(rows.size())),
-             {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+  file.create<double>(name, {static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())});
+  file.write_part(name, 0, std::span(rows.data(), static_cast<std::size_t>(rows.size())));
 }
 
 /// Moduli of a phase in the snapshots: columns of shear and bulk modulus [Pa].

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "breccia/report/field_picture.hpp"
 #include "breccia/results/field_files.hpp"
 
+#include "field_pieces.hpp"
 #include "field_quantities.hpp"
 #include "volume_quantities.hpp"
 
@@ -30,40 +32,87 @@ std::vector<float> in_order_of_vtk(const std::vector<std::array<double, 6>>& ten
   return values;
 }
 
-void write_volume_file(const fs::path& path, const Grid<3>& grid, const TimedFields<3>& timed) {
-  const auto& fields = timed.fields;
+CubeLattice lattice_of(const Grid<3>& grid) {
   CubeLattice lattice{.spacing = grid.cell_side};
   for (std::size_t axis = 0; axis < 3; ++axis) lattice.cubes[axis] = static_cast<std::size_t>(grid.cells[axis]);
-  std::vector<float> displacement;
-  displacement.reserve(3 * fields.displacement.size());
-  for (const auto& u : fields.displacement) {
-    for (const double component : u) displacement.push_back(static_cast<float>(component));
-  }
-  // The phases are those of a stage, which are few: mixtures have been told apart by their largest part.
-  std::vector<std::uint8_t> phases(fields.phase.begin(), fields.phase.end());
-  write_vtkhdf(path, lattice,
-               {{"material", 1, std::move(phases)},
-                {"displacement_m", 3, std::move(displacement)},
-                {"strain", 6, in_order_of_vtk(fields.strain)},
-                {"stress_Pa", 6, in_order_of_vtk(fields.stress)}},
-               {{"time_s", timed.time}});
+  return lattice;
 }
 
-/// Values in the cells just above the middle planes, by the axis along which these are seen (FieldCutsPicture).
-std::array<std::vector<double>, 3> middle_cuts(const Grid<3>& grid, const std::vector<double>& values) {
-  std::array<std::vector<double>, 3> cuts;
-  for (std::size_t normal = 0; normal < 3; ++normal) {
-    const std::size_t across = (normal + 1) % 3, up = (normal + 2) % 3;
-    Index<3> cell{};
-    cell[normal] = grid.cells[normal] / 2;
-    for (cell[up] = 0; cell[up] < grid.cells[up]; ++cell[up]) {
-      for (cell[across] = 0; cell[across] < grid.cells[across]; ++cell[across]) {
-        cuts[normal].push_back(values[grid.cell_index(cell)]);
-      }
+/// Values in the cells just above the middle planes, by the axis along which these are seen (FieldCutsPicture), and the
+/// mean over all cells of the value that tells the unit of their labels.
+class MiddleCuts {
+ public:
+  explicit MiddleCuts(const Grid<3>& grid) : grid_(grid) {
+    for (std::size_t normal = 0; normal < 3; ++normal) {
+      const auto across = static_cast<std::size_t>(grid.cells[(normal + 1) % 3]);
+      cuts_[normal].resize(across * static_cast<std::size_t>(grid.cells[(normal + 2) % 3]));
     }
   }
-  return cuts;
-}
+
+  void add(std::size_t place, double value, double of_load) {
+    sum_ += of_load;
+    const auto cell = grid_.cell_at(place);
+    for (std::size_t normal = 0; normal < 3; ++normal) {
+      if (cell[normal] != grid_.cells[normal] / 2) continue;
+      const auto across = (normal + 1) % 3, up = (normal + 2) % 3;
+      cuts_[normal][static_cast<std::size_t>(cell[up] * grid_.cells[across] + cell[across])] = value;
+    }
+  }
+
+  [[nodiscard]] double mean() const { return sum_ / static_cast<double>(grid_.cell_count()); }
+  [[nodiscard]] const std::array<std::vector<double>, 3>& cuts() const noexcept { return cuts_; }
+
+ private:
+  Grid<3> grid_;
+  std::array<std::vector<double>, 3> cuts_;
+  double sum_ = 0.0;
+};
+
+/// The file and the pictures of the fields of the cells of a cube, from their pieces.
+class FieldsOfCube {
+ public:
+  FieldsOfCube(const fs::path& path, const Grid<3>& grid, double time, Load load)
+      : load_(load), file_(path, lattice_of(grid), {{"time_s", time}}), stress_(grid), strain_(grid) {
+    file_.add_field<std::uint8_t>("material", 1);
+    file_.add_field<float>("displacement_m", 3);
+    file_.add_field<float>("strain", 6);
+    file_.add_field<float>("stress_Pa", 6);
+  }
+
+  void take(std::size_t first, const CellFields<3>& piece) {
+    std::vector<float> displacement;
+    for (const auto& u : piece.displacement) displacement.insert(displacement.end(), u.begin(), u.end());
+    // The phases are those of a stage, which are few: mixtures have been told apart by their largest part.
+    file_.write("material", first, std::vector<std::uint8_t>(piece.phase.begin(), piece.phase.end()));
+    file_.write("displacement_m", first, displacement);
+    file_.write("strain", first, in_order_of_vtk(piece.strain));
+    file_.write("stress_Pa", first, in_order_of_vtk(piece.stress));
+    for (std::size_t i = 0; i < piece.phase.size(); ++i) {
+      const double stress = stress_under(load_, piece.stress[i]);
+      stress_.add(first + i, stress, stress);
+      strain_.add(first + i, equivalent_shear(piece.strain[i]), strain_under(load_, piece.strain[i]));
+    }
+  }
+
+  void commit() { file_.commit(); }
+
+  [[nodiscard]] FieldCutsPicture stress_picture(Boundary boundary) const {
+    return picture_of(stress_, stress_in_space(boundary, load_, stress_.mean()), ColourScale::linear);
+  }
+  [[nodiscard]] FieldCutsPicture strain_picture() const {
+    return picture_of(strain_, strain_in_space(load_, strain_.mean()), ColourScale::logarithmic);
+  }
+
+ private:
+  static FieldCutsPicture picture_of(const MiddleCuts& middle, FieldQuantity quantity, ColourScale scale) {
+    return {
+        .quantity = std::move(quantity.words), .unit_size = quantity.unit_size, .cuts = middle.cuts(), .scale = scale};
+  }
+
+  Load load_;
+  VtkhdfFile file_;
+  MiddleCuts stress_, strain_;
+};
 
 }  // namespace
 
@@ -75,19 +124,23 @@ std::vector<FieldRecord> write_volume_fields(const fs::path& directory, const St
   auto records = field_records(study, test, times);
   const auto& grid = discretisation.grid();
   for (std::size_t i = 0; i < fields.size(); ++i) {
+    const auto& [time, own] = fields[i];
     const auto& record = records[i];
-    write_volume_file(directory / record.file, grid, fields[i]);
-    const auto draw = [&, time = fields[i].time](const std::string& file, const VolumeQuantity& quantity) {
-      write_text(directory / file, field_cuts_picture({.title = field_title(stage, test, time),
-                                                       .quantity = quantity.words,
-                                                       .unit_size = quantity.unit_size,
-                                                       .columns = static_cast<std::size_t>(grid.cells[0]),
-                                                       .cuts = middle_cuts(grid, quantity.values),
-                                                       .scale = quantity.scale,
-                                                       .side = stage.side}));
+    std::optional<FieldsOfCube> all;
+    const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldCutsPicture picture) {
+      picture.title = title;
+      picture.columns = static_cast<std::size_t>(grid.cells[0]);
+      picture.side = stage.side;
+      write_text(directory / file, field_cuts_picture(picture));
     };
-    draw(record.stress_picture, stress_in_cells(fields[i].fields.stress, test.load, test.boundary));
-    draw(record.strain_picture, strain_in_cells(fields[i].fields.strain, test.load));
+    collect_fields(
+        grid, own, [&, time = time] { all.emplace(directory / record.file, grid, time, test.load); },
+        [&](std::size_t first, const CellFields<3>& piece) { all->take(first, piece); },
+        [&] {
+          all->commit();
+          draw(record.stress_picture, all->stress_picture(test.boundary));
+          draw(record.strain_picture, all->strain_picture());
+        });
   }
   return records;
 }

@@ -21,10 +21,17 @@ struct VolumeQuantity {
 /// Components of a symmetric tensor: xx, yy, zz, yz, zx, xy.
 using CellTensor = std::array<double, 6>;
 
+/// The stress component of a load [Pa].
+[[nodiscard]] double stress_under(Load load, const CellTensor& stress);
+/// The strain component of a load.
+[[nodiscard]] double strain_under(Load load, const CellTensor& strain);
+/// The equivalent shear strain, sqrt(2 e : e) of the deviator e.
+[[nodiscard]] double equivalent_shear(const CellTensor& strain);
+
 /// The stress component of a load [Pa], relative to the applied strain or stress.
 VolumeQuantity stress_in_cells(std::span<const CellTensor> stress, Load load, Boundary boundary);
 
-/// The equivalent shear strain, sqrt(2 e : e) of the deviator e, over the mean shear strain or dilatation of the load.
+/// The equivalent shear strain over the mean shear strain or dilatation of the load.
 VolumeQuantity strain_in_cells(std::span<const CellTensor> strain, Load load);
 
 }  // namespace breccia

@@ -44,6 +44,11 @@ double ramps_to_wait(Boundary boundary) {
 }  // namespace
 
 template <int dim>
+IndexRange<dim> cells_with_fields(const DynamicTest<dim>& test) {
+  return own_cells(test.options.formulation, test.discretisation.grid());
+}
+
+template <int dim>
 DomainRules rules_of(const DynamicTest<dim>& test) {
   const auto& grid = test.discretisation.grid();
   DomainRules rules;
@@ -168,19 +173,20 @@ Sample DomainRun<dim>::take_sample(double expected_begin) {
 template <int dim>
 void DomainRun<dim>::save(StateWriter& state) const {
   save_domain(state, "/running", domain_);
-  breccia::save(state, "/running/fields", fields_);
+  breccia::save(state, "/running/fields", test_->discretisation.grid(), fields_);
   solver_->save(state, "/solver");
 }
 
 template <int dim>
 void DomainRun<dim>::restore(const StateReader& state) {
   domain_ = read_domain(state, "/running");
-  fields_ = read_fields(state, "/running/fields", test_->discretisation);
+  fields_ = read_fields(state, "/running/fields", test_->discretisation, cells_with_fields(*test_));
   seconds_before_ = domain_.seconds;
   solver_->restore(state, "/solver");
 }
 
 #define BRECCIA_INSTANTIATE(dim)                                                                               \
+  template IndexRange<dim> cells_with_fields(const DynamicTest<dim>&);                                         \
   template DomainRules rules_of(const DynamicTest<dim>&);                                                      \
   template PreparedDomain<dim> prepare(const DynamicTest<dim>&, const DomainRules&, const ShearModulusBounds&, \
                                        const DomainSequence&);                                                 \

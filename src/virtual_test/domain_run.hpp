@@ -14,6 +14,10 @@ namespace breccia {
 
 // Instantiated for 2 and 3 dimensions.
 
+/// The cells of which this process has the fields of a test.
+template <int dim>
+IndexRange<dim> cells_with_fields(const DynamicTest<dim>& test);
+
 /// The rules by which the time domains of a test are chosen.
 template <int dim>
 DomainRules rules_of(const DynamicTest<dim>& test);

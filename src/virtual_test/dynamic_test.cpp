@@ -162,7 +162,7 @@ class DynamicRun {
         furthest_(test.times.begin) {
     if (earlier_ == nullptr) return;
     past_ = read_domains(*earlier_);
-    fields_of_result() = read_fields(*earlier_, "/fields", test.discretisation);
+    fields_of_result() = read_fields(*earlier_, "/fields", test.discretisation, cells_with_fields(test));
   }
 
   DynamicTestResult run() {
@@ -224,7 +224,7 @@ class DynamicRun {
     if (checkpoint_ == nullptr || !checkpoint_->is_due()) return;
     checkpoint_->save([&](StateWriter& state) {
       save_domains(state, result_.domains);
-      save(state, "/fields", fields_of_result());
+      save(state, "/fields", test_.discretisation.grid(), fields_of_result());
       domain.save(state);
     });
   }

@@ -10,7 +10,7 @@ namespace breccia {
 
 void save_result(StateWriter& state, const DynamicTestResult& result) {
   save_domains(state, result.domains);
-  save(state, "/fields", std::vector<TimedFields<2>>());
+  save(state, "/fields", Grid<2>(), {});
 }
 
 }  // namespace breccia

@@ -97,8 +97,7 @@ std::size_t FewTerms::relaxation_times() const {
     for (const auto& term : one.terms()) times.push_back(term.relaxation_time);
   }
   std::ranges::sort(times);
-  const auto repeated = std::ranges::unique(times);
-  return times.size() - repeated.size();
+  return static_cast<std::size_t>(std::unique(times.begin(), times.end()) - times.begin());
 }
 
 double FewTerms::worst_deviation() const {

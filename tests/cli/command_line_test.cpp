@@ -132,6 +132,18 @@ TEST_F(CommandLine, CheckTellsTheCellsForAnError) {
               HasSubstr("--error: expected a percentage between 0 and 100 %, such as \"2 %\", got \"2\""));
 }
 
+TEST_F(CommandLine, CheckTellsWhatEachOfSeveralProcessesTakes) {
+  const auto whole = run({"check", "deck.toml", "--set", "stages.A.cells=2500"});
+  const auto shared = run({"check", "deck.toml", "--set", "stages.A.cells=2500", "--processes", "16"});
+  EXPECT_EQ(shared.exit_code, 0) << shared.errors;
+  EXPECT_THAT(shared.output, StartsWith(whole.output));
+  EXPECT_THAT(shared.output, testing::ContainsRegex("\non 16 processes with a core each about [0-9.]+ [a-z]+, at most "
+                                                    "[0-9.]+ MB of memory a process\n$"));
+  const auto wrong = run({"check", "deck.toml", "--processes", "0"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_THAT(wrong.errors, HasSubstr("--processes"));
+}
+
 struct Mistyped {
   std::vector<std::string> arguments;
   int exit_code;

@@ -214,8 +214,10 @@ TEST_F(DeckImage, MayBeADataSetOfHdf5) {
   {
     Hdf5Writer file(directory.path() / "scan.h5");
     file.create_group("/labels");
-    file.write("/labels/phase", values, {2, 2});
-    file.write("/labels/other", values, {2, 2});
+    for (const auto* name : {"/labels/phase", "/labels/other"}) {
+      file.create<std::int64_t>(name, {2, 2});
+      file.write_part(name, 0, std::span<const std::int64_t>(values));
+    }
     file.commit();
   }
   const auto stage = study(keys("scan.h5:/labels/phase"), "cells = 2").stages.at(0);

@@ -103,7 +103,7 @@ TEST(Labels, OfThreePhasesInOneCellHoldAll) {
 }
 
 TEST(Labels, OfAPhaseBeyondTheNumberAreRefused) {
-  EXPECT_THROW(discretise_mixed({{2, 2}, 0.5}, in_disc, 1), InputError);
+  EXPECT_THROW(static_cast<void>(discretise_mixed({{2, 2}, 0.5}, in_disc, 1)), InputError);
 }
 
 }  // namespace

@@ -200,6 +200,7 @@ TEST_P(CubesUnderEveryBoundary, GiveTheSameBitsOnEveryInstructionSet) {
   for (const auto set : supported_instruction_sets()) EXPECT_EQ(run(set), baseline) << name_of(set);
 }
 
+// Single samples of runs that still ring; SphereInACube compares curves.
 TEST_P(CubesUnderEveryBoundary, BothFormulationsAgree) {
   auto problem = loaded({sphere_in_box(6), {relaxing, stiff}});
   problem.density_factor = 3e-4;
@@ -273,7 +274,7 @@ TEST(CubicBoxes, TurnedWithTheirLoadHaveTheStressTurned) {
                                                              {one.xy, other.yz},
                                                              {one.yz, other.zx},
                                                              {one.zx, other.xy}}};
-    for (const auto& [is, turned_back] : pairs) EXPECT_NEAR(turned_back / is, 1.0, 1e-9);
+    for (const auto& [is, turned_back] : pairs) EXPECT_NEAR(turned_back / is, 1.0, 1e-10);
   }
 }
 

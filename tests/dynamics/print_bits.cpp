@@ -2,7 +2,9 @@
 // speaks for all, and the others only say that they were there.
 
 #include <array>
+#include <cstddef>
 #include <cstdio>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/parallel/ordered_values.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "materials.hpp"
@@ -41,16 +44,26 @@ std::string bits_of(DynamicProblem<dim> problem, Boundary boundary, Volumetric v
   for (int i = 0; i < tensor_components<dim>; ++i) component(problem.traction, i) = 2.0 * component(problem.load, i);
   problem.ramp = StrainRamp(1e-3);
   problem.time_step = 0.9 * stable_time_step(problem.discretisation, problem.materials, volumetric, 1.0);
+  const auto grid = problem.discretisation.grid();
   const auto run = make_dynamic_solver(Formulation::total_lagrangian, std::move(problem));
   std::vector<Averages<dim>> averages;
   run->advance(150, averages);
   run->advance(50, averages);
   auto bits = fmt::format("momentum {:a}\n", fmt::join(run->momentum(), " "));
   for (const auto& [stress, strain] : averages) bits += bits_of(stress) + bits_of(strain) + "\n";
+  // Each process has those of its cells.
   const auto fields = run->fields();
-  for (std::size_t p = 0; p < fields.stress.size(); ++p) {
-    bits += fmt::format("{} {:a} {:a} {:a}\n", fields.phase[p], fmt::join(fields.displacement[p], " "),
-                        fields.strain[p].back(), fields.stress[p].back());
+  const auto places = places_of_timed_fields(grid, fields.cells);
+  const auto all = [&](const auto& own) {
+    return parallel::collect(std::span(own), places, 0, size_of_timed_fields(grid));
+  };
+  const auto phase = all(fields.phase);
+  const auto displacement = all(fields.displacement);
+  const auto strain = all(fields.strain);
+  const auto stress = all(fields.stress);
+  for (std::size_t p = 0; p < stress.size(); ++p) {
+    bits += fmt::format("{} {:a} {:a} {:a}\n", phase[p], fmt::join(displacement[p], " "), strain[p].back(),
+                        stress[p].back());
   }
   return bits;
 }

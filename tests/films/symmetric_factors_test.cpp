@@ -106,7 +106,7 @@ TEST(SymmetricFactors, SolveForOneMatrixAfterTheOther) {
   SymmetricFactors factors(std::numeric_limits<double>::infinity());
   for (const double stiffness : {1.0, 1e3, 1e6}) {
     const auto matrix = grid_matrix(stiffness);
-    factors.factorise(matrix);
+    factors.factorise([&] { return matrix; });
     const auto load = right_side(matrix);
     const auto solution = factors.solve(load);
     EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * solution - load).norm(), 1e-12 * load.norm());
@@ -118,7 +118,7 @@ TEST(SymmetricFactors, SolveForOneMatrixAfterTheOther) {
 TEST(SymmetricFactors, InFilesAreThoseInMemoryButForRounding) {
   const auto matrix = grid_matrix(1e3);
   SymmetricFactors in_memory(std::numeric_limits<double>::infinity()), in_files(0.0);
-  for (auto* factors : {&in_memory, &in_files}) factors->factorise(matrix);
+  for (auto* factors : {&in_memory, &in_files}) factors->factorise([&] { return matrix; });
   EXPECT_TRUE(in_files.are_in_files());
   const auto load = right_side(matrix);
   const auto expected = in_memory.solve(load);
@@ -132,15 +132,15 @@ TEST(SymmetricFactors, LeaveNoFiles) {
   {
     SymmetricFactors factors(0.0);
     const auto matrix = grid_matrix(1.0);
-    factors.factorise(matrix);
-    factors.factorise(matrix);
+    factors.factorise([&] { return matrix; });
+    factors.factorise([&] { return matrix; });
     EXPECT_FALSE(std::filesystem::is_empty(directory.path()));
     static_cast<void>(factors.solve(right_side(matrix)));
   }
   EXPECT_TRUE(std::filesystem::is_empty(directory.path()));
   const auto leave_in_a_hurry = [] {
     SymmetricFactors factors(0.0);
-    factors.factorise(grid_matrix(1.0));
+    factors.factorise([] { return grid_matrix(1.0); });
     throw Interrupted("stop");
   };
   EXPECT_THROW(leave_in_a_hurry(), Interrupted);
@@ -152,7 +152,7 @@ TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
   const auto refusal = [](const std::filesystem::path& place) {
     const test::ScopedVariable temporary("TMPDIR", place.string());
     SymmetricFactors factors(0.0);
-    return test::message_of<InputError>([&] { factors.factorise(grid_matrix(1.0)); });
+    return test::message_of<InputError>([&] { factors.factorise([] { return grid_matrix(1.0); }); });
   };
   const test::TemporaryDirectory directory;
   EXPECT_THAT(refusal(directory.path() / "missing"), HasSubstr("the environment variable TMPDIR names none"));
@@ -168,7 +168,7 @@ TEST(SymmetricFactors, SayWhereTheyHaveNoPlaceForFiles) {
   const test::ScopedVariable temporary("TMPDIR", longest.string());
   SymmetricFactors factors(0.0);
   const auto matrix = grid_matrix(1.0);
-  factors.factorise(matrix);
+  factors.factorise([&] { return matrix; });
   EXPECT_FALSE(std::filesystem::is_empty(longest));
   const auto load = right_side(matrix);
   EXPECT_LT((matrix.selfadjointView<Eigen::Lower>() * factors.solve(load) - load).norm(), 1e-12 * load.norm());
@@ -180,7 +180,7 @@ TEST(SymmetricFactors, OfASingularMatrixAreRefused) {
   matrix.insert(1, 0) = 1.0;
   matrix.insert(1, 1) = 1.0;
   SymmetricFactors factors(std::numeric_limits<double>::infinity());
-  EXPECT_THROW(factors.factorise(matrix), NumericalError);
+  EXPECT_THROW(factors.factorise([&] { return matrix; }), NumericalError);
 }
 
 }  // namespace

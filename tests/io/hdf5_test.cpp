@@ -1,5 +1,9 @@
 #include "breccia/io/hdf5.hpp"
 
+#include <span>
+#include <string>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +32,8 @@ TEST_F(Hdf5, RoundTripOfDatasets) {
   const Numbers numbers{1.0, 1.0 / 3.0, -2e300, 0.0, 5e-324, 7.0};
   const Integers integers{1, -2, std::int64_t{1} << 62};
   Hdf5Writer writer(path);
-  writer.write("/history/stress", numbers, {2, 3});
+  writer.create<double>("/history/stress", {2, 3});
+  writer.write_part("/history/stress", 0, std::span(numbers));
   writer.write("/history/steps", integers);
   writer.commit();
 
@@ -42,7 +47,8 @@ TEST_F(Hdf5, RoundTripOfDatasets) {
 TEST_F(Hdf5, ReadsSomeOfADataset) {
   const Numbers numbers{1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0};
   Hdf5Writer writer(path);
-  writer.write_compressed("/rows", numbers, {4, 2});
+  writer.create_compressed<double>("/rows", {4, 2});
+  writer.write_part("/rows", 0, std::span(numbers));
   writer.write("/line", numbers);
   writer.commit();
   const Hdf5Reader reader(path);
@@ -54,6 +60,22 @@ TEST_F(Hdf5, ReadsSomeOfADataset) {
                 HasSubstr("cannot find so many values in dataset /rows"));
   }
   EXPECT_THROW(static_cast<void>(reader.read_numbers("/columns", 0, 1)), FileError);
+}
+
+TEST_F(Hdf5, DatasetsAreWrittenInParts) {
+  const std::vector<float> numbers = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F};
+  Hdf5Writer writer(path);
+  writer.create_compressed<float>("/rows", {3, 2});
+  writer.write_part("/rows", 1, std::span(numbers).subspan(2));
+  writer.write_part("/rows", 0, std::span(numbers).first(2));
+  writer.write_part("/rows", 3, std::span(numbers).first(0));
+  for (const auto& [first, count] : {std::pair<std::size_t, std::size_t>{2, 4}, {0, 3}}) {
+    EXPECT_THAT(
+        test::message_of<FileError>([&] { writer.write_part("/rows", first, std::span(numbers).first(count)); }),
+        HasSubstr("values, of 2 each and from " + std::to_string(first) + " on, into the 3 of /rows"));
+  }
+  writer.commit();
+  EXPECT_THAT(Hdf5Reader(path).read_numbers("/rows"), ElementsAre(1.0, 2.0, 3.0, 4.0, 5.0, 6.0));
 }
 
 TEST_F(Hdf5, RoundTripOfAttributes) {
@@ -100,7 +122,6 @@ TEST_F(Hdf5, ErrorsNameFileAndObject) {
             path.string() + ": cannot create dataset /x");
   EXPECT_EQ(test::message_of<FileError>([&] { writer.write_attribute("/y", "unit", "Pa"); }),
             path.string() + ": cannot attach an attribute to /y");
-  EXPECT_THROW(writer.write("/z", Numbers{1.0}, {2, 2}), FileError);
   writer.commit();
 
   const Hdf5Reader reader(path);

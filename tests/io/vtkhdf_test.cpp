@@ -26,11 +26,15 @@ class VtkHdf : public testing::Test {
 
 // The layout that the VTK file format documentation prescribes for version 1.0 of UnstructuredGrid.
 TEST_F(VtkHdf, WritesASquareForEachValue) {
-  write_vtkhdf(path, lattice,
-               {{"material", 1, Bytes{0, 1, 2, 3, 4, 5}},
-                {"displacement", 3, Floats(18, 0.5F)},
-                {"stress", 6, Floats(36, 2.0F)}},
-               {{"time_s", 1e-3}});
+  VtkhdfFile written(path, lattice, {{"time_s", 1e-3}});
+  written.add_field<std::uint8_t>("material", 1);
+  written.write("material", 4, Bytes{4, 5});
+  written.write("material", 0, Bytes{0, 1, 2, 3});
+  written.add_field<float>("displacement", 3);
+  written.write("displacement", 0, Floats(18, 0.5F));
+  written.add_field<float>("stress", 6);
+  written.write("stress", 0, Floats(36, 2.0F));
+  written.commit();
   const Hdf5Reader file(path);
   EXPECT_THAT(file.attribute<Integers>("/VTKHDF", "Version"), ElementsAre(1, 0));
   EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "UnstructuredGrid");
@@ -84,16 +88,24 @@ TEST_F(VtkHdf, RefusesPolygonsThatDoNotFit) {
 }
 
 TEST_F(VtkHdf, RefusesFieldsThatDoNotFit) {
-  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 1, Floats(5)}}), InputError);
-  EXPECT_THROW(write_vtkhdf(path, lattice, {{"material", 2, Floats(12)}}), InputError);
+  {
+    VtkhdfFile file(path, lattice, {});
+    EXPECT_THROW(file.add_field<float>("material", 2), InputError);
+    file.add_field<float>("material", 1);
+    EXPECT_THROW(file.write("material", 2, Floats(5)), FileError);
+  }
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 // Cubes are VTK's hexahedra: the corners of the lower side anticlockwise, then those above them.
 TEST_F(VtkHdf, WritesACubeForEachValue) {
   const CubeLattice cubes{.cubes = {3, 2, 1}, .origin = {0.25, 0.75, 1.25}, .spacing = 0.5};
-  write_vtkhdf(path, cubes, {{"material", 1, Bytes{0, 1, 2, 3, 4, 5}}, {"stress", 6, Floats(36, 2.0F)}},
-               {{"time_s", 1e-3}});
+  VtkhdfFile written(path, cubes, {{"time_s", 1e-3}});
+  written.add_field<std::uint8_t>("material", 1);
+  written.write("material", 0, Bytes{0, 1, 2, 3, 4, 5});
+  written.add_field<float>("stress", 6);
+  written.write("stress", 0, Floats(36, 2.0F));
+  written.commit();
   const Hdf5Reader file(path);
   EXPECT_EQ(file.attribute<std::string>("/VTKHDF", "Type"), "UnstructuredGrid");
   EXPECT_EQ(file.attribute<double>("/VTKHDF", "time_s"), 1e-3);
@@ -110,7 +122,6 @@ TEST_F(VtkHdf, WritesACubeForEachValue) {
   EXPECT_THAT(file.read_integers("/VTKHDF/Types"), ElementsAre(12, 12, 12, 12, 12, 12));
   EXPECT_THAT(file.read_integers("/VTKHDF/CellData/material"), ElementsAre(0, 1, 2, 3, 4, 5));
   EXPECT_THAT(file.shape("/VTKHDF/CellData/stress"), ElementsAre(6U, 6U));
-  EXPECT_THROW(write_vtkhdf(path, cubes, {{"material", 1, Floats(5)}}), InputError);
 }
 
 }  // namespace

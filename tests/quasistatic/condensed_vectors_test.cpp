@@ -29,11 +29,15 @@ QuasistaticProblem<3> sphere(Boundary boundary) {
   return {.discretisation = discretise_mixed(box, 6, 0, of_sphere, 2), .materials = materials, .boundary = boundary};
 }
 
-std::vector<double> strains_of(const Displacement& displacement) {
+std::vector<double> values_of(Vec vector) {
   PetscInt size = 0;
-  check(VecGetLocalSize(displacement.phase_strains(), &size), "reading the size of a vector");
-  const ReadValues values(displacement.phase_strains());
+  check(VecGetLocalSize(vector, &size), "reading the size of a vector");
+  const ReadValues values(vector);
   return {values.data(), values.data() + size};
+}
+
+std::vector<double> strains_of(const Displacement& displacement) {
+  return values_of(displacement.phase_strains());
 }
 
 double largest_difference(const std::vector<double>& some, const std::vector<double>& others) {
@@ -175,8 +179,7 @@ TEST(CondensedVectors, KeepTheirBitsInAState) {
   ASSERT_EQ(sphere.empty().size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(strains_of(sphere.empty().at(i)), strains_of(sphere.condensed().at(i))) << i;
-    EXPECT_EQ(sphere.composite().elastic_operator().gathered(sphere.empty().at(i)),
-              sphere.composite().elastic_operator().gathered(sphere.condensed().at(i)));
+    EXPECT_EQ(values_of(sphere.empty().at(i).fluctuation()), values_of(sphere.condensed().at(i).fluctuation())) << i;
   }
 }
 

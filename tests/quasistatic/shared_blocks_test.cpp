@@ -121,10 +121,25 @@ INSTANTIATE_TEST_SUITE_P(Boxes, DividedBlocks,
                                          Case{3, {40, 17}, false}, Case{4, {40, 40}, true}, Case{6, {33, 50}, false},
                                          Case{8, {64, 40}, true}, Case{9, {64, 40}, false}, Case{4, {4, 40}, false}));
 
+// The cuts are those of the blocks of the first process of each row.
+TEST(BlockDivision, HasLargerBlocksForMoreProcesses) {
+  const auto side = [](int processes) {
+    const auto division = BlockDivision::among(processes, {960, 960}, false).value();
+    const auto cuts = division.blocks_along(0, 0).cuts;
+    return cuts[1] - cuts[0];
+  };
+  EXPECT_EQ(side(1), 8);
+  EXPECT_EQ(side(15), 8);
+  EXPECT_EQ(side(16), 16);
+  EXPECT_EQ(side(120), 16);
+  EXPECT_EQ(side(128), 24);
+}
+
 TEST(BlockDivision, NeedsABlockForEveryProcess) {
   EXPECT_FALSE(BlockDivision::among(5, {16, 16}, false));
   EXPECT_FALSE(BlockDivision::among(4, {8, 8}, false));
   EXPECT_TRUE(BlockDivision::among(4, {8, 8}, true));
+  EXPECT_TRUE(BlockDivision::among(16, {32, 32}, false)) << "of small blocks";
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "breccia/io/hdf5.hpp"
+#include "breccia/parallel/ordered_values.hpp"
 
 namespace breccia {
 
@@ -21,8 +22,8 @@ struct StateOwner {
 
 /// Writes the state of a calculation, numbers under names such as "/domains/0/steps", to a file with a checksum at its
 /// end. The file gets its name only when it is complete. On several processes only the first one writes; calls on the
-/// others do nothing. Between these calls the processes may gather what is to be written, so that none may stop alone:
-/// what fails is thrown by commit().
+/// others do nothing but give it their part. Between these calls the processes may gather what is to be written, so
+/// that none may stop alone: what fails is thrown by commit().
 class StateWriter {
  public:
   StateWriter(const std::filesystem::path& path, const StateOwner& owner);
@@ -31,6 +32,10 @@ class StateWriter {
   void write(const std::string& name, std::int64_t value);
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, const std::string& text);
+  /// Writes values of which each process has a part, `count` in all, in an order that does not depend on the number of
+  /// processes. The first one gets them piece by piece. Every process must call it.
+  void write(const std::string& name, std::span<const double> own, const parallel::OrderedPlaces& places,
+             std::size_t count);
 
   /// Gives the complete file its name. An existing file of that name is kept under older_state(). Throws FileError,
   /// also for what could not be written before.
@@ -59,9 +64,14 @@ class StateReader {
   [[nodiscard]] std::vector<double> numbers(const std::string& name) const { return file_.read_numbers(name); }
   /// The same; throws FileError also when there are not `count` numbers.
   [[nodiscard]] std::vector<double> numbers(const std::string& name, std::size_t count) const;
+  /// Reads the values of this process among `count` values of all.
+  void read(const std::string& name, std::span<double> own, const parallel::OrderedPlaces& places,
+            std::size_t count) const;
   [[nodiscard]] std::string text(const std::string& name) const;
 
  private:
+  void require_count(const std::string& name, std::size_t expected, std::size_t found) const;
+
   std::string path_;
   Hdf5Reader file_;
   StateOwner owner_;

@@ -116,7 +116,7 @@ extern template class Discretisation<3>;
 
 /// The phases of a particle: its own and that of its coating.
 struct ParticlePhases {
-  PhaseIndex phase;
+  PhaseIndex phase{};
   PhaseIndex coating = no_phase;
   double coating_thickness = 0.0;  ///< outside the diameter of the particle [m]; 0 without a coating
 };

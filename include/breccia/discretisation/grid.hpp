@@ -27,6 +27,8 @@ struct Grid {
     return times_power<dim>(static_cast<double>(cell_count()), cell_side);
   }
 
+  [[nodiscard]] IndexRange<dim> all_cells() const noexcept { return {{}, cells}; }
+
   /// Places in lists of cells or nodes.
   [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return place(cell, cells, 0); }
   [[nodiscard]] std::size_t node_index(const Index<dim>& node) const noexcept { return place(node, cells, 1); }

@@ -6,6 +6,7 @@
 
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/tensor.hpp"
+#include "breccia/parallel/ordered_values.hpp"
 
 namespace breccia {
 
@@ -14,6 +15,7 @@ template <int dim>
 struct LatticeFields {
   static constexpr std::size_t shears = dim * (dim - 1) / 2;
 
+  IndexRange<dim> cells;                  ///< to which they belong: all of the box, or those of one process
   std::vector<PhaseIndex> phase;          ///< where several are mixed the one with the largest share
   std::vector<Vector<dim>> displacement;  ///< [m]
   /// Normal components, then tensor shears in Voigt's order (2D: xx, yy, xy), as the stress depends on them [-].
@@ -48,24 +50,27 @@ template <int dim>
 template <int dim>
 [[nodiscard]] CellFields<dim> zero_cell_fields(const Discretisation<dim>& discretisation);
 
-/// The zero fields that belong to a time: of the points of a square, of the cells of a cube.
+/// The zero fields that belong to a time, of some cells: of the points of a square, of the cells of a cube.
 template <int dim>
-[[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation);
+[[nodiscard]] LatticeFields<dim> zero_timed_fields(const Discretisation<dim>& discretisation,
+                                                   const IndexRange<dim>& cells);
 
-/// Where the values of a point (Grid::point_index) stand in such fields.
+/// Where the values of a point of a cell stand in such fields of some cells.
 template <int dim>
-[[nodiscard]] std::size_t place_in_timed_fields(const Grid<dim>& grid, std::size_t point) {
-  if constexpr (dim == 2) {
-    return point;
-  } else {
-    Index<dim> cell{};
-    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
-      const auto points = 2 * static_cast<std::size_t>(grid.cells[axis]);
-      cell[axis] = static_cast<int>(point % points / 2);
-      point /= points;
-    }
-    return grid.cell_index(cell);
-  }
+[[nodiscard]] std::size_t place_in_timed_fields(const IndexRange<dim>& cells, Index<dim> cell, int point) noexcept {
+  if constexpr (dim == 3) return cells.place_of(cell);
+  for (std::size_t axis = 0; axis < cell.size(); ++axis) cell[axis] -= cells.begin[axis];
+  return Grid<dim>{.cells = cells.size()}.point_index(cell, point);
+}
+
+/// Where the values of such fields of some cells stand among those of the whole grid.
+template <int dim>
+[[nodiscard]] parallel::OrderedPlaces places_of_timed_fields(const Grid<dim>& grid, const IndexRange<dim>& cells);
+
+/// Number of the values of such fields of the whole grid.
+template <int dim>
+[[nodiscard]] std::size_t size_of_timed_fields(const Grid<dim>& grid) noexcept {
+  return grid.cell_count() * (dim == 2 ? Discretisation<dim>::points_per_cell : 1);
 }
 
 /// Puts the values of a point into their place in such fields, or adds its share to the mean of its cell.

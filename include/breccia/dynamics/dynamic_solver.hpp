@@ -67,7 +67,7 @@ class DynamicSolver {
   [[nodiscard]] virtual Vector<dim> momentum() const = 0;  ///< [kg m/s per unit load], in 2D per unit thickness
   /// Only for elastic materials. Throws InputError otherwise.
   [[nodiscard]] virtual Energy energy() const = 0;
-  /// Of the points of a square, of the cells of a cube (zero_timed_fields).
+  /// Of the points of a square, of the cells of a cube (zero_timed_fields), of own_cells().
   [[nodiscard]] virtual LatticeFields<dim> fields() const = 0;
   [[nodiscard]] virtual Footprint footprint() const = 0;
 
@@ -106,6 +106,10 @@ class DynamicSolver {
 
 extern template class DynamicSolver<2>;
 extern template class DynamicSolver<3>;
+
+/// The cells of which a solver of this formulation has the fields on this process.
+template <int dim>
+[[nodiscard]] IndexRange<dim> own_cells(Formulation formulation, const Grid<dim>& grid);
 
 /// A solver for the problem. `threads` = 0 takes all cores of this process (parallel::threads_for); the results depend
 /// neither on it nor on the instructions of the total-lagrangian formulation, which this processor must have. Throws

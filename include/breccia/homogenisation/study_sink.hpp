@@ -41,9 +41,9 @@ class StudySink {
   virtual void packed(const Stage&, const StudyResult&) {}
   /// Is called when a time domain of a dynamic test is finished; the number counts from 1.
   virtual void domain_finished(const Stage&, const TestId&, std::size_t /*number*/, const TimeDomain&) {}
-  /// A test has found fields on a discretisation. Returns whether they were taken, the same on every process of a
-  /// group; where not, they stay in the result. States of tests do not hold fields: a sink that leaves states must take
-  /// the fields, or they are lost to whoever goes on from there.
+  /// A test has found fields on a discretisation, each process those of its cells. Returns whether they were taken, the
+  /// same on every process of a group; where not, they stay in the result. States of tests do not hold fields: a sink
+  /// that leaves states must take the fields, or they are lost to whoever goes on from there.
   virtual bool take_fields(const Stage&, const TestId&, const Discretisation<2>&, const std::vector<TimedFields<2>>&) {
     return false;
   }

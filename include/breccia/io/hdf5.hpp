@@ -45,17 +45,20 @@ class Hdf5Writer {
   explicit Hdf5Writer(const std::filesystem::path& path);
 
   void create_group(const std::string& name);
-  /// Writes a dataset. The last index of the shape runs fastest through the values.
-  void write(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
-  void write(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
-  /// The same, compressed.
-  void write_compressed(const std::string& name, std::span<const double> values, const Hdf5Shape& shape);
-  void write_compressed(const std::string& name, std::span<const float> values, const Hdf5Shape& shape);
-  void write_compressed(const std::string& name, std::span<const std::int64_t> values, const Hdf5Shape& shape);
-  void write_compressed(const std::string& name, std::span<const std::uint8_t> values, const Hdf5Shape& shape);
   /// Writes a one-dimensional dataset.
   void write(const std::string& name, std::span<const double> values);
   void write(const std::string& name, std::span<const std::int64_t> values);
+  /// Creates a dataset, to be filled by write_part(). The last index of the shape runs fastest through the values.
+  /// `Number` is double or std::int64_t.
+  template <class Number>
+  void create(const std::string& name, const Hdf5Shape& shape);
+  /// The same, compressed, for float and std::uint8_t, too. A part that begins and ends at a multiple of 16384 of the
+  /// first index, or at the end, is compressed once; others take longer.
+  template <class Number>
+  void create_compressed(const std::string& name, const Hdf5Shape& shape);
+  /// Writes values of a dataset of this type, from a place along its first index on.
+  template <class Number>
+  void write_part(const std::string& name, std::size_t first, std::span<const Number> values);
   /// Adds an attribute to an existing group or dataset.
   void write_attribute(const std::string& object, const std::string& attribute, const Hdf5Attribute& value);
   /// Closes the file, which still has its temporary name.
@@ -65,11 +68,8 @@ class Hdf5Writer {
   void commit();
 
  private:
-  /// `properties` is the HDF5 identifier of the creation properties of the dataset.
-  void write_raw(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                 const Hdf5Shape& shape, std::int64_t properties);
-  void write_in_chunks(const std::string& name, const void* values, std::size_t count, std::int64_t type,
-                       const Hdf5Shape& shape);
+  /// `type` and `properties` are the HDF5 identifiers of the type and of the creation properties of the dataset.
+  void create_raw(const std::string& name, std::int64_t type, const Hdf5Shape& shape, std::int64_t properties);
   [[noreturn]] void fail(std::string_view action, std::string_view object) const;
 
   AtomicFile target_;

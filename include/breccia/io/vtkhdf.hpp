@@ -1,11 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "breccia/io/hdf5.hpp"
 
 namespace breccia {
 
@@ -47,18 +50,34 @@ struct FieldNumber {
   double value;
 };
 
-/// Writes fields as a compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral for each square),
-/// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. Throws
-/// FileError, and InputError when a field does not fit the lattice.
-void write_vtkhdf(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<MeshField>& fields,
-                  const std::vector<FieldNumber>& numbers = {});
+/// A compressed VTKHDF file (version 1.0, UnstructuredGrid with a quadrilateral or hexahedron for each square or cube),
+/// which ParaView 5.11 and later open; 5.11 reads neither images of two dimensions nor cell data of images. The fields
+/// of the squares or cubes come in parts, since all of them may be larger than the memory. All members throw FileError,
+/// also where a part does not fit the lattice.
+class VtkhdfFile {
+ public:
+  VtkhdfFile(const std::filesystem::path& path, const PlaneLattice& lattice, const std::vector<FieldNumber>& numbers);
+  VtkhdfFile(const std::filesystem::path& path, const CubeLattice& lattice, const std::vector<FieldNumber>& numbers);
 
-/// The same for cubes, with a hexahedron for each.
-void write_vtkhdf(const std::filesystem::path& path, const CubeLattice& lattice, const std::vector<MeshField>& fields,
-                  const std::vector<FieldNumber>& numbers = {});
+  /// Adds a field of some components (MeshField), float or std::uint8_t, to be filled by write(). Throws InputError for
+  /// other components.
+  template <class Number>
+  void add_field(const std::string& name, std::size_t components);
+  /// Writes values of a field, in the order of MeshField, from a square or cube on. Parts that begin and end at
+  /// multiples of 16384 take least time.
+  template <class Number>
+  void write(const std::string& name, std::size_t first, const std::vector<Number>& values);
+  /// Gives the complete file its name.
+  void commit() { file_.commit(); }
 
-/// The same for fields of the polygons of a mesh, and of its points. Throws FileError, and InputError when a field does
-/// not fit the mesh, or its numbers of corners do not fit its corners.
+ private:
+  std::filesystem::path path_;
+  Hdf5Writer file_;
+  std::size_t cells_;
+};
+
+/// Writes fields of the polygons of a mesh, and of its points, as such a file. Throws FileError, and InputError when a
+/// field does not fit the mesh, or its numbers of corners do not fit its corners.
 void write_vtkhdf(const std::filesystem::path& path, const PolygonMesh& mesh,
                   const std::vector<MeshField>& polygon_fields, const std::vector<MeshField>& point_fields,
                   const std::vector<FieldNumber>& numbers);

@@ -30,8 +30,8 @@ struct Turn {
 
 /// An ellipsoid in a box. With two equal axes it is one of revolution.
 struct Ellipsoid {
-  Vector<3> centre;                      ///< [m]
-  Vector<3> axes;                        ///< whole lengths [m]
+  Vector<3> centre{};                    ///< [m]
+  Vector<3> axes{};                      ///< whole lengths [m]
   AxisDirections directions = unturned;  ///< of the axes
 
   /// True for places inside and on the surface.

@@ -9,6 +9,34 @@ namespace breccia {
 template <int dim>
 using Index = std::array<int, static_cast<std::size_t>(dim)>;
 
+/// Indices from `begin` to before `end` along every axis.
+template <int dim>
+struct IndexRange {
+  Index<dim> begin{}, end{};
+
+  /// Number of indices along each axis.
+  [[nodiscard]] Index<dim> size() const noexcept {
+    auto size = end;
+    for (std::size_t axis = 0; axis < size.size(); ++axis) size[axis] -= begin[axis];
+    return size;
+  }
+  [[nodiscard]] bool contains(const Index<dim>& index) const noexcept {
+    for (std::size_t axis = 0; axis < index.size(); ++axis) {
+      if (index[axis] < begin[axis] || index[axis] >= end[axis]) return false;
+    }
+    return true;
+  }
+  /// Number of an index among them, the first axis fastest.
+  [[nodiscard]] std::size_t place_of(const Index<dim>& index) const noexcept {
+    std::size_t place = 0;
+    for (std::size_t axis = index.size(); axis-- > 0;) {
+      place = place * static_cast<std::size_t>(end[axis] - begin[axis]) +
+              static_cast<std::size_t>(index[axis] - begin[axis]);
+    }
+    return place;
+  }
+};
+
 /// Calls action(index) for all indices with begin <= index < end along every axis. The first axis runs fastest.
 template <std::size_t dim, class Action>
 constexpr void for_each_index(const std::array<int, dim>& begin, const std::array<int, dim>& end, Action&& action) {

@@ -16,7 +16,8 @@ namespace breccia {
 std::vector<FieldRecord> field_records(const Study& study, const TestId& test, const std::vector<double>& times);
 
 /// Writes the fields of a test to the directory of its stage, as VTKHDF and as pictures of stress and strain, to files
-/// of these names. Throws FileError.
+/// of these names. Every process calls it with the fields of its cells; the first one writes, and holds a piece of them
+/// at a time. Throws FileError there.
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                                       const TestId& test, const Discretisation<2>& discretisation,
                                       const std::vector<TimedFields<2>>& fields);

@@ -12,7 +12,7 @@ namespace breccia {
 
 /// Writes the fields of the cells of a cube (CellFields) to the directory of their stage, as write_fields() does those
 /// of points: as VTKHDF, with a hexahedron for each cell, and as pictures of the stress and the strain in the three
-/// middle planes. Throws FileError.
+/// middle planes. Every process must call it.
 std::vector<FieldRecord> write_volume_fields(const std::filesystem::path& directory, const Study& study,
                                              const Stage& stage, const TestId& test,
                                              const Discretisation<3>& discretisation,

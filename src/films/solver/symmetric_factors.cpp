@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,8 @@
 #include <mpi.h>
 
 #include "breccia/error.hpp"
+#include "breccia/parallel/communicator.hpp"
+#include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/session.hpp"
 
 #include "solver/elimination_order.hpp"
@@ -28,7 +31,7 @@ enum Control {
   more_memory = 14,
   use_files = 22
 };
-enum Information { status = 1, detail = 2, megabytes = 17 };
+enum Information { status = 1, detail = 2, megabytes_of_a_process = 16 };
 // What the status may be.
 constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, no_files = -90;
 
@@ -94,10 +97,9 @@ void SymmetricFactors::End::operator()(DMUMPS_STRUC_C* instance) const {
 /// Orders the unknowns of the first matrix, whose pattern the others share.
 void SymmetricFactors::analyse() {
   constexpr int symmetric = 2, works_too = 1, given = 1, silent = 0, no_unit = -1, per_cent = 30;
-  parallel::start();
   auto blank = std::make_unique<DMUMPS_STRUC_C>();
   auto& mumps = *blank;
-  mumps.comm_fortran = MPI_Comm_c2f(MPI_COMM_SELF);
+  mumps.comm_fortran = MPI_Comm_c2f(parallel::communicator());
   mumps.par = works_too;
   mumps.sym = symmetric;
   run(mumps, begin);
@@ -119,12 +121,13 @@ void SymmetricFactors::analyse() {
   mumps.nnz = matrix_.nonZeros();
   mumps.irn = rows_.data();
   mumps.jcn = columns_.data();
-  auto places = elimination_order(matrix_);
+  std::vector<int> places;
+  if (has_matrix()) places = elimination_order(matrix_);
   for (int& place : places) ++place;
   mumps.perm_in = places.data();
   run(mumps, analysis);
   mumps.perm_in = nullptr;
-  if (1e6 * information(mumps, megabytes) > memory_) {
+  if (1e6 * information(mumps, megabytes_of_a_process) > memory_) {
     control(mumps, use_files) = 1;
     // Texts of a fixed length that end with zero.
     const auto set_text = [](auto& text, const std::string& value) {
@@ -137,14 +140,22 @@ void SymmetricFactors::analyse() {
   mumps_ = std::move(begun);
 }
 
-void SymmetricFactors::factorise(Sparse lower_triangle) {
-  matrix_ = std::move(lower_triangle);
-  matrix_.makeCompressed();
+bool SymmetricFactors::has_matrix() noexcept {
+  return parallel::rank() == 0;
+}
+
+void SymmetricFactors::factorise(const std::function<Sparse()>& lower_triangle) {
+  parallel::start();
+  if (has_matrix()) {
+    matrix_ = lower_triangle();
+    matrix_.makeCompressed();
+  }
   if (!mumps_) analyse();
   mumps_->a = matrix_.valuePtr();
   factorise_with_room(*mumps_);
 }
 
+/// On the process that has the matrix.
 Eigen::VectorXd SymmetricFactors::solve_once(const Eigen::VectorXd& right_side) const {
   Eigen::VectorXd solution = right_side;
   mumps_->rhs = solution.data();
@@ -156,10 +167,13 @@ Eigen::VectorXd SymmetricFactors::solve(const Eigen::VectorXd& right_side) {
   constexpr double largest_residual = 1e-6;
   Eigen::VectorXd solution = solve_once(right_side);
   const auto missing = [&]() -> Eigen::VectorXd {
+    if (!has_matrix()) return right_side;
     return right_side - matrix_.selfadjointView<Eigen::Lower>() * solution;
   };
   solution += solve_once(missing());
   residual_ = missing().norm() / std::max(right_side.norm(), 1e-300);
+  parallel::copy_from_first(std::span(solution.data(), static_cast<std::size_t>(solution.size())));
+  parallel::copy_from_first(std::span(&residual_, 1));
   if (!(residual_ <= largest_residual)) {
     throw NumericalError(fmt::format("films: the residual of a solution is {:.1e} of the load", residual_));
   }

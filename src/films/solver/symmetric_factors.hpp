@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,18 +15,20 @@ namespace breccia::films {
 
 /// The sparse factors L D L^T of one symmetric matrix after the other, all with the same pattern, by MUMPS (Amestoy,
 /// Duff, L'Excellent and Koster 2001) in the order of elimination_order(). Factors that take more memory than they may
-/// are kept in files (FactorDirectory) until the end. Each process works alone.
+/// are kept in files (FactorDirectory) until the end. All processes of the group call the functions together and have a
+/// part of the factors each; the matrix is on the first one.
 class SymmetricFactors {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
 
-  /// `memory` [B] is what the factors may take with all that they need.
+  /// `memory` [B] is what the factors may take on a process with all that they need.
   explicit SymmetricFactors(double memory) : memory_(memory) {}
 
-  /// Factorises a matrix of which the lower triangle is given. Throws NumericalError when that fails, and InputError
-  /// when files are needed and there is no place for them.
-  void factorise(Sparse lower_triangle);
-  /// Solves by the factors, with a step of refinement. Throws NumericalError when the residual is large all the same.
+  /// Factorises a matrix, of which a function gives the lower triangle; the first process alone calls it. Throws
+  /// NumericalError when that fails, and InputError when files are needed and there is no place for them.
+  void factorise(const std::function<Sparse()>& lower_triangle);
+  /// Solves by the factors, with a step of refinement. Every process gives the right side and gets the solution. Throws
+  /// NumericalError when the residual is large all the same.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_side);
 
   /// Residual after the last solve, relative to the right side in the Euclidean norm [-].
@@ -38,11 +41,13 @@ class SymmetricFactors {
     void operator()(DMUMPS_STRUC_C* instance) const;
   };
 
+  /// Is this the process on which the matrix is?
+  [[nodiscard]] static bool has_matrix() noexcept;
   void analyse();
   [[nodiscard]] Eigen::VectorXd solve_once(const Eigen::VectorXd& right_side) const;
 
   double memory_;
-  Sparse matrix_;
+  Sparse matrix_;                             ///< on the first process, as are the lists of its entries
   std::optional<FactorDirectory> directory_;  ///< of the files, which end before it
   std::vector<int> rows_, columns_;           ///< of the entries, from 1
   std::unique_ptr<DMUMPS_STRUC_C, End> mumps_;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "breccia/quasistatic/substructure_side.hpp"
+
 namespace breccia::quasistatic {
 namespace {
 
-/// Where to cut a row of cells into about equal pieces of some eight cells, both its ends included.
-std::vector<int> cut(int cells, bool wraps) {
-  constexpr int wanted = 8;
+/// Where to cut a row of cells into about equal pieces of some wanted cells, both its ends included.
+std::vector<int> cut(int cells, int wanted, bool wraps) {
   int pieces = std::max(1, (cells + wanted / 2) / wanted);
   if (wraps) pieces = std::max(2, pieces / 2 * 2);
   std::vector<int> ends;
@@ -21,7 +22,16 @@ std::vector<int> cut(int cells, bool wraps) {
 }  // namespace
 
 std::optional<BlockDivision> BlockDivision::among(int processes, const std::array<int, 2>& cells, bool wraps) {
-  const std::array cuts = {cut(cells[0], wraps), cut(cells[1], wraps)};
+  constexpr int smallest = substructure_side(1);
+  for (int side = substructure_side(processes); side >= smallest; side -= smallest) {
+    if (auto division = with_blocks(side, processes, cells, wraps)) return division;
+  }
+  return std::nullopt;
+}
+
+std::optional<BlockDivision> BlockDivision::with_blocks(int side, int processes, const std::array<int, 2>& cells,
+                                                        bool wraps) {
+  const std::array cuts = {cut(cells[0], side, wraps), cut(cells[1], side, wraps)};
   std::optional<BlockDivision> best;
   std::int64_t fewest = 0;
   for (int across = 1; across <= processes; ++across) {

@@ -15,12 +15,13 @@ struct BlockRow {
   bool ends_at_neighbour = false;    ///< is another process behind the last block?
 };
 
-/// How the cells of a plane box are cut into blocks of about eight by eight, and the blocks divided among a grid of
-/// processes: every process has a rectangle of whole blocks.
+/// How the cells of a plane box are cut into blocks, of about eight by eight cells or, for many processes, more, and
+/// the blocks divided among a grid of processes: every process has a rectangle of whole blocks.
 class BlockDivision {
  public:
-  /// The division with the fewest nodes between processes, or nothing if there are fewer blocks than that takes. In a
-  /// box that wraps around, opposite sides are neighbours; the number of its blocks along each axis is even.
+  /// The division with the largest blocks that are worth while for so many processes and then the fewest nodes between
+  /// these, or nothing if there are fewer blocks than that takes. In a box that wraps around, opposite sides are
+  /// neighbours; the number of its blocks along each axis is even.
   static std::optional<BlockDivision> among(int processes, const std::array<int, 2>& cells, bool wraps);
 
   /// Number of processes along each axis. The first axis is the faster one in the ranks of processes.
@@ -40,6 +41,9 @@ class BlockDivision {
   [[nodiscard]] std::vector<int> nodes_along(std::size_t axis) const;
 
  private:
+  /// The same with blocks of about this side.
+  static std::optional<BlockDivision> with_blocks(int side, int processes, const std::array<int, 2>& cells, bool wraps);
+
   BlockDivision(const std::array<int, 2>& processes, const std::array<std::vector<int>, 2>& cuts, bool wraps)
       : processes_(processes), cuts_(cuts), wraps_(wraps) {}
 

@@ -51,7 +51,8 @@ void CellRow::add_forces(const EdgeRows<const double>& displacement, const doubl
 /// Sums the rows: all four, the differences along the second and along the third axis, and the difference along both.
 void CellRow::add_up_rows(const EdgeRows<const double>& displacement) {
   for (std::size_t component = 0; component < 3; ++component) {
-    const auto [row_0, row_1, row_2, row_3] = displacement[component];
+    const auto& rows = displacement[component];
+    const double *row_0 = rows[0], *row_1 = rows[1], *row_2 = rows[2], *row_3 = rows[3];
     double* all = sums_.data() + 4 * component * stride_;
     double *y = all + stride_, *z = all + 2 * stride_, *yz = all + 3 * stride_;
 #pragma omp simd
@@ -114,7 +115,8 @@ void CellRow::find_forces(const double* shear, const double* bulk) {
 /// Adds the forces of the cells on both sides of each node, and spreads them over the four rows.
 void CellRow::distribute(const EdgeRows<double>& forces) const {
   for (std::size_t component = 0; component < 3; ++component) {
-    const auto [row_0, row_1, row_2, row_3] = forces[component];
+    const auto& rows = forces[component];
+    double *row_0 = rows[0], *row_1 = rows[1], *row_2 = rows[2], *row_3 = rows[3];
     // At a place is the force of the cell before a node; the force of the cell behind it is one further.
     const double* x = forces_.data() + 7 * component * stride_;
     const double *y_upper = x + stride_, *y_lower = y_upper + stride_, *z_upper = y_lower + stride_,

@@ -9,11 +9,12 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// The values of a process that has them all, as they are.
-std::span<const double> whole(const ReadValues& values, Vec vector) {
+/// The values of this process.
+template <class Values>
+auto own(const Values& values, Vec vector) {
   PetscInt size = 0;
   check(VecGetLocalSize(vector, &size), "reading the size of a vector");
-  return {values.data(), static_cast<std::size_t>(size)};
+  return std::span(values.data(), static_cast<std::size_t>(size));
 }
 
 std::size_t length_of(Vec vector) {
@@ -22,24 +23,27 @@ std::size_t length_of(Vec vector) {
   return static_cast<std::size_t>(length);
 }
 
+void save(StateWriter& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& places) {
+  state.write(name, own(ReadValues(vector), vector), places, length_of(vector));
+}
+
+void restore(const StateReader& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& places) {
+  state.read(name, own(WriteValues(vector), vector), places, length_of(vector));
+}
+
 }  // namespace
 
 void save(StateWriter& state, const std::string& group, const Displacement& displacement) {
-  state.write(group + "/affine", displacement.macroscopic());
   const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
-  if (parallel::ranks() == 1) {
-    state.write(group + "/nodes", whole(ReadValues(nodes), nodes));
-    if (length_of(phases) > 0) state.write(group + "/phases", whole(ReadValues(phases), phases));
-    return;
-  }
-  state.write(group + "/nodes", nodes_in_natural_order(nodes));
-  if (length_of(phases) > 0) state.write(group + "/phases", places_in_natural_order(phases));
+  state.write(group + "/affine", displacement.macroscopic());
+  save(state, group + "/nodes", nodes, natural_places_of_nodes(nodes));
+  if (length_of(phases) > 0) save(state, group + "/phases", phases, natural_places(phases));
 }
 
 void restore(const StateReader& state, const std::string& group, Displacement& displacement) {
   const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
-  set_nodes(state.numbers(group + "/nodes", length_of(nodes)), nodes);
-  if (length_of(phases) > 0) set_places(state.numbers(group + "/phases", length_of(phases)), phases);
+  restore(state, group + "/nodes", nodes, natural_places_of_nodes(nodes));
+  if (length_of(phases) > 0) restore(state, group + "/phases", phases, natural_places(phases));
   displacement.set_macroscopic(state.number(group + "/affine"));
 }
 

@@ -41,20 +41,26 @@ void ElasticOperator<dim>::find_first_strains() {
 
 template <int dim>
 void ElasticOperator<dim>::find_kinds(const Discretisation<dim>& discretisation) {
+  const auto& own = nodes_.cells();
   std::map<CellPhases<dim>, std::uint32_t> known;
-  kind_of_.reserve(discretisation.cells().size());
-  for (const auto& cell : discretisation.cells()) {
-    if (std::find(cell.begin(), cell.end(), no_phase) != cell.end()) {
+  PetscInt strains = 0;  // of the cells before
+  grid().for_each_cell([&](const Index<dim>& cell) {
+    const auto& phases = discretisation.cell(cell);
+    if (std::find(phases.begin(), phases.end(), no_phase) != phases.end()) {
       throw InputError("quasi-static solver: a point has no material; empty cells are for the dynamic method");
     }
-    const auto [kind, is_new] = known.emplace(cell, static_cast<std::uint32_t>(known.size()));
-    if (is_new) {
-      kinds_.push_back(cell);
-      const auto* mixture = discretisation.mixture(cell.front());
-      mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+    const auto* mixture = discretisation.mixture(phases.front());
+    if (own.contains(cell)) {
+      if (cell.front() == own.begin.front()) first_strain_of_row_.push_back(strains);
+      const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
+      if (is_new) {
+        kinds_.push_back(phases);
+        mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
+      }
+      kind_of_.push_back(kind->second);
     }
-    kind_of_.push_back(kind->second);
-  }
+    if (mixture != nullptr) strains += static_cast<PetscInt>(MixedCell<dim>::unknowns_of(*mixture));
+  });
   if (volumetric_ == Volumetric::standard && !discretisation.mixtures().empty()) {
     throw InputError("quasi-static solver: expected averaged volumetric strains, which mixed cells have");
   }
@@ -143,8 +149,8 @@ typename ElasticOperator<dim>::SumOverCells ElasticOperator<dim>::sum_over_cells
 
 template <int dim>
 Forces ElasticOperator<dim>::load_forces(Load load) const {
-  auto forces = zero();
   if (boundary() != Boundary::traction) {
+    auto forces = zero();
     forces.set_macroscopic(1.0);
     return forces;
   }
@@ -155,8 +161,7 @@ Forces ElasticOperator<dim>::load_forces(Load load) const {
   CellValues of_cell = CellValues::Zero();
   for (int p = 0; p < Shape::points; ++p) of_cell += Shape::strain_matrix(p).transpose() * stress / Shape::points;
   auto [macroscopic, on_nodes] = sum_over_cells([&](const Index<dim>&) { return std::pair(of_cell, 0.0); });
-  forces.set_fluctuation(std::move(on_nodes));
-  return forces;
+  return {macroscopic, std::move(on_nodes), zero_strains_of_phases()};
 }
 
 template <int dim>
@@ -201,8 +206,7 @@ std::optional<Moduli> ElasticOperator<dim>::uniform_moduli(std::size_t kind, std
 /// The moduli of the cells of this process; of_kind(kind) gives those of a kind of cells of one material or mixture.
 template <int dim>
 template <class OfKind>
-CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
-    requires(dim == 3) {
+CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   CellModuli cells;
   std::vector<std::uint32_t> other;  // place among the stiffnesses of the other cells, by kind
@@ -215,8 +219,9 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
     if (!same) cells.stiffnesses.push_back(stiffness_of(kind, moduli));
   }
   const auto& begin = nodes_.cells().begin;
-  const auto row = static_cast<std::size_t>(grid().cells[0]);
-  cells.kind_of = {kind_of_.data() + grid().cell_index(begin), row, row * static_cast<std::size_t>(grid().cells[1])};
+  const auto size = nodes_.cells().size();
+  const auto row = static_cast<std::size_t>(size[0]);
+  cells.kind_of = {kind_of_.data(), row, row * static_cast<std::size_t>(size[1])};
   if (cells.stiffnesses.empty()) return cells;
   nodes_.for_cells([&](const Index<dim>& cell) {
     const auto kind = kind_of_cell(cell);
@@ -229,15 +234,17 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
 }
 
 template <int dim>
-CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3) {
+template <int space>
+CellModuli ElasticOperator<dim>::condensed_cells(std::span<const Moduli> moduli) const requires(space == 3) {
   return collect_cells(moduli, [&](std::size_t kind) { return uniform_moduli(kind, moduli); });
 }
 
 /// The forces in 3 dimensions: those of all cells but the mixed ones row by row, then those of the mixed cells. What is
 /// not needed any longer is given back on the way, for memory is short where this is called.
 template <int dim>
+template <int space>
 Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load load,
-                                            const Displacement& displacement) const requires(dim == 3) {
+                                            const Displacement& displacement) const requires(space == 3) {
   const auto strain = unit_strain<dim>(load);
   std::optional<SeenField> moved(std::in_place, nodes_, threads_), exerted;
   moved->read(nodes_, displacement.fluctuation(), displacement.macroscopic(), strain);
@@ -265,9 +272,10 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
 
 /// Adds the forces of the mixed cells on their nodes, and sets those on the strains of their phases.
 template <int dim>
+template <int space>
 void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement,
                                             const CellSweep& sweep, const SeenField& moved, SeenField& exerted,
-                                            Vec on_phase_strains) const requires(dim == 3) {
+                                            Vec on_phase_strains) const requires(space == 3) {
   const ReadValues strains(displacement.phase_strains());
   const WriteValues on_strains(on_phase_strains);
   const auto displacements = moved.from(0);
@@ -331,17 +339,18 @@ void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli,
 /// The places of the strains of this process among those of all mixed cells, in the order of the cells.
 template <int dim>
 std::vector<PetscInt> ElasticOperator<dim>::natural_places_of_strains() const {
-  std::vector<PetscInt> first_of_cell(kind_of_.size());
-  PetscInt count = 0;
-  for (std::size_t cell = 0; cell < kind_of_.size(); ++cell) {
-    first_of_cell[cell] = count;
-    const auto& mixed = mixed_[kind_of_[cell]];
-    if (mixed) count += static_cast<PetscInt>(mixed->unknowns());
-  }
+  const auto& cells = nodes_.cells();
+  const auto in_row = static_cast<std::size_t>(cells.size().front());
   std::vector<PetscInt> places(first_strain_.back());
+  auto row = first_strain_of_row_.size();
+  PetscInt next = 0;
   for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+    const auto row_of_cell = cells.place_of(cell) / in_row;
+    if (row_of_cell != row) next = first_strain_of_row_[row_of_cell];
+    row = row_of_cell;
     const auto own = std::span(places).subspan(place, static_cast<std::size_t>(mixed.unknowns()));
-    std::iota(own.begin(), own.end(), first_of_cell[grid().cell_index(cell)]);
+    std::iota(own.begin(), own.end(), next);
+    next += static_cast<PetscInt>(mixed.unknowns());
   });
   return places;
 }
@@ -365,5 +374,6 @@ void ElasticOperator<dim>::assemble(std::span<const Moduli> moduli, Mat matrix) 
 
 template class ElasticOperator<2>;
 template class ElasticOperator<3>;
+template CellModuli ElasticOperator<3>::condensed_cells<3>(std::span<const Moduli>) const;
 
 }  // namespace breccia::quasistatic

@@ -63,20 +63,9 @@ class ElasticOperator {
   /// Sets the strains of phases to those in equilibrium with forces, from the fluctuation w of a displacement.
   void recover_phase_strains(std::span<const Moduli> moduli, const Forces& forces, Displacement& displacement) const;
 
-  /// Fluctuation w of all nodes of the box, the components of one node after those of the other, in the order of
-  /// Grid::node_index. A periodic box has no last nodes along an axis, which are the first ones again. On the first
-  /// process; empty on the others.
-  [[nodiscard]] std::vector<double> gathered(const Displacement& displacement) const {
-    return nodes_in_natural_order(displacement.fluctuation());
-  }
-
   /// True if this component of w is held at zero at a node.
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept {
     return nodes_.is_held(node, component);
-  }
-  /// Strains of phases of all mixed cells of the box in the order of their list. On the first process; empty on others.
-  [[nodiscard]] std::vector<double> gathered_phase_strains(const Displacement& displacement) const {
-    return places_in_natural_order(displacement.phase_strains());
   }
   /// What a cell holds if it is a mixed one; null otherwise.
   [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
@@ -95,15 +84,16 @@ class ElasticOperator {
   /// The modes of a cell.
   [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
 
-  /// Number of the kind of a cell: cells of one kind have the same materials at the same points.
+  /// Number of the kind of a cell of this process: cells of one kind have the same materials at the same points.
   [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
-    return kind_of_[grid().cell_index(cell)];
+    return kind_of_[nodes_.cells().place_of(cell)];
   }
   /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
   [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
 
-  /// The moduli of the cells of this process, where the strains of phases have been eliminated.
-  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(dim == 3);
+  /// In 3 dimensions, the moduli of the cells of this process, where the strains of phases have been eliminated.
+  template <int space = dim>
+  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(space == 3);
 
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
@@ -134,20 +124,25 @@ class ElasticOperator {
   [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
   [[nodiscard]] typename Shape::Stiffness stiffness_of(std::size_t kind, std::span<const Moduli> moduli) const;
   template <class OfKind>
-  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const
-      requires(dim == 3);
+  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const;
+  // In 3 dimensions. They are templates of their own because clang 14 instantiates with a class also those of its
+  // members whose constraints do not hold.
+  template <int space = dim>
   [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
-      requires(dim == 3);
+      requires(space == 3);
+  template <int space = dim>
   void add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement, const CellSweep& sweep,
-                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(dim == 3);
+                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(space == 3);
 
   NodeLayout<dim> nodes_;
   Volumetric volumetric_;
   int threads_;
   std::vector<CellPhases<dim>> kinds_;                ///< phases of the points of a cell, by kind of cell
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
-  std::vector<std::uint32_t> kind_of_;                ///< by cell
-  std::vector<std::size_t> first_strain_;             ///< of the mixed cells, by plane of cells of this process
+  std::vector<std::uint32_t> kind_of_;                ///< by cell of this process
+  /// Number of the unknown strains of all cells of the box before a row of cells of this process, by row.
+  std::vector<PetscInt> first_strain_of_row_;
+  std::vector<std::size_t> first_strain_;  ///< of the mixed cells, by plane of cells of this process
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 

@@ -31,9 +31,10 @@ class MixedCell {
   explicit MixedCell(Mixture mixture) : mixture_(std::move(mixture)) {}
 
   [[nodiscard]] const Mixture& mixture() const noexcept { return mixture_; }
-  /// Number of unknown strains.
-  [[nodiscard]] Eigen::Index unknowns() const noexcept {
-    return Shape::modes * (static_cast<Eigen::Index>(mixture_.size()) - 1);
+  /// Number of unknown strains, and of those of a cell with a mixture.
+  [[nodiscard]] Eigen::Index unknowns() const noexcept { return unknowns_of(mixture_); }
+  [[nodiscard]] static Eigen::Index unknowns_of(const Mixture& mixture) noexcept {
+    return Shape::modes * (static_cast<Eigen::Index>(mixture.size()) - 1);
   }
 
   /// The strains of all phases where they are the strain of the cell.

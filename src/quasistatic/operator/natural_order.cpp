@@ -1,95 +1,87 @@
 #include "operator/natural_order.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <stdexcept>
 
 #include <petscdmda.h>
-
-#include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {
 
 constexpr const char* what = "ordering the values of all processes";
 
-PetscInt local_length(Vec vector) {
+/// The values of a process that has them all.
+parallel::OrderedPlaces all_places(Vec vector) {
   PetscInt length = 0;
   check(VecGetLocalSize(vector, &length), what);
-  return length;
+  return parallel::consecutive_places(0, static_cast<std::size_t>(length));
 }
 
-/// The grid of a nodal vector; null on one process, where a cube has none.
-DM grid_of(Vec nodal) {
-  DM grid = nullptr;
-  check(VecGetDM(nodal, &grid), what);
-  if (grid == nullptr && parallel::ranks() > 1) throw std::logic_error("a nodal vector without its grid");
-  return grid;
+/// The nodes of one process among those of the grid.
+struct NodeBox {
+  std::array<std::size_t, 3> begin{}, size{}, all{};
+  std::size_t components = 0;
+
+  [[nodiscard]] std::size_t place_of(std::size_t value) const noexcept {
+    auto node = value / components, place = std::size_t{0}, before = std::size_t{1};
+    for (std::size_t axis = 0; axis < size.size(); ++axis) {
+      place += before * (begin[axis] + node % size[axis]);
+      before *= all[axis];
+      node /= size[axis];
+    }
+    return components * place + value % components;
+  }
+};
+
+NodeBox box_of(DM grid) {
+  std::array<PetscInt, 3> begin{}, size{}, all{};
+  PetscInt components = 0;
+  check(DMDAGetCorners(grid, &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]), what);
+  check(DMDAGetInfo(grid, nullptr, &all[0], &all[1], &all[2], nullptr, nullptr, nullptr, &components, nullptr, nullptr,
+                    nullptr, nullptr, nullptr),
+        what);
+  NodeBox box = {.components = static_cast<std::size_t>(components)};
+  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+    box.begin[axis] = static_cast<std::size_t>(begin[axis]);
+    box.size[axis] = static_cast<std::size_t>(size[axis]);
+    box.all[axis] = static_cast<std::size_t>(all[axis]);
+  }
+  return box;
 }
 
-/// Sets the values of this process from those of all, one after the other.
-void take_own(std::span<const double> all, Vec vector) {
-  PetscInt begin = 0, end = 0;
-  check(VecGetOwnershipRange(vector, &begin, &end), what);
-  const auto own = all.subspan(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
-  std::ranges::copy(own, WriteValues(vector).data());
-}
-
-/// The places of the values of this process in the natural order, during the lifetime of this object.
+/// The places of the values of this process in the natural order, as PETSc keeps them.
 class Places {
  public:
-  explicit Places(Vec vector) {
-    check(VecGetLocalToGlobalMapping(vector, &mapping_), what);
-    if (mapping_ != nullptr) check(ISLocalToGlobalMappingGetIndices(mapping_, &places_), what);
+  explicit Places(ISLocalToGlobalMapping mapping) : mapping_(mapping) {
+    check(ISLocalToGlobalMappingGetIndices(mapping_, &places_), what);
   }
   Places(const Places&) = delete;
   Places& operator=(const Places&) = delete;
   Places(Places&&) = delete;
   Places& operator=(Places&&) = delete;
-  ~Places() {
-    if (mapping_ != nullptr) ISLocalToGlobalMappingRestoreIndices(mapping_, &places_);
+  ~Places() { ISLocalToGlobalMappingRestoreIndices(mapping_, &places_); }
+
+  [[nodiscard]] std::size_t operator[](std::size_t value) const noexcept {
+    return static_cast<std::size_t>(places_[value]);
   }
 
-  /// False where the values of all processes, one after the other, are in the natural order.
-  [[nodiscard]] bool are_known() const noexcept { return mapping_ != nullptr; }
-  [[nodiscard]] const PetscInt* get() const noexcept { return places_; }
-
  private:
-  ISLocalToGlobalMapping mapping_ = nullptr;
+  ISLocalToGlobalMapping mapping_;
   const PetscInt* places_ = nullptr;
 };
 
 }  // namespace
 
-std::vector<double> on_first_process(Vec distributed) {
-  NodalVector on_first;
-  Scatter scatter;
-  check(VecScatterCreateToZero(distributed, scatter.put(), on_first.put()), what);
-  check(VecScatterBegin(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  check(VecScatterEnd(scatter.get(), distributed, on_first.get(), INSERT_VALUES, SCATTER_FORWARD), what);
-  const ReadValues values(on_first.get());
-  return {values.data(), values.data() + local_length(on_first.get())};
-}
-
-std::vector<double> nodes_in_natural_order(Vec nodal) {
-  DM grid = grid_of(nodal);
-  if (grid == nullptr) return on_first_process(nodal);
-  NodalVector in_rows;
-  check(DMDACreateNaturalVector(grid, in_rows.put()), what);
-  check(DMDAGlobalToNaturalBegin(grid, nodal, INSERT_VALUES, in_rows.get()), what);
-  check(DMDAGlobalToNaturalEnd(grid, nodal, INSERT_VALUES, in_rows.get()), what);
-  return on_first_process(in_rows.get());
-}
-
-void set_nodes(std::span<const double> in_natural_order, Vec nodal) {
-  DM grid = grid_of(nodal);
-  if (grid == nullptr) return take_own(in_natural_order, nodal);
-  NodalVector in_rows;
-  check(DMDACreateNaturalVector(grid, in_rows.put()), what);
-  take_own(in_natural_order, in_rows.get());
-  check(DMDANaturalToGlobalBegin(grid, in_rows.get(), INSERT_VALUES, nodal), what);
-  check(DMDANaturalToGlobalEnd(grid, in_rows.get(), INSERT_VALUES, nodal), what);
+parallel::OrderedPlaces natural_places_of_nodes(Vec nodal) {
+  if (parallel::ranks() == 1) return all_places(nodal);
+  DM grid = nullptr;
+  check(VecGetDM(nodal, &grid), what);
+  if (grid == nullptr) throw std::logic_error("a nodal vector without its grid");
+  auto places = all_places(nodal);
+  places.place_of = [box = box_of(grid)](std::size_t value) { return box.place_of(value); };
+  return places;
 }
 
 void set_natural_places(const std::vector<PetscInt>& places, Vec vector) {
@@ -101,26 +93,13 @@ void set_natural_places(const std::vector<PetscInt>& places, Vec vector) {
   check(ISLocalToGlobalMappingDestroy(&mapping), what);
 }
 
-std::vector<double> places_in_natural_order(Vec vector) {
-  const auto in_parts = on_first_process(vector);
-  const Places places(vector);
-  if (!places.are_known()) return in_parts;
-  NodalVector of_values;
-  check(VecDuplicate(vector, of_values.put()), what);
-  std::copy_n(places.get(), local_length(vector), WriteValues(of_values.get()).data());
-  const auto at = on_first_process(of_values.get());
-  std::vector<double> all(in_parts.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[static_cast<std::size_t>(std::lround(at[i]))] = in_parts[i];
-  return all;
-}
-
-void set_places(std::span<const double> in_natural_order, Vec vector) {
-  const Places places(vector);
-  if (!places.are_known()) return take_own(in_natural_order, vector);
-  const WriteValues values(vector);
-  for (PetscInt i = 0; i < local_length(vector); ++i) {
-    values.data()[i] = in_natural_order[static_cast<std::size_t>(places.get()[i])];
-  }
+parallel::OrderedPlaces natural_places(Vec vector) {
+  ISLocalToGlobalMapping mapping = nullptr;
+  check(VecGetLocalToGlobalMapping(vector, &mapping), what);
+  auto places = all_places(vector);
+  if (mapping == nullptr) return places;
+  places.place_of = [known = std::make_shared<const Places>(mapping)](std::size_t value) { return (*known)[value]; };
+  return places;
 }
 
 }  // namespace breccia::quasistatic

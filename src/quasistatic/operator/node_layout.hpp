@@ -32,10 +32,7 @@ class NodeLayout {
   /// 0 for the components of a cell's nodes that are held, 1 for the others.
   [[nodiscard]] CellValues held_mask(const Index<dim>& cell) const noexcept;
 
-  /// Indices from `begin` to before `end` along every axis.
-  struct Range {
-    Index<dim> begin{}, end{};
-  };
+  using Range = IndexRange<dim>;
   /// The cells of this process: those whose lowest node belongs to it.
   [[nodiscard]] const Range& cells() const noexcept { return cells_; }
   /// The nodes of this process, in the order of the values of nodal vectors.

@@ -4,26 +4,27 @@
 #include <cmath>
 #include <cstddef>
 
-#include "breccia/parallel/session.hpp"
+#include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
 namespace {
 
-/// The displacement of all nodes of the box, in units of the cell side.
+/// The displacement of the nodes of the cells of this process, in units of the cell side.
 template <int dim>
 class NodalDisplacement {
  public:
   using Shape = CellShape<dim>;
 
   NodalDisplacement(const ElasticOperator<dim>& elastic_operator, Load load, const Displacement& displacement)
-      : grid_(elastic_operator.grid()),
+      : nodes_(&elastic_operator.nodes()),
         strain_(unit_strain<dim>(load)),
         macroscopic_(displacement.macroscopic()),
-        wraps_(elastic_operator.boundary() == Boundary::periodic),
-        fluctuation_(elastic_operator.gathered(displacement)),
-        phase_strains_(elastic_operator.gathered_phase_strains(displacement)) {}
+        seen_(nodes_->local_copy(displacement.fluctuation())),
+        fluctuation_(seen_.get()),
+        phase_strains_(displacement.phase_strains()) {}
 
   [[nodiscard]] typename Shape::Values of_cell(const Index<dim>& cell) const {
+    const typename Shape::Values fluctuation = nodes_->cell_values(cell, fluctuation_.data());
     typename Shape::Values u;
     for (int n = 0; n < Shape::nodes; ++n) {
       auto node = Shape::corner(n);
@@ -33,9 +34,9 @@ class NodalDisplacement {
         x[axis] = node[axis];
       }
       const auto affine = product(strain_, x);
-      const double* fluctuation = fluctuation_.data() + dim * place(node);
-      for (int i = 0; i < dim; ++i)
-        u[dim * n + i] = macroscopic_ * affine[static_cast<std::size_t>(i)] + fluctuation[i];
+      for (int i = 0; i < dim; ++i) {
+        u[dim * n + i] = macroscopic_ * affine[static_cast<std::size_t>(i)] + fluctuation[dim * n + i];
+      }
     }
     return u;
   }
@@ -43,22 +44,16 @@ class NodalDisplacement {
   /// The strain of a phase of a mixed cell whose first unknown strain is at a place.
   [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
                                                    std::size_t place, std::size_t part) const {
-    return mixed.strain_of(part, modes_ * of_cell(cell), {phase_strains_.data() + place, mixed.unknowns()});
+    return mixed.strain_of(part, modes_ * of_cell(cell), phase_strains_.range(place, mixed.unknowns()));
   }
 
  private:
-  [[nodiscard]] std::size_t place(Index<dim> node) const noexcept {
-    if (!wraps_) return grid_.node_index(node);
-    for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] %= grid_.cells[axis];
-    return grid_.cell_index(node);
-  }
-
-  Grid<dim> grid_;
+  const NodeLayout<dim>* nodes_;
   Strain<dim> strain_;
   double macroscopic_;
-  bool wraps_;
-  std::vector<double> fluctuation_;    ///< the components of the nodes, in the order of their list
-  std::vector<double> phase_strains_;  ///< of the mixed cells, in the order of their list
+  NodalVector seen_;
+  ReadValues fluctuation_;    ///< of the nodes that this process sees
+  ReadValues phase_strains_;  ///< of its mixed cells, in their order
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
 
@@ -126,14 +121,14 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     by_material.push_back(
         {NodalDisplacement<dim>(elastic_operator, load, bulk), NodalDisplacement<dim>(elastic_operator, load, shear)});
   }
-  auto fields = zero_timed_fields(discretisation);
-  if (parallel::rank() != 0) return fields;
+  const auto& cells = elastic_operator.nodes().cells();
+  auto fields = zero_timed_fields(discretisation, cells);
   for (int p = 0; p < Shape::points; ++p) {
     const auto weights = Shape::weights(p);
     const auto strain_matrix = Shape::strain_matrix(p, volumetric);
     const auto volume = Shape::volumetric_strain_matrix(p, volumetric);
-    grid.for_each_cell([&](const Index<dim>& cell) {
-      const auto place = place_in_timed_fields(grid, grid.point_index(cell, p));
+    for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
+      const auto place = place_in_timed_fields(cells, cell, p);
       const auto u = moved.of_cell(cell);
       Vector<dim> of_point{};
       for (std::size_t node = 0; node < weights.size(); ++node) {
@@ -155,17 +150,14 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     });
   }
   const auto point_deviators = Shape::point_deviators();
-  std::size_t first_strain = 0;
-  grid.for_each_cell([&](const Index<dim>& cell) {
-    const auto* mixed = elastic_operator.mixed_cell(cell);
-    if (mixed == nullptr) return;
-    const auto stresses = mixed_stress<dim>(cell, *mixed, first_strain, by_material, point_deviators);
-    for (int p = 0; p < Shape::points; ++p) {
-      put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
-                               fields.stress[place_in_timed_fields(grid, grid.point_index(cell, p))]);
-    }
-    first_strain += static_cast<std::size_t>(mixed->unknowns());
-  });
+  elastic_operator.for_mixed_cells_of_planes(
+      0, elastic_operator.planes(), [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+        const auto stresses = mixed_stress<dim>(cell, mixed, place, by_material, point_deviators);
+        for (int p = 0; p < Shape::points; ++p) {
+          put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
+                                   fields.stress[place_in_timed_fields(cells, cell, p)]);
+        }
+      });
   return fields;
 }
 

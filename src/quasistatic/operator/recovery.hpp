@@ -17,7 +17,7 @@ struct AppliedModuli {
 
 /// Displacement, strain and stress at the material points of a square (PointFields), or their means over the cells of a
 /// cube (CellFields), from the displacement of the nodes and from the moduli applied to its history, by material
-/// (theory, Eq. 35). On the first process; zero on the others. Instantiated for 2 and 3 dimensions.
+/// (theory, Eq. 35). Of the cells of this process. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
                                                 const Discretisation<dim>& discretisation, Volumetric volumetric,

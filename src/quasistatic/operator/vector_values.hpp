@@ -17,9 +17,11 @@ class ReadValues {
   }
   ReadValues(const ReadValues&) = delete;
   ReadValues& operator=(const ReadValues&) = delete;
-  ReadValues(ReadValues&&) = delete;
+  ReadValues(ReadValues&& other) noexcept : vector_(std::exchange(other.vector_, nullptr)), data_(other.data_) {}
   ReadValues& operator=(ReadValues&&) = delete;
-  ~ReadValues() { VecRestoreArrayRead(vector_, &data_); }
+  ~ReadValues() {
+    if (vector_ != nullptr) VecRestoreArrayRead(vector_, &data_);
+  }
 
   [[nodiscard]] const double* data() const noexcept { return data_; }
   /// `count` values, beginning at a place.

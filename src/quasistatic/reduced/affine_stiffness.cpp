@@ -30,7 +30,8 @@ void require_phases_that_can_vary(const std::vector<Material>& materials, std::s
   std::vector<std::string> mistakes;
   if (varying.empty()) mistakes.emplace_back("expected at least one phase whose moduli vary");
   for (auto one = varying.begin(); one != varying.end(); ++one) {
-    const auto& [index, name] = *one;
+    const auto index = one->index;
+    const auto& name = one->name;
     if (index >= materials.size()) {
       mistakes.push_back(fmt::format("the phase {} has number {}, but there are materials for {} phases", name, index,
                                      materials.size()));

@@ -55,7 +55,7 @@ class CellComposite {
 };
 
 /// Fields of the material points of a square, or of the cells of a cube, in a state under a load (theory, Eq. 35).
-/// `problem` is the one that the composite was made of. On the first process; zero on the others.
+/// `problem` is the one that the composite was made of. Of the cells of this process.
 template <int dim>
 [[nodiscard]] LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem,
                                            Load load, const CompositeState<Displacement>& state);

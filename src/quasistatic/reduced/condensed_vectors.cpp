@@ -152,24 +152,45 @@ std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOr
   return shares;
 }
 
-Displacement CondensedVectors::without_strains(double macroscopic, NodalVector fluctuation) {
-  // An affine motion, such as the uniform strain of a box whose walls move with it, takes no memory.
+/// A vector as it is stored. An affine motion takes no memory: that of walls that move with it, and the uniform strain
+/// of a box under tractions, which moves its nodes and is stored as a macroscopic part, of which such a box has none.
+Displacement CondensedVectors::condensed(Displacement vector, const VectorOrigin& origin) const {
+  if (elastic_operator_->boundary() == Boundary::traction && !origin.parameters) {
+    const auto uniform = elastic_operator_->uniform_strain(load_).take_fluctuation();
+    double both = 0.0, squared = 0.0;
+    check(VecDot(vector.fluctuation(), uniform.get(), &both), "reading a uniform strain");
+    check(VecDot(uniform.get(), uniform.get(), &squared), "reading a uniform strain");
+    return {both / squared, no_values(), no_values()};
+  }
   double largest = 0.0;
-  check(VecNorm(fluctuation.get(), NORM_INFINITY, &largest), "reading the displacements");
-  return {macroscopic, largest > 0.0 ? std::move(fluctuation) : no_values(), no_values()};
+  check(VecNorm(vector.fluctuation(), NORM_INFINITY, &largest), "reading the displacements");
+  return {vector.macroscopic(), largest > 0.0 ? vector.take_fluctuation() : no_values(), no_values()};
+}
+
+/// The vector that is stored so, without the strains of phases, and without nodal values if they are zero.
+Displacement CondensedVectors::without_strains(const Displacement& condensed) const {
+  if (length_of(condensed.fluctuation()) > 0) {
+    return {condensed.macroscopic(), condensed.shared_fluctuation(), no_values()};
+  }
+  if (elastic_operator_->boundary() == Boundary::traction) {
+    auto uniform = elastic_operator_->uniform_strain(load_);
+    uniform.scale(condensed.macroscopic());
+    return {0.0, uniform.take_fluctuation(), no_values()};
+  }
+  return {condensed.macroscopic(), no_values(), no_values()};
 }
 
 void CondensedVectors::add(Displacement vector, VectorOrigin origin) {
   auto shares = shares_of(origin);
-  vectors_.push_back(
-      {without_strains(vector.macroscopic(), vector.take_fluctuation()), std::move(origin), std::move(shares)});
+  auto displacement = condensed(std::move(vector), origin);
+  vectors_.push_back({std::move(displacement), std::move(origin), std::move(shares)});
 }
 
 Displacement CondensedVectors::at(std::size_t place) const {
-  const auto& condensed = vectors_[place].displacement;
-  const bool fluctuates = length_of(condensed.fluctuation()) > 0;
-  Displacement vector(condensed.macroscopic(),
-                      fluctuates ? condensed.shared_fluctuation() : elastic_operator_->nodes().zeros(),
+  auto without = without_strains(vectors_[place].displacement);
+  const bool fluctuates = length_of(without.fluctuation()) > 0;
+  Displacement vector(without.macroscopic(),
+                      fluctuates ? without.take_fluctuation() : elastic_operator_->nodes().zeros(),
                       elastic_operator_->zero_strains_of_phases());
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(place) + 1);
   weights[static_cast<Eigen::Index>(place)] = 1.0;
@@ -208,7 +229,7 @@ Eigen::VectorXd CondensedVectors::works(const Forces& forces) const {
         "adding up works");
   for (Eigen::Index j = 0; j < count; ++j) works[j] += earlier.row(j).head(j).dot(works.head(j));
   for (Eigen::Index i = 0; i < count; ++i) {
-    const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
+    const auto displacement = without_strains(vectors_[static_cast<std::size_t>(i)].displacement);
     double on_nodes = 0.0;
     if (length_of(displacement.fluctuation()) > 0) {
       check(VecDot(forces.fluctuation(), displacement.fluctuation(), &on_nodes), "a scalar product");
@@ -238,8 +259,8 @@ void CondensedVectors::add_phase_strains(const Eigen::VectorXd& weights, Vec pha
 void CondensedVectors::add_to(Displacement& sum, const Eigen::VectorXd& weights) const {
   add_phase_strains(weights, sum.phase_strains());
   for (Eigen::Index i = 0; i < weights.size(); ++i) {
-    const auto& displacement = vectors_[static_cast<std::size_t>(i)].displacement;
     if (weights[i] == 0.0) continue;
+    const auto displacement = without_strains(vectors_[static_cast<std::size_t>(i)].displacement);
     sum.set_macroscopic(sum.macroscopic() + weights[i] * displacement.macroscopic());
     if (length_of(displacement.fluctuation()) == 0) continue;
     check(VecAXPY(sum.fluctuation(), weights[i], displacement.fluctuation()), "adding nodal vectors");
@@ -249,14 +270,11 @@ void CondensedVectors::add_to(Displacement& sum, const Eigen::VectorXd& weights)
 void CondensedVectors::save(StateWriter& state, const std::string& group) const {
   state.write(group + "/vectors", static_cast<std::int64_t>(size()));
   for (std::size_t i = 0; i < size(); ++i) {
-    const auto& [displacement, origin, shares] = vectors_[i];
+    const auto& [condensed, origin, shares] = vectors_[i];
     const auto name = fmt::format("{}/vector/{}", group, i);
-    if (length_of(displacement.fluctuation()) > 0) {
-      quasistatic::save(state, name, displacement);
-    } else {
-      Displacement at_rest{displacement.macroscopic(), elastic_operator_->nodes().zeros(), no_values()};
-      quasistatic::save(state, name, at_rest);
-    }
+    auto displacement = without_strains(condensed);
+    if (length_of(displacement.fluctuation()) == 0) displacement.set_fluctuation(elastic_operator_->nodes().zeros());
+    quasistatic::save(state, name, displacement);
     state.write(name + "/of_earlier",
                 std::vector<double>(origin.of_earlier.data(), origin.of_earlier.data() + origin.of_earlier.size()));
     state.write(name + "/parameters", origin.parameters.value_or(std::vector<double>{}));
@@ -271,13 +289,11 @@ void CondensedVectors::restore(const StateReader& state, const std::string& grou
     const auto name = fmt::format("{}/vector/{}", group, i);
     Displacement displacement{0.0, zero().take_fluctuation(), no_values()};
     quasistatic::restore(state, name, displacement);
-    displacement = without_strains(displacement.macroscopic(), displacement.take_fluctuation());
     const auto of_earlier = state.numbers(name + "/of_earlier", static_cast<std::size_t>(i));
     VectorOrigin origin{std::nullopt, Eigen::Map<const Eigen::VectorXd>(of_earlier.data(), i)};
     const auto parameters = state.numbers(name + "/parameters");
     if (!parameters.empty()) origin.parameters = state.numbers(name + "/parameters", stiffness_->parts.size());
-    auto shares = shares_of(origin);
-    vectors_.push_back({std::move(displacement), std::move(origin), std::move(shares)});
+    add(std::move(displacement), std::move(origin));
   }
 }
 

@@ -46,7 +46,7 @@ class CondensedVectors {
   using SharesOfPhases = std::vector<OfVectors>;  ///< by phase but the first
 
   struct Condensed {
-    Displacement displacement;  ///< without strains of phases
+    Displacement displacement;  ///< without strains of phases, and without nodal values if it is affine
     VectorOrigin origin;
     std::vector<std::vector<StrainShare>> shares;  ///< by kind of cell and phase but the first
   };
@@ -72,7 +72,8 @@ class CondensedVectors {
   [[nodiscard]] std::vector<SharesOfPhases> shares_of_kinds(std::size_t count) const;
   [[nodiscard]] std::vector<SharesOfPhases> shares_in_sum(const Eigen::VectorXd& weights) const;
   [[nodiscard]] Eigen::MatrixXd amounts_of_earlier(std::size_t count) const;
-  [[nodiscard]] static Displacement without_strains(double macroscopic, NodalVector fluctuation);
+  [[nodiscard]] Displacement condensed(Displacement vector, const VectorOrigin& origin) const;
+  [[nodiscard]] Displacement without_strains(const Displacement& condensed) const;
   [[nodiscard]] std::vector<std::vector<StrainShare>> shares_of(const VectorOrigin& origin) const;
 
   const ElasticOperator<3>* elastic_operator_;

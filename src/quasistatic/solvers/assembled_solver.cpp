@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "solvers/breakdown.hpp"
+#include "solvers/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -75,8 +76,8 @@ void AssembledSolver<dim>::update_preconditioner() {
   if (solver_.get() == nullptr) set_up();
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_FALSE), "factorising");
   check(KSPSetOperators(solver_.get(), matrix_.get(), matrix_.get()), "factorising");
-  check(KSPSetUp(solver_.get()),
-        this->effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
+  set_up_with_room(solver_.get(),
+                   this->effort().is_direct ? "factorising the stiffness matrix" : "setting up multigrid");
   require_no_breakdown(solver_.get(), failure());
   check(KSPSetReusePreconditioner(solver_.get(), PETSC_TRUE), "factorising");
   this->count_factorisation();

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "solvers/breakdown.hpp"
+#include "solvers/sparse_factors.hpp"
 
 namespace breccia::quasistatic {
 namespace {
@@ -71,7 +72,7 @@ CoarseSolver::CoarseSolver(int owned, int unknowns, const SharedValues& shared, 
   check(KSPGetPC(solver_.get(), &factors), what);
   check(PCSetType(factors, PCCHOLESKY), what);
   check(PCFactorSetMatSolverType(factors, MATSOLVERMUMPS), what);
-  check(KSPSetUp(solver_.get()), what);
+  set_up_with_room(solver_.get(), what);
   require_no_breakdown(solver_.get(), cannot_be_factorised);
 }
 

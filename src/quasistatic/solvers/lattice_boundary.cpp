@@ -53,7 +53,8 @@ void LatticeBoundary::write(const LatticeField& field, Vec nodal) const {
 
 void LatticeBoundary::balance(LatticeField& forces) const {
   if (lattice_.boundary == Boundary::displacement) return;
-  const auto [x, y, z] = forces.components();
+  const auto components = forces.components();
+  double *x = components[0], *y = components[1], *z = components[2];
   std::array<double, 3> sum{}, moment{};
   for_rows([&](int second, int third, std::size_t place) {
     for (int first = 0; first < lattice_.nodes[0]; ++first, ++place) {
@@ -84,7 +85,8 @@ void LatticeBoundary::balance(LatticeField& forces) const {
 
 void LatticeBoundary::settle(LatticeField& displacement) const {
   if (lattice_.boundary == Boundary::displacement) return;
-  const auto [x, y, z] = displacement.components();
+  const auto components = displacement.components();
+  double *x = components[0], *y = components[1], *z = components[2];
   std::array<double, 3> shift{}, rotation{};
   if (has_corners()) shift = {x[0], y[0], z[0]};
   if (has_corners() && lattice_.boundary == Boundary::traction) {

@@ -3,7 +3,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-constexpr const char* what = "exchanging values between processes";
+constexpr const char* exchanging = "exchanging values between processes";
 
 /// A type of MPI for several numbers.
 class Numbers {
@@ -25,13 +25,13 @@ class Numbers {
 };
 
 void from_owners(PetscSF exchange, MPI_Datatype type, void* values) {
-  check(PetscSFBcastBegin(exchange, type, values, values, MPI_REPLACE), what);
-  check(PetscSFBcastEnd(exchange, type, values, values, MPI_REPLACE), what);
+  check(PetscSFBcastBegin(exchange, type, values, values, MPI_REPLACE), exchanging);
+  check(PetscSFBcastEnd(exchange, type, values, values, MPI_REPLACE), exchanging);
 }
 
 void to_owners(PetscSF exchange, MPI_Datatype type, void* values, MPI_Op operation) {
-  check(PetscSFReduceBegin(exchange, type, values, values, operation), what);
-  check(PetscSFReduceEnd(exchange, type, values, values, operation), what);
+  check(PetscSFReduceBegin(exchange, type, values, values, operation), exchanging);
+  check(PetscSFReduceEnd(exchange, type, values, values, operation), exchanging);
 }
 
 }  // namespace
@@ -45,11 +45,11 @@ SharedValues::SharedValues(int size, const std::vector<Copy>& copies) {
     sources.push_back({.rank = owner, .index = place_at_owner});
   }
   const auto count = static_cast<PetscInt>(copies.size());
-  check(PetscSFCreate(PETSC_COMM_WORLD, exchange_.put()), what);
+  check(PetscSFCreate(PETSC_COMM_WORLD, exchange_.put()), exchanging);
   check(PetscSFSetGraph(exchange_.get(), size, count, places.data(), PETSC_COPY_VALUES, sources.data(),
                         PETSC_COPY_VALUES),
-        what);
-  check(PetscSFSetUp(exchange_.get()), what);
+        exchanging);
+  check(PetscSFSetUp(exchange_.get()), exchanging);
 }
 
 void SharedValues::add_to_owners(std::span<double> values) const {

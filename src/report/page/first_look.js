@@ -95,7 +95,8 @@ export function showWarnings() {
   const list = document.getElementById("warnings");
   list.append(...groups.map((group) => {
     const line = lineOnGroup(group);
-    if (group.texts.length === 1 && line === group.texts[0]) return element("li", {}, line);
+    const isWhole = group.texts.length === 1 && line.endsWith(group.texts[0]);
+    if (isWhole) return element("li", {}, line);
     return element("li", {}, element("details", {}, element("summary", {}, line),
       ...group.texts.map((text) => element("p", {}, text))));
   }));
@@ -141,7 +142,8 @@ export function showModuli(curves) {
   for (const curve of result) {
     columns.push([boundNames[curve.boundary], (time) => modulusText(curve, time)]);
   }
-  const ratios = (reference, time) => result.map((curve) => shortNumber(at(curve, time) / reference, 2)).join(" … ");
+  const ratios = (reference, time) =>
+    [...new Set(result.map((curve) => shortNumber(at(curve, time) / reference, 2)))].join(" … ");
   if (binder !== undefined) {
     columns.push([`over ${binder.name}`, (time) => (hasFlowedAway(binder, time) ? "–" : ratios(binder.at(time), time))]);
   }

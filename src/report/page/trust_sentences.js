@@ -76,6 +76,7 @@ function onSeparation(record, stage) {
   const matrix = matrixStageOf(record, stage);
   const ratio = stage.microstructure.smallest_diameter_m / matrix?.microstructure.largest_diameter_m;
   if (!Number.isFinite(ratio)) return "";
-  return `The stages: the smallest particle of ${stage.name} is ${shortNumber(ratio, 2)} times as large as the ` +
+  const factor = shortNumber(ratio, 2);
+  return `The stages: the smallest particle of ${stage.name} is ${factor === "1" ? "" : `${factor} times `}as large as the ` +
     `largest of its matrix, ${matrix.name}, which the stage takes as uniform. That holds well for ratios above five.`;
 }

@@ -24,13 +24,14 @@ export function groupsOfWarnings(warnings, stageNames) {
 }
 
 /// What the first warning of a group says and what that does to the result, its first two clauses without what stands
-/// in brackets, with the other stages that have one of the same kind.
+/// in brackets, with the stage and the other stages that have one of the same kind.
 export function lineOnGroup({stages, texts}) {
   const [stage, ...others] = [...new Set(stages)];
   const whole = stage === undefined ? texts[0] : texts[0].slice(stage.length + 2);
   const clauses = whole.replace(/ \([^()]*\)/g, "").split("; ").slice(0, 2).join("; ");
   if (stage === undefined) return clauses;
   const isSame = texts.every((text, i) => text.slice(stages[i].length + 2) === whole);
-  if (isSame || others.length === 0) return `${listed([stage, ...others])}: ${clauses}`;
-  return `${stage}: ${clauses}. Likewise ${listed(others)}.`;
+  if (others.length === 0) return `Stage ${stage}: ${clauses}`;
+  if (isSame) return `Stages ${listed([stage, ...others])}: ${clauses}`;
+  return `Stage ${stage}: ${clauses}. Likewise ${listed(others)}.`;
 }

@@ -110,9 +110,9 @@ test("the same warning of several stages stands in one line", () => {
   const groups = groupsOfWarnings(warnings, ["A", "B"]);
   assert.deepEqual(groups.map(({texts}) => texts.length), [1, 2, 1]);
   assert.deepEqual(groups.map(lineOnGroup), ["b: Poisson's ratio is 0.5",
-    "A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B.", "B: only 7 particles"]);
+    "Stage A: the gap, 500 nm, is 0.52 cells wide; the modulus is too high. Likewise B.", "Stage B: only 7 particles"]);
   const same = ["A: few particles (7 of 30); take more; or not", "B: few particles (7 of 30); take more; or not"];
-  assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["A and B: few particles; take more"]);
+  assert.deepEqual(groupsOfWarnings(same, ["A", "B"]).map(lineOnGroup), ["Stages A and B: few particles; take more"]);
 });
 
 test("how far to trust a stage, by what the run knows", () => {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "breccia/discretisation/boundary.hpp"
+#include "breccia/homogenisation/film_estimate.hpp"
+#include "breccia/study/study.hpp"
+
+namespace breccia {
+
+/// What one of several processes takes, each of which has one thread and a core of its own.
+struct ProcessShare {
+  double bytes = 0.0;    ///< memory of the largest process [B]
+  double seconds = 0.0;  ///< wall time [s]
+};
+
+/// Of a quasi-static test of all loads of a stage under one boundary, on a grid with `cells` cells per side: a model of
+/// measured parts (docs/performance.md, "Several processes"). On one process it is quasistatic_memory() and
+/// quasistatic_time().
+ProcessShare quasistatic_share(const Study& study, const Stage& stage, Boundary boundary, int cells, int processes);
+
+/// The same of a test of grains and films.
+ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrains& grains, int processes);
+
+/// Of a dynamic test in so many dimensions that takes so many bytes and seconds on one process and has so many nodes,
+/// all of which each process holds.
+ProcessShare dynamic_share(int dimensions, double bytes, double seconds, double nodes, int processes);
+
+}  // namespace breccia

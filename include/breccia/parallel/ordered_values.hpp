@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+namespace breccia::parallel {
+
+/// Where the values of this process stand in an order of the values of all processes of its group, which together have
+/// one for each place. A value is one number or several.
+struct OrderedPlaces {
+  std::size_t count = 0;                                  ///< of the values of this process
+  std::function<std::size_t(std::size_t)> place_of = {};  ///< of each of them; places rise
+
+  /// Number of the values of this process that stand before a place.
+  [[nodiscard]] std::size_t before(std::size_t place) const;
+};
+
+/// Places that follow one another.
+[[nodiscard]] OrderedPlaces consecutive_places(std::size_t first, std::size_t count);
+
+/// Values are collected in pieces of so many places, so that no process has to hold all of them.
+inline constexpr std::size_t places_of_a_piece = std::size_t{1} << 20U;
+
+/// Calls action(begin, end) for one piece of so many places after the other.
+template <class Action>
+void for_each_piece(std::size_t count, const Action& action) {
+  for (std::size_t begin = 0; begin < count; begin += places_of_a_piece) {
+    action(begin, std::min(count, begin + places_of_a_piece));
+  }
+}
+
+/// Whether this is the process that gets what is collected: the first of the group.
+[[nodiscard]] bool is_collecting() noexcept;
+
+/// Puts the values at the places from `begin` to before `end`, of some bytes each, into their order at `all` on the
+/// first process; on the others `all` is not used.
+void collect_bytes(const std::byte* own, std::size_t bytes_each, const OrderedPlaces& places, std::size_t begin,
+                   std::size_t end, std::byte* all);
+
+/// The values at the places from `begin` to before `end`, in their order, on the first process of the group; nothing on
+/// the others. Every process gives its own values, and calls the function.
+template <class Value>
+[[nodiscard]] std::vector<Value> collect(std::span<const Value> own, const OrderedPlaces& places, std::size_t begin,
+                                         std::size_t end) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  std::vector<Value> all(is_collecting() ? end - begin : 0);
+  collect_bytes(reinterpret_cast<const std::byte*>(own.data()), sizeof(Value), places, begin, end,
+                reinterpret_cast<std::byte*>(all.data()));
+  return all;
+}
+
+}  // namespace breccia::parallel

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "breccia/discretisation/point_fields.hpp"
+#include "breccia/parallel/first_exception.hpp"
+#include "breccia/parallel/ordered_values.hpp"
+
+namespace breccia {
+
+/// Brings fields, of which each process has those of its cells, to the first process in pieces, in the order of the
+/// lattice, so that no process holds all of them. Calls begin() there, then take(place of the first value, piece) for
+/// one piece after the other, then finish(). Every process must call it; what these functions throw is thrown at the
+/// end.
+template <int dim, class Begin, class Take, class Finish>
+void collect_fields(const Grid<dim>& grid, const LatticeFields<dim>& own, const Begin& begin, const Take& take,
+                    const Finish& finish) {
+  parallel::FirstException failure;
+  if (parallel::is_collecting()) failure.run(begin);
+  const auto places = places_of_timed_fields(grid, own.cells);
+  parallel::for_each_piece(size_of_timed_fields(grid), [&](std::size_t first, std::size_t end) {
+    const auto collected = [&](const auto& values) { return parallel::collect(std::span(values), places, first, end); };
+    const LatticeFields<dim> piece = {.cells = own.cells,
+                                      .phase = collected(own.phase),
+                                      .displacement = collected(own.displacement),
+                                      .strain = collected(own.strain),
+                                      .stress = collected(own.stress)};
+    if (parallel::is_collecting()) failure.run([&] { take(first, piece); });
+  });
+  if (parallel::is_collecting()) failure.run(finish);
+  failure.rethrow();
+}
+
+}  // namespace breccia

@@ -1,0 +1,74 @@
+// Under mpirun: the values of a lattice whose rows the processes share out, a part of each row to each process, are
+// collected, written to a state and read from it in the order of the lattice. The last process has none.
+//
+//   ordered_processes DIRECTORY
+
+#include <cstdio>
+#include <filesystem>
+#include <vector>
+
+#include "breccia/checkpoint/state.hpp"
+#include "breccia/parallel/ordered_values.hpp"
+#include "breccia/parallel/session.hpp"
+
+namespace {
+
+namespace parallel = breccia::parallel;
+
+constexpr std::size_t in_row = 7, rows = 200'003;  // more than one piece of values
+
+/// Prints what is wrong unless it holds.
+bool expect(bool holds, const char* wrong) {
+  if (!holds) std::puts(wrong);
+  return holds;
+}
+
+double value_at(std::size_t place) {
+  return 0.5 + static_cast<double>(place);
+}
+
+/// The places of one of the processes that have values: columns of all rows.
+parallel::OrderedPlaces places_of(std::size_t process, std::size_t processes) {
+  const auto first = in_row * process / processes, size = in_row * (process + 1) / processes - first;
+  return {size * rows, [=](std::size_t value) { return value / size * in_row + first + value % size; }};
+}
+
+bool is_whole(const std::vector<double>& values, std::size_t begin) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] != value_at(begin + i)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int, char** arguments) {
+  parallel::start();
+  const auto process = static_cast<std::size_t>(parallel::rank()), all = static_cast<std::size_t>(parallel::ranks());
+  const auto places = process + 1 < all ? places_of(process, all - 1) : parallel::OrderedPlaces();
+  std::vector<double> own;
+  for (std::size_t i = 0; i < places.count; ++i) own.push_back(value_at(places.place_of(i)));
+
+  bool holds = true;
+  std::size_t pieces = 0;
+  parallel::for_each_piece(in_row * rows, [&](std::size_t begin, std::size_t end) {
+    const auto piece = parallel::collect(std::span<const double>(own), places, begin, end);
+    holds = expect(piece.size() == (process == 0 ? end - begin : 0), "a piece has another size") && holds;
+    holds = expect(is_whole(piece, begin), "a piece is not in order") && holds;
+    ++pieces;
+  });
+  holds = expect(pieces == 2, "not as many pieces as meant") && holds;
+
+  const auto path = std::filesystem::path(arguments[1]) / "state.h5";
+  breccia::StateWriter writer(path, {"deck", "version"});
+  writer.write("/values", own, places, in_row * rows);
+  writer.commit();
+  static_cast<void>(parallel::gather({}));  // the first process has written
+  const breccia::StateReader reader(path);
+  std::vector<double> again(own.size());
+  reader.read("/values", again, places, in_row * rows);
+  holds = expect(again == own, "a state gives other values back") && holds;
+  holds = expect(is_whole(reader.numbers("/values"), 0), "a state is not in order") && holds;
+  parallel::stop();
+  return holds ? 0 : 1;
+}
