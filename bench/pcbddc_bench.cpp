@@ -40,10 +40,10 @@ constexpr auto usage =
     "usage: mpirun -n PROCESSES pcbddc_bench substructures|pcbddc DECK SHEAR [KEY=VALUE ...] [-PETSC_OPTION ...]\n"
     "SHEAR is the shear modulus of the matrix [MPa]; KEY=VALUE overrides a setting of the deck.\n";
 
-/// PCBDDC at its best for a high contrast: constraints for all modes of both displacement components beyond the
-/// threshold that Breccia has, deluxe scaling, Cholesky factors by MUMPS.
+/// PCBDDC as it suits a high contrast: constraints from both components of the displacement together, for all modes
+/// beyond a threshold, deluxe scaling, Cholesky factors by MUMPS.
 constexpr auto pcbddc_options =
-    "-pc_bddc_monolithic -pc_bddc_use_deluxe_scaling -pc_bddc_adaptive_threshold 8 "
+    "-pc_bddc_monolithic -pc_bddc_use_deluxe_scaling -pc_bddc_adaptive_threshold 2 "
     "-sub_schurs_mat_solver_type mumps "
     "-pc_bddc_dirichlet_pc_type cholesky -pc_bddc_dirichlet_pc_factor_mat_solver_type mumps "
     "-pc_bddc_neumann_pc_type cholesky -pc_bddc_neumann_pc_factor_mat_solver_type mumps "
