@@ -1,5 +1,7 @@
 #include "solvers/sparse_factors.hpp"
 
+#include <array>
+#include <string>
 #include <string_view>
 
 #include "breccia/parallel/session.hpp"
@@ -27,11 +29,39 @@ Mat factors_of(KSP solver, const char* what) {
 
 /// Whether MUMPS has stopped for want of room that it had not foreseen (Users' guide, section 8).
 bool wants_room(Mat factors, const char* what) {
-  constexpr PetscInt status = 1, too_few_integers = -8, too_few_reals = -9;
+  constexpr PetscInt status = 1, too_few_integers = -8, too_few_reals = -9, too_small_to_send = -17,
+                     too_small_to_receive = -20;
   PetscInt found = 0;
   check(MatMumpsGetInfog(factors, status, &found), what);
-  return found == too_few_integers || found == too_few_reals;
+  return found == too_few_integers || found == too_few_reals || found == too_small_to_send ||
+         found == too_small_to_receive;
 }
+
+/// Gives MUMPS more room than its analysis foresees, as long as this lives. It is an option of PETSc, since one that
+/// the user has set would replace what MatMumpsSetIcntl() says.
+class MoreRoom {
+ public:
+  MoreRoom(PetscInt per_cent, const char* what) {
+    std::array<char, 64> set{};
+    check(PetscOptionsGetString(nullptr, nullptr, name, set.data(), set.size(), &was_set_), what);
+    before_ = set.data();
+    check(PetscOptionsSetValue(nullptr, name, std::to_string(per_cent).c_str()), what);
+  }
+  ~MoreRoom() {
+    if (was_set_ == PETSC_TRUE) {
+      PetscOptionsSetValue(nullptr, name, before_.c_str());
+    } else {
+      PetscOptionsClearValue(nullptr, name);
+    }
+  }
+  MoreRoom(const MoreRoom&) = delete;
+  MoreRoom& operator=(const MoreRoom&) = delete;
+
+ private:
+  static constexpr const char* name = "-mat_mumps_icntl_14";  // in per cent
+  PetscBool was_set_ = PETSC_FALSE;
+  std::string before_;
+};
 
 /// Throws the factors away, and the analysis with them.
 void begin_anew(KSP solver, const char* what) {
@@ -46,14 +76,14 @@ void begin_anew(KSP solver, const char* what) {
 }  // namespace
 
 void set_up_with_room(KSP solver, const char* what) {
-  constexpr PetscInt more_room = 14, first_per_cent = 50, most_per_cent = 2000;
+  constexpr PetscInt first_per_cent = 50, most_per_cent = 2000;
   Mat factors = factors_of(solver, what);
   check(KSPSetUp(solver), what);
   for (PetscInt per_cent = first_per_cent; factors != nullptr && per_cent <= most_per_cent; per_cent *= 2) {
     if (!wants_room(factors, what)) return;
     begin_anew(solver, what);
+    const MoreRoom room(per_cent, what);
     factors = factors_of(solver, what);
-    check(MatMumpsSetIcntl(factors, more_room, per_cent), what);
     check(KSPSetUp(solver), what);
   }
 }
