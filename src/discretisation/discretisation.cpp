@@ -12,14 +12,37 @@
 namespace breccia {
 
 template <int dim>
-Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase) : grid_(grid) {
+Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, const CellLayers& layers)
+    : grid_(grid), range_(grid.cells_of(layers)) {
   if (std::ranges::min(grid.cells) < 1 || !(grid.cell_side > 0.0)) {
     throw InputError(fmt::format("discretisation: expected at least one cell of positive side, got {} cells of {} m",
                                  fmt::join(grid.cells, " x "), grid.cell_side));
   }
+  first_ = grid.cell_index(range_.begin);
+  count_ = Grid<dim>{.cells = range_.size()}.cell_count();
   CellPhases<dim> cell{};
   cell.fill(phase);
-  cells_ = std::make_shared<std::vector<CellPhases<dim>>>(grid.cell_count(), cell);
+  auto cells = std::make_shared<CellPhases<dim>[]>(count_, cell);
+  own_ = cells.get();
+  cells_ = std::move(cells);
+}
+
+template <int dim>
+Discretisation<dim>::Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells,
+                                    std::vector<Mixture> mixtures, PhaseIndex first_mixture)
+    : grid_(grid),
+      range_(grid.all_cells()),
+      count_(grid.cell_count()),
+      cells_(std::move(cells)),
+      mixtures_(std::move(mixtures)),
+      first_mixture_(first_mixture) {}
+
+template <int dim>
+void Discretisation<dim>::take_own_cells() {
+  auto cells = std::make_shared<CellPhases<dim>[]>(count_);
+  std::ranges::copy(this->cells(), cells.get());
+  own_ = cells.get();
+  cells_ = std::move(cells);
 }
 
 template <int dim>
@@ -33,17 +56,18 @@ Vector<dim> Discretisation<dim>::position(const Index<dim>& cell, int point) con
 
 template <int dim>
 void Discretisation<dim>::paint(const Ball<dim>& ball, PhaseIndex phase) {
-  const auto cell_of = [&](double x, int count) {
-    return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(count)));
-  };
-  Index<dim> begin{}, end{};
-  for (std::size_t axis = 0; axis < begin.size(); ++axis) {
+  auto near = range_;
+  for (std::size_t axis = 0; axis < near.begin.size(); ++axis) {
+    const auto cell_of = [&](double x) {
+      return static_cast<int>(
+          std::clamp(x, static_cast<double>(range_.begin[axis]), static_cast<double>(range_.end[axis])));
+    };
     const double centre = ball.centre[axis], radius = 0.5 * ball.diameter;
-    begin[axis] = cell_of(std::floor((centre - radius) / grid_.cell_side), grid_.cells[axis]);
-    end[axis] = cell_of(std::floor((centre + radius) / grid_.cell_side) + 1.0, grid_.cells[axis]);
+    near.begin[axis] = cell_of(std::floor((centre - radius) / grid_.cell_side));
+    near.end[axis] = cell_of(std::floor((centre + radius) / grid_.cell_side) + 1.0);
   }
   paint_range(
-      begin, end, [&](const Vector<dim>& point) { return ball.contains(point); }, phase);
+      near, [&](const Vector<dim>& point) { return ball.contains(point); }, phase);
 }
 
 template <int dim>
@@ -61,18 +85,24 @@ PhaseIndex Discretisation<dim>::add_mixture(Mixture mixture, std::size_t phases)
 }
 
 template <int dim>
-std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
-  std::vector<double> fractions(count, 0.0);
+std::vector<double> Discretisation<dim>::points_by_phase(std::size_t count) const {
+  std::vector<double> points(count, 0.0);
   for (const auto& cell : cells()) {
     for (const auto phase : cell) {
       if (phase == no_phase) continue;
       if (const auto* mixture = this->mixture(phase); mixture != nullptr && phase >= count) {
-        for (const auto& part : *mixture) fractions.at(part.phase) += part.fraction;
+        for (const auto& part : *mixture) points.at(part.phase) += part.fraction;
       } else {
-        fractions.at(phase) += 1.0;
+        points.at(phase) += 1.0;
       }
     }
   }
+  return points;
+}
+
+template <int dim>
+std::vector<double> Discretisation<dim>::fractions(std::size_t count) const {
+  auto fractions = points_by_phase(count);
   for (auto& fraction : fractions) fraction /= static_cast<double>(points());
   return fractions;
 }
@@ -113,7 +143,7 @@ void require_phases_in_cells(std::string_view calculation, const Discretisation<
 
 template <int dim>
 Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
-                               std::span<const ParticlePhases> particles) {
+                               std::span<const ParticlePhases> particles, const CellLayers& layers) {
   const auto count = microstructure.particles.size();
   if (particles.size() != count) {
     throw InputError(
@@ -121,7 +151,7 @@ Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int ce
   }
   Grid<dim> grid{.cell_side = microstructure.side / cells};
   grid.cells.fill(cells);
-  Discretisation<dim> discretisation(grid, matrix);
+  Discretisation<dim> discretisation(grid, matrix, layers);
   for_each_image(microstructure, [&](std::size_t particle, const Ball<dim>& ball) {
     const auto& [phase, coating, thickness] = particles[particle];
     if (thickness > 0.0) discretisation.paint({ball.centre, ball.diameter + 2.0 * thickness}, coating);
@@ -157,8 +187,10 @@ template void require_phases(std::string_view, const Discretisation<2>&, std::si
 template void require_phases(std::string_view, const Discretisation<3>&, std::size_t);
 template void require_phases_in_cells(std::string_view, const Discretisation<2>&, std::size_t);
 template void require_phases_in_cells(std::string_view, const Discretisation<3>&, std::size_t);
-template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const ParticlePhases>);
-template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const ParticlePhases>);
+template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const ParticlePhases>,
+                                      const CellLayers&);
+template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const ParticlePhases>,
+                                      const CellLayers&);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<3> discretise(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>);
 template Discretisation<2> discretise(const Microstructure<2>&, int, PhaseIndex, PhaseIndex);

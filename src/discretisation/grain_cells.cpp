@@ -16,18 +16,19 @@
 namespace breccia {
 namespace {
 
-/// Adds the shares of the cells of a grid that grains cover.
+/// Adds the shares of the cells of a range of a grid that grains cover.
 template <int dim>
 class GrainShares {
  public:
-  GrainShares(const Grid<dim>& grid, Walls walls) : grid_(grid), walls_(walls), shares_(grid.cell_count(), 0.0) {
+  GrainShares(const Grid<dim>& grid, const IndexRange<dim>& range, Walls walls)
+      : grid_(grid), range_(range), walls_(walls), shares_(Grid<dim>{.cells = range.size()}.cell_count(), 0.0) {
     for (std::size_t axis = 0; axis < dim; ++axis) {
       lower_[axis] = -0.5 * grid.cell_side;
       upper_[axis] = 0.5 * grid.cell_side;
     }
   }
 
-  [[nodiscard]] const std::vector<double>& shares() const noexcept { return shares_; }
+  [[nodiscard]] double of(const Index<dim>& cell) const noexcept { return shares_[range_.place_of(cell)]; }
 
   /// Adds a grain that is seen from a position in the box [m]. In a periodic box it may reach beyond the sides.
   void add(const ConvexCell<dim>& grain, const Vector<dim>& position) {
@@ -45,8 +46,10 @@ class GrainShares {
       end[axis] = std::min(end[axis], grid_.cells[axis]);
     }
     for_each_index(begin, end, [&](const Index<dim>& cell) {
+      const auto place = in_box(cell);
+      if (!range_.contains(place)) return;
       const double share = share_of(grain.half_spaces(), cell, position);
-      if (share > 0.0) shares_[grid_.cell_index(in_box(cell))] += share;
+      if (share > 0.0) shares_[range_.place_of(place)] += share;
     });
   }
 
@@ -81,6 +84,7 @@ class GrainShares {
   }
 
   Grid<dim> grid_;
+  IndexRange<dim> range_;
   Walls walls_;
   std::vector<double> shares_;
   std::vector<HalfSpace<dim>> crossing_;  // the half-spaces whose planes cross a cell, seen from its centre
@@ -91,7 +95,7 @@ class GrainShares {
 
 template <int dim>
 Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, double film, int cells, PhaseIndex matrix,
-                                     PhaseIndex grains, std::size_t phases) {
+                                     PhaseIndex grains, std::size_t phases, const CellLayers& layers) {
   if (std::max(matrix, grains) >= phases) {
     throw InputError(fmt::format("discretisation: a phase has the number {}, counted from 0, but there are only {}",
                                  std::max(matrix, grains), phases));
@@ -102,8 +106,9 @@ Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, doub
   }
   Grid<dim> grid{.cell_side = tessellation.side() / cells};
   grid.cells.fill(cells);
-  Discretisation<dim> discretisation(grid, matrix);
-  GrainShares<dim> covered(grid, tessellation.walls());
+  Discretisation<dim> discretisation(grid, matrix, layers);
+  const auto& range = discretisation.range();
+  GrainShares<dim> covered(grid, range, tessellation.walls());
   for (std::size_t site = 0; site < tessellation.size(); ++site) {
     auto grain = tessellation.grain(site, film);
     grain.trim();
@@ -112,8 +117,8 @@ Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, doub
   MixtureNumbers<dim> numbers(discretisation, phases);
   constexpr std::int64_t whole = std::int64_t{1} << 40;  // units of a cell, far smaller than the steps of mixtures
   std::vector<std::int64_t> units(phases, 0);
-  grid.for_each_cell([&](const Index<dim>& cell) {
-    const double share = std::min(1.0, covered.shares()[grid.cell_index(cell)]);
+  for_each_index(range.begin, range.end, [&](const Index<dim>& cell) {
+    const double share = std::min(1.0, covered.of(cell));
     units[grains] = std::llround(share * static_cast<double>(whole));
     units[matrix] = whole - units[grains];
     numbers.fill(cell, rounded_content(units));
@@ -121,7 +126,9 @@ Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, doub
   return discretisation;
 }
 
-template Discretisation<2> discretise_mixed(const Tessellation<2>&, double, int, PhaseIndex, PhaseIndex, std::size_t);
-template Discretisation<3> discretise_mixed(const Tessellation<3>&, double, int, PhaseIndex, PhaseIndex, std::size_t);
+template Discretisation<2> discretise_mixed(const Tessellation<2>&, double, int, PhaseIndex, PhaseIndex, std::size_t,
+                                            const CellLayers&);
+template Discretisation<3> discretise_mixed(const Tessellation<3>&, double, int, PhaseIndex, PhaseIndex, std::size_t,
+                                            const CellLayers&);
 
 }  // namespace breccia

@@ -86,10 +86,10 @@ void add_volumes(const LabelImage<dim>& image, std::span<const PhaseIndex> phase
 }  // namespace
 
 template <int dim>
-Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image,
-                               std::span<const PhaseIndex> phases) {
+Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image, std::span<const PhaseIndex> phases,
+                               const CellLayers& layers) {
   require_phases_of_labels(image, phases);
-  Discretisation<dim> discretisation(grid);
+  Discretisation<dim> discretisation(grid, 0, layers);
   std::array<std::vector<std::int64_t>, static_cast<std::size_t>(dim)> pixels;
   for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
     pixels[axis] = pixels_of_points(grid.cells[axis], image.pixels[axis]);
@@ -108,19 +108,21 @@ Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& ima
 
 template <int dim>
 Discretisation<dim> discretise_mixed(const Grid<dim>& grid, const LabelImage<dim>& image,
-                                     std::span<const PhaseIndex> phases, std::size_t phase_count) {
+                                     std::span<const PhaseIndex> phases, std::size_t phase_count,
+                                     const CellLayers& layers) {
   require_phases_of_labels(image, phases);
   if (std::ranges::any_of(phases, [&](PhaseIndex phase) { return phase >= phase_count; })) {
     throw InputError(fmt::format("discretisation: a label has a phase beyond the {} that there are", phase_count));
   }
-  Discretisation<dim> discretisation(grid);
+  Discretisation<dim> discretisation(grid, 0, layers);
   MixtureNumbers<dim> numbers(discretisation, phase_count);
   std::array<std::vector<std::vector<PixelShare>>, static_cast<std::size_t>(dim)> pixels;
   for (std::size_t axis = 0; axis < pixels.size(); ++axis) {
     pixels[axis] = pixels_of_cells(grid.cells[axis], image.pixels[axis]);
   }
   std::vector<std::int64_t> volumes(phase_count);
-  grid.for_each_cell([&](const Index<dim>& cell) {
+  const auto& [begin, end] = discretisation.range();
+  for_each_index(begin, end, [&](const Index<dim>& cell) {
     PixelsOfCell<dim> along;
     for (std::size_t axis = 0; axis < along.size(); ++axis) {
       along[axis] = pixels[axis][static_cast<std::size_t>(cell[axis])];
@@ -132,11 +134,13 @@ Discretisation<dim> discretise_mixed(const Grid<dim>& grid, const LabelImage<dim
   return discretisation;
 }
 
-template Discretisation<2> discretise(const Grid<2>&, const LabelImage<2>&, std::span<const PhaseIndex>);
-template Discretisation<3> discretise(const Grid<3>&, const LabelImage<3>&, std::span<const PhaseIndex>);
+template Discretisation<2> discretise(const Grid<2>&, const LabelImage<2>&, std::span<const PhaseIndex>,
+                                      const CellLayers&);
+template Discretisation<3> discretise(const Grid<3>&, const LabelImage<3>&, std::span<const PhaseIndex>,
+                                      const CellLayers&);
 template Discretisation<2> discretise_mixed(const Grid<2>&, const LabelImage<2>&, std::span<const PhaseIndex>,
-                                            std::size_t);
+                                            std::size_t, const CellLayers&);
 template Discretisation<3> discretise_mixed(const Grid<3>&, const LabelImage<3>&, std::span<const PhaseIndex>,
-                                            std::size_t);
+                                            std::size_t, const CellLayers&);
 
 }  // namespace breccia

@@ -64,11 +64,13 @@ class PartCounter {
 };
 
 template <int dim>
-Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const Labelling<dim>& labelling, std::size_t phases) {
-  Discretisation<dim> discretisation(grid);
+Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const Labelling<dim>& labelling, std::size_t phases,
+                                   const CellLayers& layers) {
+  Discretisation<dim> discretisation(grid, 0, layers);
   MixtureNumbers<dim> numbers(discretisation, phases);
   PartCounter<dim> parts(labelling, phases);
-  grid.for_each_cell([&](const Index<dim>& cell) {
+  const auto& [begin, end] = discretisation.range();
+  for_each_index(begin, end, [&](const Index<dim>& cell) {
     Vector<dim> corner{};
     for (std::size_t axis = 0; axis < corner.size(); ++axis) corner[axis] = cell[axis] * grid.cell_side;
     numbers.fill(cell, rounded_content(parts.count(corner, grid.cell_side)));
@@ -79,21 +81,23 @@ Discretisation<dim> mixed_cells_of(const Grid<dim>& grid, const Labelling<dim>& 
 }  // namespace
 
 template <int dim>
-Discretisation<dim> discretise(const Grid<dim>& grid, const Labelling<dim>& labelling) {
-  Discretisation<dim> discretisation(grid);
+Discretisation<dim> discretise(const Grid<dim>& grid, const Labelling<dim>& labelling, const CellLayers& layers) {
+  Discretisation<dim> discretisation(grid, 0, layers);
   discretisation.label([&](const Vector<dim>& position) { return labelling(position).phase; });
   return discretisation;
 }
 
-Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labelling, std::size_t phases) {
-  return mixed_cells_of(grid, labelling, phases);
+Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labelling, std::size_t phases,
+                                   const CellLayers& layers) {
+  return mixed_cells_of(grid, labelling, phases, layers);
 }
 
-Discretisation<3> discretise_mixed(const Grid<3>& grid, const Labelling<3>& labelling, std::size_t phases) {
-  return mixed_cells_of(grid, labelling, phases);
+Discretisation<3> discretise_mixed(const Grid<3>& grid, const Labelling<3>& labelling, std::size_t phases,
+                                   const CellLayers& layers) {
+  return mixed_cells_of(grid, labelling, phases, layers);
 }
 
-template Discretisation<2> discretise(const Grid<2>&, const Labelling<2>&);
-template Discretisation<3> discretise(const Grid<3>&, const Labelling<3>&);
+template Discretisation<2> discretise(const Grid<2>&, const Labelling<2>&, const CellLayers&);
+template Discretisation<3> discretise(const Grid<3>&, const Labelling<3>&, const CellLayers&);
 
 }  // namespace breccia

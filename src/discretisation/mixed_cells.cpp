@@ -58,6 +58,7 @@ double covered_share(const Shell<dim>& shell, const Vector<dim>& lower, const Ve
 template <int dim>
 void cover(const Shell<dim>& shell, Discretisation<dim>& discretisation, std::vector<Cover>& covers) {
   const auto& grid = discretisation.grid();
+  const auto& range = discretisation.range();
   constexpr double rounding = 1e-9;
   const double h = grid.cell_side, radius = 0.5 * shell.outer.diameter;
   Index<dim> begin{}, end{};
@@ -67,8 +68,8 @@ void cover(const Shell<dim>& shell, Discretisation<dim>& discretisation, std::ve
     const auto cell_of = [&](double x) {
       return static_cast<int>(std::clamp(std::floor(x / h), 0.0, static_cast<double>(grid.cells[axis])));
     };
-    begin[axis] = cell_of(lowest);
-    end[axis] = std::min(cell_of(highest) + 1, grid.cells[axis]);
+    begin[axis] = std::max(cell_of(lowest), range.begin[axis]);
+    end[axis] = std::min(cell_of(highest) + 1, range.end[axis]);
   }
   for_each_index(begin, end, [&](const Index<dim>& cell) {
     Vector<dim> lower{}, upper{};
@@ -125,7 +126,8 @@ void require_known(PhaseIndex matrix, std::span<const ParticlePhases> particles,
 
 template <int dim>
 Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
-                                     std::span<const ParticlePhases> particles, std::size_t phases) {
+                                     std::span<const ParticlePhases> particles, std::size_t phases,
+                                     const CellLayers& layers) {
   if (particles.size() != microstructure.particles.size()) {
     throw InputError(fmt::format("discretisation: expected a phase for each of {} particles, got {}",
                                  microstructure.particles.size(), particles.size()));
@@ -133,7 +135,7 @@ Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, 
   require_known(matrix, particles, phases);
   Grid<dim> grid{.cell_side = microstructure.side / cells};
   grid.cells.fill(cells);
-  Discretisation<dim> discretisation(grid, matrix);
+  Discretisation<dim> discretisation(grid, matrix, layers);
   std::vector<Cover> covers;
   for_each_image(microstructure, [&](std::size_t particle, const Ball<dim>& ball) {
     const auto& [phase, coating, thickness] = particles[particle];
@@ -164,9 +166,9 @@ Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, 
 }
 
 template Discretisation<2> discretise_mixed(const Microstructure<2>&, int, PhaseIndex, std::span<const ParticlePhases>,
-                                            std::size_t);
+                                            std::size_t, const CellLayers&);
 template Discretisation<3> discretise_mixed(const Microstructure<3>&, int, PhaseIndex, std::span<const ParticlePhases>,
-                                            std::size_t);
+                                            std::size_t, const CellLayers&);
 template Discretisation<2> discretise_mixed(const Microstructure<2>&, int, PhaseIndex, std::span<const PhaseIndex>,
                                             std::size_t);
 template Discretisation<3> discretise_mixed(const Microstructure<3>&, int, PhaseIndex, std::span<const PhaseIndex>,

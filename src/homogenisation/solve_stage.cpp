@@ -49,8 +49,8 @@ class StageSolution {
  private:
   void run_on_grids(int threads) {
     for (const int cells : stage_.grids()) {
-      const StageGrid grid{&study_, &stage_, discretise(stage_, done_.microstructure, cells, study_.tests.mixing),
-                           threads};
+      const StageGrid grid{&study_, &stage_,
+                           discretise_together(stage_, done_.microstructure, cells, study_.tests.mixing), threads};
       for (const auto boundary : study_.tests.boundaries) {
         for (const auto method : study_.tests.methods) run(grid, boundary, method);
       }
@@ -105,7 +105,7 @@ void pack_stage(const Study& study, const Stage& stage, const StudyObserver& obs
     if (observer.packing) observer.packing(stage, progress);
   };
   auto microstructure = make_microstructure(stage, follow, checkpoint.get());
-  result.stages.push_back(packed_stage(study, stage, std::move(microstructure)));
+  result.stages.push_back(packed_stage_together(study, stage, std::move(microstructure)));
   sink.packed(stage, result);
   if (observer.packed) observer.packed(stage, result.stages.back());
 }

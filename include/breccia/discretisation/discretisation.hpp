@@ -20,23 +20,30 @@ template <int dim>
 using CellPhases = std::array<PhaseIndex, std::size_t{1} << dim>;
 
 /// A microstructure on a grid: the phase of every material point. The points of a mixed cell all have the number of its
-/// mixture in place of a phase. Copies share the phases of their points until one of them is changed.
+/// mixture in place of a phase. Copies share the phases of their points until one of them is changed. It may have some
+/// layers of cells only, which are joined with those of other processes (joined_discretisation.hpp).
 template <int dim>
 class Discretisation {
  public:
   static constexpr int points_per_cell = 1 << dim;
 
   /// All points of one phase. Throws InputError when the grid has no cells or no size.
-  explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0);
+  explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0, const CellLayers& layers = {});
+
+  /// Cells in memory that others may read, too, all of them in the order of the grid; the first of the mixtures has the
+  /// number `first_mixture`.
+  Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells, std::vector<Mixture> mixtures,
+                 PhaseIndex first_mixture);
 
   [[nodiscard]] const Grid<dim>& grid() const noexcept { return grid_; }
+  /// The cells that it has.
+  [[nodiscard]] const IndexRange<dim>& range() const noexcept { return range_; }
   [[nodiscard]] std::size_t points() const noexcept { return cells().size() * points_per_cell; }
 
-  /// Phases of the points of a cell.
-  [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept {
-    return cells()[grid_.cell_index(cell)];
-  }
-  [[nodiscard]] const std::vector<CellPhases<dim>>& cells() const noexcept { return *cells_; }
+  /// Phases of the points of a cell that it has.
+  [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept { return cells_.get()[place_of(cell)]; }
+  /// Phases of the points of all cells that it has, in the order of the grid.
+  [[nodiscard]] std::span<const CellPhases<dim>> cells() const noexcept { return {cells_.get(), count_}; }
 
   /// Position of a point of a cell [m].
   [[nodiscard]] Vector<dim> position(const Index<dim>& cell, int point) const noexcept;
@@ -44,15 +51,15 @@ class Discretisation {
   /// Gives a phase to all points for which inside(position [m]) holds.
   template <std::predicate<const Vector<dim>&> Inside>
   void paint(Inside&& inside, PhaseIndex phase) {
-    paint_range(Index<dim>{}, grid_.cells, inside, phase);
+    paint_range(range_, inside, phase);
   }
 
   /// Gives every point the phase that phase_at(its position [m]) returns.
   template <class PhaseAt>
   void label(PhaseAt&& phase_at) {
-    auto& cells = own_cells();
-    grid_.for_each_cell([&](const Index<dim>& cell) {
-      auto& phases = cells[grid_.cell_index(cell)];
+    auto* cells = own_cells();
+    for_each_index(range_.begin, range_.end, [&](const Index<dim>& cell) {
+      auto& phases = cells[place_of(cell)];
       for (int p = 0; p < points_per_cell; ++p) phases[static_cast<std::size_t>(p)] = phase_at(position(cell, p));
     });
   }
@@ -60,44 +67,56 @@ class Discretisation {
   /// Gives a phase to all points in a ball.
   void paint(const Ball<dim>& ball, PhaseIndex phase);
 
-  /// Gives a phase, or a mixture, to all points of a cell.
-  void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[grid_.cell_index(cell)].fill(phase); }
+  /// Gives a phase, or a mixture, to all points of a cell that it has.
+  void fill(const Index<dim>& cell, PhaseIndex phase) { own_cells()[place_of(cell)].fill(phase); }
 
   /// Adds a mixture, and returns the number that stands for it in place of that of a phase; `phases` is the number of
   /// phases, which the numbers of the mixtures follow. Throws InputError when there is no number left.
   PhaseIndex add_mixture(Mixture mixture, std::size_t phases);
   [[nodiscard]] const std::vector<Mixture>& mixtures() const noexcept { return mixtures_; }
+  /// The number of the first mixture; no_phase without any.
+  [[nodiscard]] PhaseIndex first_mixture() const noexcept { return first_mixture_; }
   /// The mixture that a number stands for; null for the number of a phase and for no_phase.
   [[nodiscard]] const Mixture* mixture(PhaseIndex number) const noexcept {
     if (number < first_mixture_ || number >= first_mixture_ + mixtures_.size()) return nullptr;
     return &mixtures_[static_cast<std::size_t>(number - first_mixture_)];
   }
 
-  /// Share of the box that each of the phases 0 .. count - 1 has, by points and by the fractions of mixed cells. A
-  /// mixture whose number is among them has a share of its own. Throws std::out_of_range for another phase; see
-  /// require_phases().
+  /// Points of each of the phases 0 .. count - 1, those of mixed cells by the fractions of the mixture: exact where
+  /// these are multiples of 1 / mixture_steps. A mixture whose number is among them has points of its own. Throws
+  /// std::out_of_range for another phase; see require_phases().
+  [[nodiscard]] std::vector<double> points_by_phase(std::size_t count) const;
+  /// The same as shares of all points [-].
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
   template <class Inside>
-  void paint_range(const Index<dim>& begin, const Index<dim>& end, Inside&& inside, PhaseIndex phase) {
-    auto& cells = own_cells();
-    for_each_index(begin, end, [&](const Index<dim>& cell) {
-      auto& phases = cells[grid_.cell_index(cell)];
+  void paint_range(const IndexRange<dim>& range, Inside&& inside, PhaseIndex phase) {
+    auto* cells = own_cells();
+    for_each_index(range.begin, range.end, [&](const Index<dim>& cell) {
+      auto& phases = cells[place_of(cell)];
       for (int p = 0; p < points_per_cell; ++p) {
         if (inside(position(cell, p))) phases[static_cast<std::size_t>(p)] = phase;
       }
     });
   }
 
+  /// The place of a cell in the list of those that it has: layers of the grid follow one another in its list of cells.
+  [[nodiscard]] std::size_t place_of(const Index<dim>& cell) const noexcept { return grid_.cell_index(cell) - first_; }
+
   /// The phases of the points, to be changed: those of this object alone.
-  [[nodiscard]] std::vector<CellPhases<dim>>& own_cells() {
-    if (cells_.use_count() > 1) cells_ = std::make_shared<std::vector<CellPhases<dim>>>(*cells_);
-    return *cells_;
+  [[nodiscard]] CellPhases<dim>* own_cells() {
+    if (own_ == nullptr || cells_.use_count() > 1) take_own_cells();
+    return own_;
   }
+  void take_own_cells();
 
   Grid<dim> grid_;
-  std::shared_ptr<std::vector<CellPhases<dim>>> cells_;
+  IndexRange<dim> range_;
+  std::size_t first_ = 0;  ///< place of the first of its cells among all of the grid
+  std::size_t count_ = 0;
+  std::shared_ptr<const CellPhases<dim>[]> cells_;
+  CellPhases<dim>* own_ = nullptr;  ///< the same, if it is memory that may be changed
   std::vector<Mixture> mixtures_;
   PhaseIndex first_mixture_ = no_phase;  ///< the number of the first mixture
 };
@@ -129,7 +148,7 @@ struct ParticlePhases {
 /// Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Microstructure<dim>& microstructure, int cells, PhaseIndex matrix,
-                                             std::span<const ParticlePhases> particles);
+                                             std::span<const ParticlePhases> particles, const CellLayers& layers = {});
 
 /// The same without coatings.
 template <int dim>

@@ -14,6 +14,7 @@ namespace breccia {
 /// has no thickness of 0 or more. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Tessellation<dim>& tessellation, double film, int cells,
-                                                   PhaseIndex matrix, PhaseIndex grains, std::size_t phases);
+                                                   PhaseIndex matrix, PhaseIndex grains, std::size_t phases,
+                                                   const CellLayers& layers = {});
 
 }  // namespace breccia

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "breccia/microstructure/index.hpp"
 #include "breccia/microstructure/vector.hpp"
 
 namespace breccia {
+
+/// Layers of cells [begin, end), rows in two dimensions and planes across z in three; all of them by default.
+struct CellLayers {
+  int begin = 0;
+  int end = std::numeric_limits<int>::max();
+};
 
 /// Square or cubic cells that fill the box [0, cells[0] * cell_side] x [0, cells[1] * cell_side] (x ...). Lists of
 /// cells, nodes and points begin at the corner with the lowest coordinates; the first axis runs fastest.
@@ -28,6 +36,13 @@ struct Grid {
   }
 
   [[nodiscard]] IndexRange<dim> all_cells() const noexcept { return {{}, cells}; }
+  /// The cells of those layers that the grid has.
+  [[nodiscard]] IndexRange<dim> cells_of(const CellLayers& layers) const noexcept {
+    auto range = all_cells();
+    range.begin.back() = std::clamp(layers.begin, 0, cells.back());
+    range.end.back() = std::clamp(layers.end, range.begin.back(), cells.back());
+    return range;
+  }
 
   /// Places in lists of cells or nodes.
   [[nodiscard]] std::size_t cell_index(const Index<dim>& cell) const noexcept { return place(cell, cells, 0); }

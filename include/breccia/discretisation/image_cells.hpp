@@ -17,7 +17,7 @@ namespace breccia {
 /// coordinate. Instantiated for 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise(const Grid<dim>& grid, const LabelImage<dim>& image,
-                                             std::span<const PhaseIndex> phases);
+                                             std::span<const PhaseIndex> phases, const CellLayers& layers = {});
 
 /// The same in two dimensions, for arguments in braces, from which these cannot be deduced.
 [[nodiscard]] inline Discretisation<2> discretise(const Grid<2>& grid, const LabelImage<2>& image,
@@ -31,6 +31,7 @@ template <int dim>
 /// 2 and 3 dimensions.
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Grid<dim>& grid, const LabelImage<dim>& image,
-                                                   std::span<const PhaseIndex> phases, std::size_t phase_count);
+                                                   std::span<const PhaseIndex> phases, std::size_t phase_count,
+                                                   const CellLayers& layers = {});
 
 }  // namespace breccia

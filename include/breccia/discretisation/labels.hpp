@@ -19,9 +19,11 @@ struct PhaseAt {
 template <int dim>
 using Labelling = std::function<PhaseAt(const Vector<dim>& position)>;
 
-/// The points of a microstructure: every point has the phase at its place. Instantiated for 2 and 3 dimensions.
+/// The points of a microstructure in some layers of cells: every point has the phase at its place. Instantiated for 2
+/// and 3 dimensions.
 template <int dim>
-[[nodiscard]] Discretisation<dim> discretise(const Grid<dim>& grid, const Labelling<dim>& labelling);
+[[nodiscard]] Discretisation<dim> discretise(const Grid<dim>& grid, const Labelling<dim>& labelling,
+                                             const CellLayers& layers = {});
 
 /// Parts of a square cell along each axis, at whose centres mixed cells of a labelling ask for its phases.
 inline constexpr int label_subdivisions = 32;
@@ -33,9 +35,9 @@ inline constexpr int cube_label_subdivisions = 8;
 /// in the mean square and by less than 1/32 at most, those of a flat one in 3D by 0.003 and 1/8. Then they are rounded
 /// to multiples of 1 / mixture_steps. `phases` is the number of phases, which the numbers of the mixtures follow.
 /// Throws InputError when a phase is beyond that number, or when there are more mixtures than a PhaseIndex can number.
-[[nodiscard]] Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labelling,
-                                                 std::size_t phases);
-[[nodiscard]] Discretisation<3> discretise_mixed(const Grid<3>& grid, const Labelling<3>& labelling,
-                                                 std::size_t phases);
+[[nodiscard]] Discretisation<2> discretise_mixed(const Grid<2>& grid, const Labelling<2>& labelling, std::size_t phases,
+                                                 const CellLayers& layers = {});
+[[nodiscard]] Discretisation<3> discretise_mixed(const Grid<3>& grid, const Labelling<3>& labelling, std::size_t phases,
+                                                 const CellLayers& layers = {});
 
 }  // namespace breccia

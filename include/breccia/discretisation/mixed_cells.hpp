@@ -23,7 +23,7 @@ inline constexpr int mixture_steps = 64;
 template <int dim>
 [[nodiscard]] Discretisation<dim> discretise_mixed(const Microstructure<dim>& microstructure, int cells,
                                                    PhaseIndex matrix, std::span<const ParticlePhases> particles,
-                                                   std::size_t phases);
+                                                   std::size_t phases, const CellLayers& layers = {});
 
 /// The same without coatings.
 template <int dim>

@@ -24,14 +24,22 @@ std::vector<Material> materials_of(const Stage& stage, const Material& matrix);
 /// The material points of a stage, in the dimensions of its box.
 using StageDiscretisation = std::variant<Discretisation<2>, Discretisation<3>>;
 
-/// The material points of a stage with these particles, on `cells` cells along each side of its box. The points have
-/// the phases of the stage (phases_of), and those of cells that an interface crosses are as `mixing` says. Throws
-/// InputError when a particle belongs to no filler of the stage. Instantiated for 2 and 3 dimensions.
+/// The material points of a stage with these particles, on `cells` cells along each side of its box, or those in some
+/// layers of the cells. The points have the phases of the stage (phases_of), and those of cells that an interface
+/// crosses are as `mixing` says. Throws InputError when a particle belongs to no filler of the stage. Instantiated for
+/// 2 and 3 dimensions.
 template <int dim>
-Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells, Mixing mixing);
+Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells, Mixing mixing,
+                               const CellLayers& layers = {});
 
 /// The same for the particles, the grains or the pixels that the stage has.
-StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing);
+StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
+                               const CellLayers& layers = {});
+
+/// The same, made by all processes of each machine together, which has it in its memory once. Every process of the
+/// group must call it.
+StageDiscretisation discretise_together(const Stage& stage, const StageMicrostructure& packed, int cells,
+                                        Mixing mixing);
 
 /// Share of each of so many phases [-].
 std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases);

@@ -1,0 +1,119 @@
+#include "breccia/parallel/machine.hpp"
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "breccia/parallel/communicator.hpp"
+#include "breccia/parallel/session.hpp"
+
+namespace breccia::parallel {
+namespace {
+
+constexpr int first = 0;
+
+/// An open file that is closed at the end.
+class OpenFile {
+ public:
+  explicit OpenFile(int descriptor) noexcept : descriptor_(descriptor) {}
+  ~OpenFile() {
+    if (is_open()) close(descriptor_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+
+  [[nodiscard]] bool is_open() const noexcept { return descriptor_ >= 0; }
+  [[nodiscard]] int descriptor() const noexcept { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// What a file is known by on this machine, whatever its name: process and descriptor, device and number.
+using FileIdentity = std::array<std::int64_t, 4>;
+
+FileIdentity identity_of(int descriptor) {
+  struct stat status {};
+  if (descriptor < 0 || fstat(descriptor, &status) != 0) return {};
+  return {getpid(), descriptor, static_cast<std::int64_t>(status.st_dev), static_cast<std::int64_t>(status.st_ino)};
+}
+
+/// A file in memory of so many bytes, without a name; -1 where there is none.
+int file_in_memory(std::size_t bytes) {
+  const int descriptor = memfd_create("breccia", MFD_CLOEXEC);
+  if (descriptor >= 0 && ftruncate(descriptor, static_cast<off_t>(bytes)) != 0) {
+    close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+/// The file of another process; -1 where the system does not allow it, or where its processes have other numbers here.
+int file_of_other(const FileIdentity& identity) {
+  const auto& [process, number, device, inode] = identity;
+  if (process == 0) return -1;
+  const auto path = "/proc/" + std::to_string(process) + "/fd/" + std::to_string(number);
+  const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  const auto found = identity_of(descriptor);
+  if (descriptor >= 0 && (found[2] != device || found[3] != inode)) {
+    close(descriptor);
+    return -1;
+  }
+  return descriptor;
+}
+
+bool agree(bool is_well) {
+  int all = is_well ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, machine_communicator());
+  return all == 1;
+}
+
+}  // namespace
+
+MPI_Comm machine_communicator() {
+  static const MPI_Comm machine = [] {
+    if (!is_under_mpirun()) return MPI_COMM_SELF;
+    start();
+    MPI_Comm found = MPI_COMM_NULL;
+    MPI_Comm_split_type(communicator(), MPI_COMM_TYPE_SHARED, rank(), MPI_INFO_NULL, &found);
+    return found;
+  }();
+  return machine;
+}
+
+int rank_on_machine() {
+  if (!is_under_mpirun()) return 0;
+  int rank = 0;
+  MPI_Comm_rank(machine_communicator(), &rank);
+  return rank;
+}
+
+int ranks_on_machine() {
+  if (!is_under_mpirun()) return 1;
+  int ranks = 1;
+  MPI_Comm_size(machine_communicator(), &ranks);
+  return ranks;
+}
+
+std::shared_ptr<std::byte> common_memory(std::size_t bytes) {
+  const bool is_first = rank_on_machine() == first;
+  const OpenFile made(is_first ? file_in_memory(bytes) : -1);
+  auto identity = identity_of(made.descriptor());
+  MPI_Bcast(identity.data(), static_cast<int>(identity.size()), MPI_INT64_T, first, machine_communicator());
+  const OpenFile opened(is_first ? -1 : file_of_other(identity));
+  const int file = is_first ? made.descriptor() : opened.descriptor();
+  void* memory = file < 0 ? MAP_FAILED : mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  // The first process keeps its file open until all have it.
+  const bool is_common = agree(memory != MAP_FAILED);
+  if (memory == MAP_FAILED) return nullptr;
+  std::shared_ptr<std::byte> common(static_cast<std::byte*>(memory),
+                                    [bytes](std::byte* mapped) { munmap(mapped, bytes); });
+  return is_common ? common : nullptr;
+}
+
+}  // namespace breccia::parallel

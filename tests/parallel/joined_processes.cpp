@@ -1,0 +1,97 @@
+// Under mpirun: processes that make layers of a microstructure together get the bits that one makes alone, in memory
+// that they have in common and, where there is none, each in its own.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <span>
+
+#include <mpi.h>
+
+#include "breccia/discretisation/joined_discretisation.hpp"
+#include "breccia/discretisation/labels.hpp"
+#include "breccia/discretisation/mixed_cells.hpp"
+#include "breccia/parallel/communicator.hpp"
+#include "breccia/parallel/machine.hpp"
+#include "breccia/parallel/session.hpp"
+
+namespace {
+
+namespace parallel = breccia::parallel;
+using breccia::CellLayers;
+using breccia::Discretisation;
+
+/// Prints what is wrong unless it holds.
+bool expect(bool holds, const char* wrong) {
+  if (!holds) std::puts(wrong);
+  return holds;
+}
+
+template <int dim>
+bool are_equal(const Discretisation<dim>& one, const Discretisation<dim>& other) {
+  return std::ranges::equal(one.cells(), other.cells()) && one.mixtures() == other.mixtures() &&
+         one.first_mixture() == other.first_mixture();
+}
+
+/// Whether the parts that the processes make are the whole that each makes.
+template <int dim, class Make>
+bool is_joined(int layers, const Make& make) {
+  const auto own = breccia::layers_of_part(layers, parallel::rank_on_machine(), parallel::ranks_on_machine());
+  return are_equal<dim>(breccia::joined_on_machine<dim>(make(own), 2), make(CellLayers{}));
+}
+
+bool memory_is_common() {
+  const auto rank = static_cast<std::size_t>(parallel::rank_on_machine());
+  const auto ranks = static_cast<std::size_t>(parallel::ranks_on_machine());
+  const auto memory = parallel::common_memory(ranks);
+  if (memory == nullptr) return false;
+  memory.get()[rank] = static_cast<std::byte>(rank + 1);
+  MPI_Barrier(parallel::machine_communicator());
+  for (std::size_t other = 0; other < ranks; ++other) {
+    if (memory.get()[other] != static_cast<std::byte>(other + 1)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+int main() {
+  parallel::start();
+  const std::array<breccia::PhaseIndex, 2> phases = {1, 1};
+  const breccia::Microstructure<2> discs = {1.0, breccia::Walls::periodic, {{{0.05, 0.9}, 0.5}, {{0.52, 0.41}, 0.37}}};
+  const breccia::Microstructure<3> spheres = {
+      1.0, breccia::Walls::periodic, {{{0.05, 0.9, 0.98}, 0.5}, {{0.52, 0.41, 0.43}, 0.37}}};
+  const auto of_particles = breccia::without_coatings(phases);
+  const std::span<const breccia::ParticlePhases> particles(of_particles);
+  const auto in_wave = [](const breccia::Vector<2>& place) {
+    return breccia::PhaseAt{static_cast<breccia::PhaseIndex>(std::sin(9.0 * place[0] + 7.0 * place[1]) > 0.3)};
+  };
+  const breccia::Grid<2> grid = {{31, 30}, 1.0 / 30};
+
+  bool holds = expect(memory_is_common(), "the processes have no memory in common");
+  holds =
+      expect(is_joined<2>(
+                 40, [&](const CellLayers& layers) { return discretise_mixed(discs, 40, 0, particles, 2, layers); }),
+             "mixed cells of discs are others") &&
+      holds;
+  holds = expect(is_joined<2>(
+                     2, [&](const CellLayers& layers) { return discretise_mixed(discs, 2, 0, particles, 2, layers); }),
+                 "mixed cells are others where a process has none") &&
+          holds;
+  holds =
+      expect(is_joined<3>(
+                 12, [&](const CellLayers& layers) { return discretise_mixed(spheres, 12, 0, particles, 2, layers); }),
+             "mixed cells of spheres are others") &&
+      holds;
+  holds =
+      expect(is_joined<3>(12, [&](const CellLayers& layers) { return discretise(spheres, 12, 0, particles, layers); }),
+             "points of spheres are others") &&
+      holds;
+  holds = expect(is_joined<2>(30, [&](const CellLayers& layers) { return discretise_mixed(grid, in_wave, 2, layers); }),
+                 "mixed cells of a labelling are others") &&
+          holds;
+  parallel::stop();
+  return holds ? 0 : 1;
+}
