@@ -103,6 +103,11 @@ target_compile_options(breccia_test_options INTERFACE
 # breccia_test(<room> SOURCES <file>...): the unit tests of one room.
 function(breccia_test room)
   cmake_parse_arguments(test "" "" "SOURCES;LIBRARIES" ${ARGN})
+  file(GLOB beside RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *_test.cpp)
+  list(REMOVE_ITEM beside ${test_SOURCES})
+  if(beside)
+    message(FATAL_ERROR "tests that nothing would compile, in ${CMAKE_CURRENT_SOURCE_DIR}: ${beside}")
+  endif()
   add_executable(${room}_test ${test_SOURCES})
   target_include_directories(${room}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${room}_test PRIVATE
