@@ -74,8 +74,10 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells, i
   const double seconds = static_cast<double>(points) * static_cast<double>(steps) / speed;
   text += fmt::format("    together {} steps, about {} at {:.0f} million points x steps/s here\n", steps,
                       display_duration(seconds), speed / 1e6);
-  const double nodes = std::pow(cells + 1.0, dim);
-  return {text, seconds, bytes, dynamic_share(dim, bytes, seconds, nodes, processes)};
+  // Every process runs the whole of the classical formulation.
+  const bool is_shared = test.options.formulation == Formulation::total_lagrangian;
+  return {text, seconds, bytes,
+          is_shared ? dynamic_share(dim, cells, bytes, seconds, processes) : ProcessShare{bytes, seconds}};
 }
 
 Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells, int processes) {

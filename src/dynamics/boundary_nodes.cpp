@@ -7,7 +7,7 @@
 
 #include "breccia/error.hpp"
 
-#include "nodal_masses.hpp"
+#include "nodal_mass.hpp"
 
 namespace breccia::dynamics {
 namespace {
@@ -92,14 +92,14 @@ template <int dim>
 void require_points_under_traction(const DynamicProblem<dim>& problem) {
   if (problem.boundary != Boundary::traction || problem.traction == Stress<dim>{}) return;
   const auto& grid = problem.discretisation.grid();
-  const auto masses = nodal_masses(problem);
-  grid.for_each_node([&](const Index<dim>& node) {
-    if (!is_on_boundary(grid, node) || masses[grid.node_index(node)] > 0.0) return;
+  const auto require_mass = [&](const Index<dim>& node) {
+    if (nodal_mass(problem, node) > 0.0) return;
     Vector<dim> position{};
     for (std::size_t axis = 0; axis < node.size(); ++axis) position[axis] = node[axis] * grid.cell_side;
     throw InputError(fmt::format("dynamic run: a traction acts at ({:.4g}) m, where the box has no points",
                                  fmt::join(position, ", ")));
-  });
+  };
+  for (int layer = 0; layer <= grid.cells.back(); ++layer) for_boundary_nodes(grid, layer, require_mass);
 }
 
 #define BRECCIA_INSTANTIATE(dim)                                                                   \

@@ -116,21 +116,16 @@ void LayerExchange<dim>::finish(const LayerForces<dim>& highest, const LayerForc
 template <int dim>
 void LayerExchange<dim>::gather_node_layers(std::span<double> values) const {
   if (ranks_ == 1) return;
+  const int per_layer = static_cast<int>(values.size()) / (layers_ + 1);
   std::vector<int> counts, begins;
   for (int rank = 0; rank < ranks_; ++rank) {
     // The highest layer of nodes goes with the last process.
     const int end = rank + 1 < ranks_ ? first_of(rank + 1) : layers_ + 1;
-    begins.push_back(first_of(rank));
-    counts.push_back(end - first_of(rank));
+    begins.push_back(per_layer * first_of(rank));
+    counts.push_back(per_layer * (end - first_of(rank)));
   }
-  // MPI counts in 32 bits, and a list may have more values than that: it is passed in whole layers.
-  const auto per_layer = values.size() / static_cast<std::size_t>(layers_ + 1);
-  MPI_Datatype layer = MPI_DATATYPE_NULL;
-  MPI_Type_contiguous(static_cast<int>(per_layer), MPI_DOUBLE, &layer);
-  MPI_Type_commit(&layer);
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), layer,
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, values.data(), counts.data(), begins.data(), MPI_DOUBLE,
                  parallel::communicator());
-  MPI_Type_free(&layer);
 }
 
 template <int dim>

@@ -32,6 +32,8 @@ class LayerExchange {
   /// Layers of cells [first, end).
   [[nodiscard]] int first() const noexcept { return first_of(rank_); }
   [[nodiscard]] int end() const noexcept { return first_of(rank_ + 1); }
+  /// Layers of nodes [first, end_of_nodes): the layer between two processes counts as one of the upper process.
+  [[nodiscard]] int end_of_nodes() const noexcept { return end() == layers_ ? layers_ + 1 : end(); }
   [[nodiscard]] bool has_neighbours() const noexcept { return wraps_ || ranks_ > 1; }
 
   /// Starts to send the forces on the lowest nodes to the process below, and to receive those of both neighbours.
@@ -42,8 +44,8 @@ class LayerExchange {
   /// On a side where there is no neighbour nothing is written.
   void finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below, const LayerForces<dim>& from_above);
 
-  /// Completes a list that has the same number of values for each layer of nodes on every process. Before the call each
-  /// process has the values of its own layers.
+  /// Completes a short list that has the same number of values for each layer of nodes on every process. Before the
+  /// call each process has the values of its own layers.
   void gather_node_layers(std::span<double> values) const;
 
   /// The place in an order of the values of all processes, one process after the other, of which this process has

@@ -8,6 +8,18 @@
 #include "step_times.hpp"
 
 namespace breccia::dynamics {
+namespace {
+
+/// Layers of nodes below and above the layers of cells [first_layer, end_layer). Where the highest of them is the image
+/// of the lowest of the box, that one as well.
+template <int dim>
+HeldLayers held_layers(const DynamicProblem<dim>& problem, int first_layer, int end_layer) {
+  const bool has_image =
+      problem.boundary == Boundary::periodic && end_layer == problem.discretisation.grid().cells.back();
+  return {.first = first_layer, .end = end_layer + 1, .lowest = has_image && first_layer > 0 ? 1 : 0};
+}
+
+}  // namespace
 
 template <int dim>
 LayerStep<dim>::LayerStep(const DynamicProblem<dim>& problem, InstructionSet instructions, int first_layer,
@@ -15,7 +27,7 @@ LayerStep<dim>::LayerStep(const DynamicProblem<dim>& problem, InstructionSet ins
     : problem_(&problem),
       kernels_(&kernels<dim>(instructions)),
       layout_(problem, first_layer, end_layer),
-      nodes_(problem.discretisation.grid()) {}
+      nodes_(problem.discretisation.grid(), held_layers(problem, first_layer, end_layer)) {}
 
 template <int dim>
 void LayerStep<dim>::find_row_forces(const CellRow<dim>& row) const {

@@ -5,15 +5,23 @@
 #include <span>
 
 #include "breccia/discretisation/grid.hpp"
+#include "breccia/parallel/ordered_values.hpp"
 
 #include "aligned_vector.hpp"
 #include "cell_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
-/// The unknowns of the total-lagrangian formulation, one row of nodes along x after the other: for each the components
-/// of the displacement, those of its increment in the last step, and dt^2 h^(dim - 2) / m. Rows are filled up to whole
-/// blocks of the kernel. A layer of nodes is one row in 2 dimensions, and the rows of a plane across z in 3.
+/// Layers of nodes that a process holds.
+struct HeldLayers {
+  int first = 0, end = 0;  ///< [first, end): those of its layers of cells, below and above them
+  int lowest = 0;          ///< and [0, lowest): the lowest of the box, if it is held apart from the others
+};
+
+/// The unknowns of the total-lagrangian formulation that a process holds, one row of nodes along x after the other: for
+/// each the components of the displacement, those of its increment in the last step, and dt^2 h^(dim - 2) / m. Rows are
+/// filled up to whole blocks of the kernel, and have the numbers that they have in the whole grid. A layer of nodes is
+/// one row in 2 dimensions, and the rows of a plane across z in 3.
 template <int dim>
 class NodeRows {
  public:
@@ -40,10 +48,18 @@ class NodeRows {
     return length_of_row(grid) * static_cast<std::size_t>(rows_of_layer(grid));
   }
 
-  explicit NodeRows(const Grid<dim>& grid)
+  NodeRows(const Grid<dim>& grid, const HeldLayers& held)
       : stride_(length_of_row(grid)),
         rows_of_layer_(rows_of_layer(grid)),
-        values_(length_of_layer(grid) * fields * static_cast<std::size_t>(grid.cells.back() + 1), 0.0) {}
+        held_(held),
+        values_(values_of_layer() * static_cast<std::size_t>(held.lowest + held.end - held.first), 0.0) {}
+
+  /// Calls action(layer) for the layers held, from the lowest to the highest.
+  template <class Action>
+  void for_each_layer(Action&& action) const {
+    for (int layer = 0; layer < held_.lowest; ++layer) action(layer);
+    for (int layer = held_.first; layer < held_.end; ++layer) action(layer);
+  }
 
   /// Nodes that a row holds.
   [[nodiscard]] std::size_t stride() const noexcept { return stride_; }
@@ -65,15 +81,29 @@ class NodeRows {
     return components<const double>(*this, row, dim);
   }
 
-  /// All layers, the same number of values for each.
+  /// All layers held, from the lowest to the highest, the same number of values for each.
   [[nodiscard]] std::span<double> values() noexcept { return values_; }
-  [[nodiscard]] std::span<const double> values() const noexcept { return values_; }
+  /// Those of the layers [first, end) of nodes.
+  [[nodiscard]] std::span<const double> values(int first, int end) const noexcept {
+    return std::span(values_).subspan(begin(first * rows_of_layer_, 0),
+                                      static_cast<std::size_t>(end - first) * values_of_layer());
+  }
+  [[nodiscard]] std::size_t values_of_layer() const noexcept { return layer_size() * fields; }
+  /// Places of the values held among those of all layers of the grid.
+  [[nodiscard]] parallel::OrderedPlaces places() const {
+    const auto lowest = values_of_layer() * static_cast<std::size_t>(held_.lowest);
+    const auto left_out = values_of_layer() * static_cast<std::size_t>(held_.first - held_.lowest);
+    return {values_.size(), [=](std::size_t i) { return i < lowest ? i : i + left_out; }};
+  }
+  [[nodiscard]] std::size_t bytes() const noexcept { return values_.size() * sizeof(double); }
 
  private:
   static constexpr std::size_t fields = 2 * dim + 1;
 
   [[nodiscard]] std::size_t begin(int row, std::size_t which) const noexcept {
-    return (static_cast<std::size_t>(row) * fields + which) * stride_;
+    const int lowest_rows = held_.lowest * rows_of_layer_, left_out = (held_.first - held_.lowest) * rows_of_layer_;
+    const int place = row < lowest_rows ? row : row - left_out;
+    return (static_cast<std::size_t>(place) * fields + which) * stride_;
   }
   template <class Value, class Rows>
   static Components<Value> components(Rows& rows, int row, std::size_t first) noexcept {
@@ -84,6 +114,7 @@ class NodeRows {
 
   std::size_t stride_;
   int rows_of_layer_;
+  HeldLayers held_;
   AlignedVector values_;
 };
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "boundary_nodes.hpp"
-#include "nodal_masses.hpp"
+#include "nodal_mass.hpp"
 
 namespace breccia::dynamics {
 
@@ -13,18 +13,18 @@ TotalLagrangian<dim>::TotalLagrangian(DynamicProblem<dim> given, int threads, In
     : DynamicSolver<dim>(std::move(given)),
       exchange_(problem().discretisation.grid(), problem().boundary == Boundary::periodic),
       layers_(problem(), instructions, exchange_.first(), exchange_.end()),
-      masses_(nodal_masses(problem())),
       schedule_(layers_, exchange_, threads) {
   const auto& grid = problem().discretisation.grid();
   const double squared_step = problem().time_step * problem().time_step;
   // The forces of the kernel are divided by h^(dim - 2).
   const double numerator = times_power<dim - 2>(squared_step, grid.cell_side);
   auto& nodes = layers_.nodes();
-  grid.for_each_node([&](const Index<dim>& node) {
-    const double mass = masses_[grid.node_index(node)];
+  const auto set_step_over_mass = [&](const Index<dim>& node) {
+    const double mass = nodal_mass(problem(), node);
     nodes.step_over_mass(nodes.row_of(node))[node[0]] =
         is_prescribed(problem(), node) || mass == 0.0 ? 0.0 : numerator / mass;
-  });
+  };
+  nodes.for_each_layer([&](int layer) { for_nodes_of_layer(grid, layer, set_step_over_mass); });
 }
 
 template <int dim>
@@ -32,7 +32,7 @@ void TotalLagrangian<dim>::set_velocities(const VelocityField& velocity) {
   const auto& grid = problem().discretisation.grid();
   const bool wraps = problem().boundary == Boundary::periodic;
   auto& nodes = layers_.nodes();
-  grid.for_each_node([&](const Index<dim>& node) {
+  const auto set_increment = [&](const Index<dim>& node) {
     if (is_prescribed(problem(), node)) return;
     Vector<dim> position{};
     for (std::size_t axis = 0; axis < position.size(); ++axis) {
@@ -42,7 +42,8 @@ void TotalLagrangian<dim>::set_velocities(const VelocityField& velocity) {
     const auto v = velocity(position);
     const auto increment = nodes.increment(nodes.row_of(node));
     for (std::size_t i = 0; i < v.size(); ++i) increment[i][node[0]] = problem().time_step * v[i];
-  });
+  };
+  nodes.for_each_layer([&](int layer) { for_nodes_of_layer(grid, layer, set_increment); });
 }
 
 template <int dim>

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
@@ -35,12 +35,14 @@ class TotalLagrangian final : public DynamicSolver<dim> {
   [[nodiscard]] Vector<dim> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  void fetch_nodes() const;
+  /// Calls action(node) for the nodes of this process: each node is one of one process.
+  template <class Action>
+  void for_own_nodes(Action&& action) const;
+  [[nodiscard]] std::size_t values_of_all_nodes() const;
   void set_fields_of_cell(LatticeFields<dim>& fields, const Index<dim>& cell) const;
 
   LayerExchange<dim> exchange_;
-  mutable LayerStep<dim> layers_;  ///< its nodes of other processes are fetched when they are asked for
-  std::vector<double> masses_;
+  LayerStep<dim> layers_;
   BandSchedule<dim> schedule_;
 };
 

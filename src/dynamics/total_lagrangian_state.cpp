@@ -1,15 +1,17 @@
 // The state of a run: memory, momentum, energy, fields and checkpoints. The steps are in layer_step.cpp.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
-#include <vector>
+#include <limits>
+#include <span>
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/parallel/ordered_values.hpp"
+#include "breccia/parallel/reduction.hpp"
 
 #include "boundary_nodes.hpp"
+#include "nodal_mass.hpp"
 #include "total_lagrangian.hpp"
 
 namespace breccia::dynamics {
@@ -126,55 +128,59 @@ Footprint TotalLagrangian<dim>::footprint() const {
   const auto& nodes = layers_.nodes();
   const auto& layout = layers_.layout();
   return {.held = problem().discretisation.cells().size() * sizeof(CellPhases<dim>) + layout.material_bytes() +
-                  layout.history_bytes() + (nodes.values().size() + masses_.size()) * sizeof(double) +
-                  schedule_.bytes(),
+                  layout.history_bytes() + nodes.bytes() + schedule_.bytes(),
           .moved_per_step = layers * nodes.layer_size() * fields_moved * sizeof(double) + layout.material_bytes() +
                             2 * layout.history_bytes()};
 }
 
 template <int dim>
-void TotalLagrangian<dim>::fetch_nodes() const {
-  exchange_.gather_node_layers(layers_.nodes().values());
+template <class Action>
+void TotalLagrangian<dim>::for_own_nodes(Action&& action) const {
+  for (int layer = exchange_.first(); layer < exchange_.end_of_nodes(); ++layer) {
+    for_nodes_of_layer(problem().discretisation.grid(), layer, action);
+  }
 }
 
 template <int dim>
 Vector<dim> TotalLagrangian<dim>::momentum() const {
-  fetch_nodes();
-  const auto& grid = problem().discretisation.grid();
-  Vector<dim> sum{};
-  const auto& nodes = std::as_const(layers_).nodes();
-  grid.for_each_node([&](const Index<dim>& node) {
-    if (is_image(problem(), node)) return;
-    const auto increment = nodes.increment(nodes.row_of(node));
-    const double mass = masses_[grid.node_index(node)];
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += mass * increment[i][node[0]] / problem().time_step;
+  Vector<dim> momentum{};
+  const auto& nodes = layers_.nodes();
+  parallel::sum_in_order(momentum, [&](std::span<double> sums) {
+    for_own_nodes([&](const Index<dim>& node) {
+      if (is_image(problem(), node)) return;
+      const auto increment = nodes.increment(nodes.row_of(node));
+      const double mass = nodal_mass(problem(), node);
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += mass * increment[i][node[0]] / problem().time_step;
+    });
   });
-  return sum;
+  return momentum;
 }
 
 template <int dim>
 Energy TotalLagrangian<dim>::energy() const {
   require_elastic();
-  fetch_nodes();
   const auto& grid = problem().discretisation.grid();
-  const auto& nodes = std::as_const(layers_).nodes();
-  Energy energy;
-  grid.for_each_node([&](const Index<dim>& node) {
-    if (is_image(problem(), node)) return;
-    double squared = 0.0;
-    for (const double* increment : nodes.increment(nodes.row_of(node))) {
-      const double velocity = increment[node[0]] / problem().time_step;
-      squared += velocity * velocity;
-    }
-    energy.kinetic += 0.5 * masses_[grid.node_index(node)] * squared;
+  const auto& nodes = layers_.nodes();
+  const auto cells = own_layers(grid);
+  std::array<double, 2> kinetic_and_strain{};
+  parallel::sum_in_order(kinetic_and_strain, [&](std::span<double> sums) {
+    for_own_nodes([&](const Index<dim>& node) {
+      if (is_image(problem(), node)) return;
+      double squared = 0.0;
+      for (const double* increment : nodes.increment(nodes.row_of(node))) {
+        const double velocity = increment[node[0]] / problem().time_step;
+        squared += velocity * velocity;
+      }
+      sums[0] += 0.5 * nodal_mass(problem(), node) * squared;
+    });
+    for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
+      const typename CellShape<dim>::Values u = cell_displacements(nodes, cell);
+      const typename CellShape<dim>::Values du = cell_increments(nodes, cell);
+      const auto stiffness = CellShape<dim>::stiffness(elastic_moduli(problem(), cell), problem().volumetric);
+      sums[1] += times_power<dim - 2>(0.5 * u.dot(stiffness * (u - du)), grid.cell_side);
+    });
   });
-  grid.for_each_cell([&](const Index<dim>& cell) {
-    const typename CellShape<dim>::Values u = cell_displacements(nodes, cell);
-    const typename CellShape<dim>::Values du = cell_increments(nodes, cell);
-    const auto stiffness = CellShape<dim>::stiffness(elastic_moduli(problem(), cell), problem().volumetric);
-    energy.strain += times_power<dim - 2>(0.5 * u.dot(stiffness * (u - du)), grid.cell_side);
-  });
-  return energy;
+  return {.kinetic = kinetic_and_strain[0], .strain = kinetic_and_strain[1]};
 }
 
 template <int dim>
@@ -182,7 +188,7 @@ void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const 
   using Shape = CellShape<dim>;
   const auto& discretisation = problem().discretisation;
   const auto& grid = discretisation.grid();
-  const auto& nodes = std::as_const(layers_).nodes();
+  const auto& nodes = layers_.nodes();
   const typename Shape::Values u = cell_displacements(nodes, cell);
   for (int p = 0; p < Shape::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
@@ -217,41 +223,54 @@ LatticeFields<dim> TotalLagrangian<dim>::fields() const {
 
 template <int dim>
 Vector<dim> TotalLagrangian<dim>::most_moved() const {
-  fetch_nodes();
-  const auto& grid = problem().discretisation.grid();
-  const auto& nodes = std::as_const(layers_).nodes();
+  const auto& nodes = layers_.nodes();
   Vector<dim> place{};
   double most = 0.0;
-  grid.for_each_node([&](const Index<dim>& node) {
+  for_own_nodes([&](const Index<dim>& node) {
     double moved = 0.0;
     for (const double* increment : nodes.increment(nodes.row_of(node))) moved = std::hypot(moved, increment[node[0]]);
-    if (moved <= most || !std::isfinite(most)) return;
+    // The first that is no number any more has moved most.
+    if (!std::isfinite(moved)) moved = std::numeric_limits<double>::infinity();
+    if (moved <= most) return;
     most = moved;
-    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] = node[axis] * grid.cell_side;
+    for (std::size_t axis = 0; axis < place.size(); ++axis) {
+      place[axis] = node[axis] * problem().discretisation.grid().cell_side;
+    }
   });
+  const bool is_here = parallel::is_first_largest(most);
+  for (double& along : place) along = parallel::sum(is_here ? along : 0.0);
   return place;
+}
+
+/// Number of the values of all layers of nodes of the box.
+template <int dim>
+std::size_t TotalLagrangian<dim>::values_of_all_nodes() const {
+  const auto layers = static_cast<std::size_t>(problem().discretisation.grid().cells.back() + 1);
+  return layers * layers_.nodes().values_of_layer();
 }
 
 template <int dim>
 void TotalLagrangian<dim>::save_arrays(StateWriter& state, const std::string& group) const {
-  fetch_nodes();
-  state.write(group + "/nodes", std::as_const(layers_).nodes().values());
-  const auto history = std::as_const(layers_).layout().history();
+  const auto& nodes = layers_.nodes();
+  const auto first = static_cast<std::size_t>(exchange_.first()) * nodes.values_of_layer();
+  const auto own = nodes.values(exchange_.first(), exchange_.end_of_nodes());
+  state.write(group + "/nodes", own, parallel::consecutive_places(first, own.size()), values_of_all_nodes());
+  const auto history = layers_.layout().history();
   const auto [places, count] = exchange_.place_of(history.size());
   state.write(group + "/history", history, places, count);
 }
 
 template <int dim>
 void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::string& group) {
-  const auto nodes = layers_.nodes().values();
-  std::ranges::copy(state.numbers(group + "/nodes", nodes.size()), nodes.begin());
+  // A layer of nodes that several processes hold is read by each of them.
+  auto& nodes = layers_.nodes();
+  state.read(group + "/nodes", nodes.values(), nodes.places(), values_of_all_nodes());
   const auto history = layers_.layout().history();
   const auto [places, count] = exchange_.place_of(history.size());
   state.read(group + "/history", history, places, count);
 }
 
 template Footprint TotalLagrangian<2>::footprint() const;
-template void TotalLagrangian<2>::fetch_nodes() const;
 template void TotalLagrangian<2>::set_fields_of_cell(LatticeFields<2>&, const Index<2>&) const;
 template Vector<2> TotalLagrangian<2>::momentum() const;
 template Energy TotalLagrangian<2>::energy() const;
@@ -260,7 +279,6 @@ template Vector<2> TotalLagrangian<2>::most_moved() const;
 template void TotalLagrangian<2>::save_arrays(StateWriter&, const std::string&) const;
 template void TotalLagrangian<2>::restore_arrays(const StateReader&, const std::string&);
 template Footprint TotalLagrangian<3>::footprint() const;
-template void TotalLagrangian<3>::fetch_nodes() const;
 template void TotalLagrangian<3>::set_fields_of_cell(LatticeFields<3>&, const Index<3>&) const;
 template Vector<3> TotalLagrangian<3>::momentum() const;
 template Energy TotalLagrangian<3>::energy() const;

@@ -72,10 +72,14 @@ ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrai
           seconds * (1.0 - share_of_time + share_of_time / speed_of_factors(processes))};
 }
 
-ProcessShare dynamic_share(int dimensions, double bytes, double seconds, double nodes, int processes) {
-  // Displacement, increment, step over mass, and mass.
-  const double of_nodes = std::min(bytes, nodes * static_cast<double>(2 * dimensions + 2) * sizeof(double));
-  return {of_nodes + (bytes - of_nodes) / processes, seconds / processes};
+ProcessShare dynamic_share(int dimensions, int cells, double bytes, double seconds, int processes) {
+  // Every process has the phases of all points: those of the stage, of the test and of its run.
+  constexpr double copies = 3.0;
+  const double labels = copies * std::pow(2.0 * cells, dimensions) * sizeof(PhaseIndex);
+  // And one layer of nodes more than of cells, with displacement, increment and step over mass.
+  const double layer = std::pow(cells + 1.0, dimensions - 1) * (2.0 * dimensions + 1.0) * sizeof(double);
+  const double of_each = std::min(bytes, labels + layer);
+  return {of_each + (bytes - of_each) / processes, seconds / processes};
 }
 
 }  // namespace breccia

@@ -38,7 +38,7 @@ std::size_t memory_of(const DynamicTest<2>& test, const Grid<2>& grid, std::size
   const auto nodes = grid.node_count();
   const std::size_t results = points * sizeof(double) * 9;
   if (test.options.formulation == Formulation::classical) return results + points * (180 + 24 * terms) + nodes * 72;
-  return results + nodes * 6 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
+  return results + nodes * 5 * sizeof(double) + points / 4 * (8 + 5 * sizeof(double) * terms);
 }
 
 std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size_t terms) {
@@ -49,7 +49,7 @@ std::size_t memory_of(const DynamicTest<3>& test, const Grid<3>& grid, std::size
   const std::size_t rest = points * 3 * sizeof(PhaseIndex) +
                            cells * test.field_times.size() * (sizeof(PhaseIndex) + numbers_of_fields * sizeof(double));
   if (test.options.formulation == Formulation::classical) return rest + points * (280 + 48 * terms) + nodes * 112;
-  return rest + nodes * 8 * sizeof(double) + cells * (8 + 18 * sizeof(double) * terms);
+  return rest + nodes * 7 * sizeof(double) + cells * (8 + 18 * sizeof(double) * terms);
 }
 
 /// The window of a domain that is used. A domain that is valid earlier than expected is used from the expected time on,

@@ -11,7 +11,7 @@
 
 #include "materials.hpp"
 #include "messages.hpp"
-#include "nodal_masses.hpp"
+#include "nodal_mass.hpp"
 
 namespace breccia {
 namespace {
@@ -44,7 +44,8 @@ TEST(StrainRamp, RefusesANegativeDuration) {
 /// Highest frequency of a free body [rad/s], from the assembled matrices.
 double highest_frequency(const DynamicProblem<2>& problem) {
   const auto& grid = problem.discretisation.grid();
-  const auto masses = dynamics::nodal_masses(problem);
+  std::vector<double> masses;
+  grid.for_each_node([&](const Index<2>& node) { masses.push_back(dynamics::nodal_mass(problem, node)); });
   const auto size = static_cast<Eigen::Index>(2 * masses.size());
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size);
   for (int row = 0; row < grid.rows(); ++row) {

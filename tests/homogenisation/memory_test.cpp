@@ -171,12 +171,12 @@ TEST(Memory, OfTheDynamicMethodIsFoundWithoutItsGrid) {
               testing::ElementsAre(testing::HasSubstr("A: 131072 x 131072 cells take about ")));
 }
 
-// 18 numbers for each cell of a cube and term of the matrix, 8 for each node, and the phases of the points.
+// 18 numbers for each cell of a cube and term of the matrix, 7 for each node, and the phases of the points.
 TEST(Memory, OfTheDynamicMethodInCubesIsThatOfItsHistories) {
   auto study = study_of(400, {Method::dynamic});
   study.stages.front().dimensions = 3;
   EXPECT_THAT(lacking_memory(study, 1e9),
-              testing::ElementsAre(testing::MatchesRegex("A: 400 x 400 x 400 cells take about 26.* GB by the dynamic "
+              testing::ElementsAre(testing::MatchesRegex("A: 400 x 400 x 400 cells take about 25.6 GB by the dynamic "
                                                          "method, and 1 GB are left; cells = 13[0-9] would fit")));
 }
 

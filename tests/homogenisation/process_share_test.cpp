@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/discretisation/phase.hpp"
 #include "breccia/homogenisation/memory.hpp"
 #include "breccia/homogenisation/quasistatic_time.hpp"
 
@@ -62,10 +63,12 @@ TEST(ProcessShare, FallsWithTheNumberOfProcesses) {
   EXPECT_GT(last.seconds, quasistatic_time(study, stage, Boundary::periodic, 4000) / 1024) << "the coarse problem";
 }
 
-TEST(ProcessShare, OfADynamicTestHasAllNodes) {
-  const auto [bytes, seconds] = dynamic_share(2, 1e9, 100.0, 1e6, 10);
-  EXPECT_DOUBLE_EQ(bytes, 48e6 + (1e9 - 48e6) / 10.0);
+TEST(ProcessShare, OfADynamicTestHasAllLabelsAndALayerOfNodesMoreThanOfCells) {
+  const auto [bytes, seconds] = dynamic_share(2, 999, 1e9, 100.0, 10);
+  const double of_each = 3.0 * 1998.0 * 1998.0 * sizeof(PhaseIndex) + 1000.0 * 5.0 * sizeof(double);
+  EXPECT_DOUBLE_EQ(bytes, of_each + (1e9 - of_each) / 10.0);
   EXPECT_DOUBLE_EQ(seconds, 10.0);
+  EXPECT_DOUBLE_EQ(dynamic_share(3, 50, 1e9, 100.0, 1).bytes, 1e9);
 }
 
 }  // namespace

@@ -1,14 +1,17 @@
 // Under mpirun: the values of a lattice whose rows the processes share out, a part of each row to each process, are
-// collected, written to a state and read from it in the order of the lattice. The last process has none.
+// collected, written to a state and read from it in the order of the lattice. The last process has none. Sums are taken
+// in the order of the processes, and the first that has the largest value is found.
 //
 //   ordered_processes DIRECTORY
 
 #include <cstdio>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "breccia/checkpoint/state.hpp"
 #include "breccia/parallel/ordered_values.hpp"
+#include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/session.hpp"
 
 namespace {
@@ -40,6 +43,20 @@ bool is_whole(const std::vector<double>& values, std::size_t begin) {
   return true;
 }
 
+/// Adds a number to a large sum on each process, where it is lost, and takes the large one off on the last: in another
+/// order of the processes the sum would be another.
+bool adds_in_order(bool is_first, bool is_last) {
+  constexpr double large = 0x1p60;
+  std::vector<double> sums(2);
+  parallel::sum_in_order(sums, [&](std::span<double> so_far) {
+    if (is_first) so_far[0] += large;
+    so_far[0] += 1.0;
+    if (is_last) so_far[0] -= large;
+    so_far[1] += 1.0;
+  });
+  return sums == std::vector{0.0, static_cast<double>(parallel::ranks())};
+}
+
 }  // namespace
 
 int main(int, char** arguments) {
@@ -58,6 +75,12 @@ int main(int, char** arguments) {
     ++pieces;
   });
   holds = expect(pieces == 2, "not as many pieces as meant") && holds;
+
+  holds = expect(adds_in_order(process == 0, process + 1 == all), "sums are not in order") && holds;
+  // All but the first process have the largest value.
+  holds =
+      expect(parallel::is_first_largest(process == 0 ? 1.0 : 2.0) == (process == 1), "another has the largest value") &&
+      holds;
 
   const auto path = std::filesystem::path(arguments[1]) / "state.h5";
   breccia::StateWriter writer(path, {"deck", "version"});

@@ -20,8 +20,8 @@ ProcessShare quasistatic_share(const Study& study, const Stage& stage, Boundary 
 /// The same of a test of grains and films.
 ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrains& grains, int processes);
 
-/// Of a dynamic test in so many dimensions that takes so many bytes and seconds on one process and has so many nodes,
-/// all of which each process holds.
-ProcessShare dynamic_share(int dimensions, double bytes, double seconds, double nodes, int processes);
+/// Of a dynamic test of the total-lagrangian formulation in so many dimensions, with `cells` cells per side, that takes
+/// so many bytes and seconds on one process.
+ProcessShare dynamic_share(int dimensions, int cells, double bytes, double seconds, int processes);
 
 }  // namespace breccia

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 
 namespace breccia::parallel {
@@ -9,6 +10,13 @@ namespace breccia::parallel {
 [[nodiscard]] double sum(double value);
 /// The largest value over the processes of the group, in the same way.
 [[nodiscard]] double largest(double value);
+/// Whether the value of this process is the largest, and this is the first of the processes that have it.
+[[nodiscard]] bool is_first_largest(double value);
+
+/// Sums whose rounding does not depend on the number of processes: one process after the other adds its terms to the
+/// sums of those before it by add(sums). At the end each process has the sums of all. Each must call the function, with
+/// as many sums, which are zero.
+void sum_in_order(std::span<double> sums, const std::function<void(std::span<double>)>& add);
 
 /// Sets values to those of the first process of the group. Each process must call the function, with as many of them.
 void copy_from_first(std::span<double> values);

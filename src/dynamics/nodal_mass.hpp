@@ -1,0 +1,12 @@
+#pragma once
+
+#include "breccia/dynamics/dynamic_problem.hpp"
+
+namespace breccia::dynamics {
+
+/// Lumped mass of a node [kg], in 2D per unit thickness [kg/m], times the mass scaling factor: m_I = sum_p w_Ip m_p.
+/// Nodes of a periodic box that are one have the mass of all of them. Instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] double nodal_mass(const DynamicProblem<dim>& problem, const Index<dim>& node);
+
+}  // namespace breccia::dynamics
