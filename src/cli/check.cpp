@@ -48,6 +48,7 @@ struct Plan {
     bytes = std::max(bytes, further.bytes);
     share.seconds += further.share.seconds;
     share.bytes = std::max(share.bytes, further.share.bytes);
+    share.common_bytes = std::max(share.common_bytes, further.share.common_bytes);
   }
 };
 
@@ -143,8 +144,10 @@ std::string total(const Study& study, const Plan& plan, int processes) {
   auto text = fmt::format("together about {}{}, at most {} of memory\n", display_duration(plan.seconds),
                           is_quasistatic ? " on one core" : "", memory(plan.bytes));
   if (processes == 1) return text;
-  return text + fmt::format("on {} processes with a core each about {}, at most {} of memory a process\n", processes,
-                            display_duration(plan.share.seconds), memory(plan.share.bytes));
+  const auto& [bytes, seconds, common] = plan.share;
+  const auto of_machine = common > 0.0 ? fmt::format(" and {} a machine", memory(common)) : std::string();
+  return text + fmt::format("on {} processes with a core each about {}, at most {} of memory a process{}\n", processes,
+                            display_duration(seconds), memory(bytes), of_machine);
 }
 
 /// A length of the microstructure of which the cells tell the error of a grid.

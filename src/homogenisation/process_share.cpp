@@ -46,21 +46,24 @@ double seconds_on_substructures(double alone, double unknowns, int processes) {
   return (alone - coarse) * work_on_substructures(side) / processes + coarse * smaller / speed_of_factors(processes);
 }
 
+/// Memory of the phases of all points [B], which a machine has once.
+double labels_of(int dimensions, int cells) {
+  return std::pow(2.0 * cells, dimensions) * sizeof(PhaseIndex);
+}
+
 }  // namespace
 
 ProcessShare quasistatic_share(const Study& study, const Stage& stage, Boundary boundary, int cells, int processes) {
   const double unknowns = quasistatic_unknowns(stage, cells);
   const double bytes = quasistatic_memory(study, stage, cells);
   const double alone = quasistatic_time(study, stage, boundary, cells);
-  // Every process has the phases of all points.
-  const double labels = std::pow(2.0 * cells, stage.dimensions) * sizeof(PhaseIndex);
-  const double shared = std::max(0.0, bytes - labels);
-  const double memory = std::min(bytes, labels) + shared / processes;
+  const double labels = std::min(bytes, labels_of(stage.dimensions, cells));
+  const double memory = (bytes - labels) / processes;
   const bool is_direct =
       study.tests.quasistatic.linear.is_direct(static_cast<std::int64_t>(unknowns), stage.dimensions);
-  if (is_direct) return {memory, alone / speed_of_factors(processes)};
-  if (stage.dimensions == 2) return {memory, seconds_on_substructures(alone, unknowns, processes)};
-  return {memory, alone / processes};
+  if (is_direct) return {memory, alone / speed_of_factors(processes), labels};
+  if (stage.dimensions == 2) return {memory, seconds_on_substructures(alone, unknowns, processes), labels};
+  return {memory, alone / processes, labels};
 }
 
 ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrains& grains, int processes) {
@@ -73,13 +76,11 @@ ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrai
 }
 
 ProcessShare dynamic_share(int dimensions, int cells, double bytes, double seconds, int processes) {
-  // Every process has the phases of all points: those of the stage, of the test and of its run.
-  constexpr double copies = 3.0;
-  const double labels = copies * std::pow(2.0 * cells, dimensions) * sizeof(PhaseIndex);
-  // And one layer of nodes more than of cells, with displacement, increment and step over mass.
+  const double labels = std::min(bytes, labels_of(dimensions, cells));
+  // Each process has one layer of nodes more than of cells, with displacement, increment and step over mass.
   const double layer = std::pow(cells + 1.0, dimensions - 1) * (2.0 * dimensions + 1.0) * sizeof(double);
-  const double of_each = std::min(bytes, labels + layer);
-  return {of_each + (bytes - of_each) / processes, seconds / processes};
+  const double of_each = std::min(bytes - labels, layer);
+  return {of_each + (bytes - labels - of_each) / processes, seconds / processes, labels};
 }
 
 }  // namespace breccia
