@@ -75,10 +75,10 @@ Plan dynamic_plan(const Stage& stage, const DynamicTest<dim>& test, int cells, i
   const double seconds = static_cast<double>(points) * static_cast<double>(steps) / speed;
   text += fmt::format("    together {} steps, about {} at {:.0f} million points x steps/s here\n", steps,
                       display_duration(seconds), speed / 1e6);
-  // Every process runs the whole of the classical formulation.
-  const bool is_shared = test.options.formulation == Formulation::total_lagrangian;
-  return {text, seconds, bytes,
-          is_shared ? dynamic_share(dim, cells, bytes, seconds, processes) : ProcessShare{bytes, seconds}};
+  const auto share = test.options.formulation == Formulation::classical
+                         ? classical_share(dim, cells, bytes, seconds)
+                         : dynamic_share(dim, cells, bytes, seconds, processes);
+  return {text, seconds, bytes, share};
 }
 
 Plan quasistatic_plan(const Study& study, const Stage& stage, Boundary boundary, int cells, int processes) {
@@ -145,7 +145,8 @@ std::string total(const Study& study, const Plan& plan, int processes) {
                           is_quasistatic ? " on one core" : "", memory(plan.bytes));
   if (processes == 1) return text;
   const auto& [bytes, seconds, common] = plan.share;
-  const auto of_machine = common > 0.0 ? fmt::format(" and {} a machine", memory(common)) : std::string();
+  const auto of_machine =
+      common > 0.0 ? fmt::format(" and {} more that a machine holds once", memory(common)) : std::string();
   return text + fmt::format("on {} processes with a core each about {}, at most {} of memory a process{}\n", processes,
                             display_duration(seconds), memory(bytes), of_machine);
 }

@@ -11,13 +11,22 @@
 
 namespace breccia {
 
+namespace {
+
 template <int dim>
-Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, const CellLayers& layers)
-    : grid_(grid), range_(grid.cells_of(layers)) {
+const Grid<dim>& require_cells(const Grid<dim>& grid) {
   if (std::ranges::min(grid.cells) < 1 || !(grid.cell_side > 0.0)) {
     throw InputError(fmt::format("discretisation: expected at least one cell of positive side, got {} cells of {} m",
                                  fmt::join(grid.cells, " x "), grid.cell_side));
   }
+  return grid;
+}
+
+}  // namespace
+
+template <int dim>
+Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, const CellLayers& layers)
+    : grid_(require_cells(grid)), range_(grid.cells_of(layers)) {
   first_ = grid.cell_index(range_.begin);
   count_ = Grid<dim>{.cells = range_.size()}.cell_count();
   CellPhases<dim> cell{};
@@ -30,7 +39,7 @@ Discretisation<dim>::Discretisation(const Grid<dim>& grid, PhaseIndex phase, con
 template <int dim>
 Discretisation<dim>::Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells,
                                     std::vector<Mixture> mixtures, PhaseIndex first_mixture)
-    : grid_(grid),
+    : grid_(require_cells(grid)),
       range_(grid.all_cells()),
       count_(grid.cell_count()),
       cells_(std::move(cells)),

@@ -56,7 +56,8 @@ std::vector<Mixture> mixtures_of(const std::vector<double>& numbers) {
 
 /// The cells of all processes of the machine in order, where they have no memory in common: each has a copy of its own.
 template <int dim>
-std::shared_ptr<CellPhases<dim>[]> gathered_cells(const Grid<dim>& grid, const std::vector<CellPhases<dim>>& own) {
+std::shared_ptr<const CellPhases<dim>[]> gathered_cells(const Grid<dim>& grid,
+                                                        const std::vector<CellPhases<dim>>& own) {
   const int parts = parallel::ranks_on_machine();
   // MPI counts in 32 bits, so cells are passed in whole layers.
   const auto of_layer = grid.cell_count() / static_cast<std::size_t>(grid.cells.back());
@@ -76,12 +77,11 @@ std::shared_ptr<CellPhases<dim>[]> gathered_cells(const Grid<dim>& grid, const s
   return cells;
 }
 
-/// The cells of all processes of the machine in memory that they have in common.
+/// The cells of all processes of the machine in memory that they have in common; those of this one follow `first`
+/// others.
 template <int dim>
-std::shared_ptr<const CellPhases<dim>[]> common_cells(const Grid<dim>& grid, std::size_t first,
+std::shared_ptr<const CellPhases<dim>[]> common_cells(const std::shared_ptr<std::byte>& memory, std::size_t first,
                                                       const std::vector<CellPhases<dim>>& own) {
-  const auto memory = parallel::common_memory(grid.cell_count() * sizeof(CellPhases<dim>));
-  if (memory == nullptr) return gathered_cells<dim>(grid, own);
   const std::shared_ptr<CellPhases<dim>[]> cells(memory, reinterpret_cast<CellPhases<dim>*>(memory.get()));
   std::ranges::copy(own, cells.get() + first);
   MPI_Barrier(parallel::machine_communicator());
@@ -115,7 +115,8 @@ JoinedMixtures join_mixtures(std::span<const std::vector<Mixture>> parts) {
 }
 
 template <int dim>
-Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size_t phases) {
+Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size_t phases,
+                                      const std::function<std::shared_ptr<std::byte>(std::size_t)>& common_memory) {
   if (parallel::ranks_on_machine() == 1) return part;
   std::vector<std::vector<Mixture>> of_parts;
   for (const auto& numbers : gathered_on_machine(numbers_of(part.mixtures()))) of_parts.push_back(mixtures_of(numbers));
@@ -133,11 +134,14 @@ Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size
         phase = numbers[places[static_cast<std::size_t>(phase - part.first_mixture())]];
     }
   }
-  return Discretisation<dim>(grid, common_cells<dim>(grid, grid.cell_index(part.range().begin), cells),
-                             numbered.mixtures(), numbered.first_mixture());
+  const auto memory = common_memory(grid.cell_count() * sizeof(CellPhases<dim>));
+  auto all = memory == nullptr ? gathered_cells<dim>(grid, cells)
+                               : common_cells<dim>(memory, grid.cell_index(part.range().begin), cells);
+  return Discretisation<dim>(grid, std::move(all), numbered.mixtures(), numbered.first_mixture());
 }
 
-template Discretisation<2> joined_on_machine(const Discretisation<2>&, std::size_t);
-template Discretisation<3> joined_on_machine(const Discretisation<3>&, std::size_t);
+using GiveMemory = std::function<std::shared_ptr<std::byte>(std::size_t)>;
+template Discretisation<2> joined_on_machine(const Discretisation<2>&, std::size_t, const GiveMemory&);
+template Discretisation<3> joined_on_machine(const Discretisation<3>&, std::size_t, const GiveMemory&);
 
 }  // namespace breccia

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/discretisation/joined_discretisation.hpp"
 #include "breccia/error.hpp"
 #include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/session.hpp"
@@ -40,21 +41,13 @@ void unpack(const std::vector<double>& message, const LayerForces<3>& forces) {
   for (std::size_t c = 0; c < 3; ++c) std::copy_n(message.data() + c * length, length, forces.of_axis[c]);
 }
 
-/// The first layer of a process, of some layers for some processes.
-int first_layer(int layers, int rank, int ranks) noexcept {
-  return static_cast<int>(static_cast<std::int64_t>(layers) * rank / ranks);
-}
-
 }  // namespace
 
 template <int dim>
 IndexRange<dim> own_layers(const Grid<dim>& grid) {
-  auto cells = grid.all_cells();
-  if (!parallel::is_under_mpirun()) return cells;
+  if (!parallel::is_under_mpirun()) return grid.all_cells();
   parallel::start();
-  cells.begin.back() = first_layer(grid.cells.back(), parallel::rank(), parallel::ranks());
-  cells.end.back() = first_layer(grid.cells.back(), parallel::rank() + 1, parallel::ranks());
-  return cells;
+  return grid.cells_of(layers_of_part(grid.cells.back(), parallel::rank(), parallel::ranks()));
 }
 
 template <int dim>
@@ -73,7 +66,7 @@ LayerExchange<dim>::LayerExchange(const Grid<dim>& grid, bool wraps) : layers_(g
 
 template <int dim>
 int LayerExchange<dim>::first_of(int rank) const noexcept {
-  return first_layer(layers_, rank, ranks_);
+  return layers_of_part(layers_, rank, ranks_).begin;
 }
 
 template <int dim>

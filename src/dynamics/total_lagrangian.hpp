@@ -35,7 +35,7 @@ class TotalLagrangian final : public DynamicSolver<dim> {
   [[nodiscard]] Vector<dim> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  /// Calls action(node) for the nodes of this process: each node is one of one process.
+  /// Calls action(node) for the nodes of this process: each node belongs to exactly one process.
   template <class Action>
   void for_own_nodes(Action&& action) const;
   [[nodiscard]] std::size_t values_of_all_nodes() const;

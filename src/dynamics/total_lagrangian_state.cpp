@@ -229,7 +229,7 @@ Vector<dim> TotalLagrangian<dim>::most_moved() const {
   for_own_nodes([&](const Index<dim>& node) {
     double moved = 0.0;
     for (const double* increment : nodes.increment(nodes.row_of(node))) moved = std::hypot(moved, increment[node[0]]);
-    // The first that is no number any more has moved most.
+    // A value that is not finite counts as the largest.
     if (!std::isfinite(moved)) moved = std::numeric_limits<double>::infinity();
     if (moved <= most) return;
     most = moved;

@@ -8,6 +8,7 @@
 #include "breccia/discretisation/joined_discretisation.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/homogenisation/stage_warnings.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/session.hpp"
 #include "breccia/study/test_rules.hpp"
@@ -60,7 +61,7 @@ StageResult packed_stage_together(const Study& study, const Stage& stage, StageM
   if (model_of(study.tests, stage) == Model::films) return result;
   if (parallel::is_under_mpirun()) parallel::start();
   const auto layers = layers_of_part(stage.cells, parallel::rank(), parallel::ranks());
-  auto points = filler_points(study, stage, result.microstructure, layers);
+  auto points = parallel::made_by_all([&] { return filler_points(study, stage, result.microstructure, layers); });
   for (double& of_phase : points) of_phase = parallel::sum(of_phase);
   set_points(stage, points, result);
   return result;

@@ -83,4 +83,9 @@ ProcessShare dynamic_share(int dimensions, int cells, double bytes, double secon
   return {of_each + (bytes - labels - of_each) / processes, seconds / processes, labels};
 }
 
+ProcessShare classical_share(int dimensions, int cells, double bytes, double seconds) {
+  const double labels = std::min(bytes, labels_of(dimensions, cells));
+  return {bytes - labels, seconds, labels};
+}
+
 }  // namespace breccia

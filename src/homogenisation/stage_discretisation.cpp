@@ -15,6 +15,7 @@
 #include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
 #include "breccia/error.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/machine.hpp"
 
 #include "stage_labelling.hpp"
@@ -112,8 +113,8 @@ StageDiscretisation discretise_together(const Stage& stage, const StageMicrostru
                                         Mixing mixing) {
   const auto layers = layers_of_part(cells, parallel::rank_on_machine(), parallel::ranks_on_machine());
   const auto phases = phases_of(stage).size();
-  return std::visit([&](const auto& part) -> StageDiscretisation { return joined_on_machine(part, phases); },
-                    discretise(stage, packed, cells, mixing, layers));
+  const auto made = parallel::made_by_all([&] { return discretise(stage, packed, cells, mixing, layers); });
+  return std::visit([&](const auto& part) -> StageDiscretisation { return joined_on_machine(part, phases); }, made);
 }
 
 std::vector<double> fractions(const StageDiscretisation& discretisation, std::size_t phases) {

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -43,28 +44,33 @@ FileIdentity identity_of(int descriptor) {
   return {getpid(), descriptor, static_cast<std::int64_t>(status.st_dev), static_cast<std::int64_t>(status.st_ino)};
 }
 
-/// A file in memory of so many bytes, without a name; -1 where there is none.
+/// Whether files may have so many bytes: the system ends a program that makes them larger.
+bool may_have(std::size_t bytes) {
+  struct rlimit limit {};
+  return getrlimit(RLIMIT_FSIZE, &limit) == 0 && (limit.rlim_cur == RLIM_INFINITY || limit.rlim_cur >= bytes);
+}
+
+/// A file in memory of so many bytes, without a name; -1 where there is none, or not as much memory.
 int file_in_memory(std::size_t bytes) {
+  if (!may_have(bytes)) return -1;
   const int descriptor = memfd_create("breccia", MFD_CLOEXEC);
-  if (descriptor >= 0 && ftruncate(descriptor, static_cast<off_t>(bytes)) != 0) {
+  if (descriptor >= 0 && posix_fallocate(descriptor, 0, static_cast<off_t>(bytes)) != 0) {
     close(descriptor);
     return -1;
   }
   return descriptor;
 }
 
-/// The file of another process; -1 where the system does not allow it, or where its processes have other numbers here.
+/// The file of another process; -1 where the system does not allow it, or where processes have other numbers for this
+/// one, as in a container of its own.
 int file_of_other(const FileIdentity& identity) {
   const auto& [process, number, device, inode] = identity;
   if (process == 0) return -1;
   const auto path = "/proc/" + std::to_string(process) + "/fd/" + std::to_string(number);
-  const int descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC);
-  const auto found = identity_of(descriptor);
-  if (descriptor >= 0 && (found[2] != device || found[3] != inode)) {
-    close(descriptor);
-    return -1;
-  }
-  return descriptor;
+  struct stat status {};
+  const bool is_it = stat(path.c_str(), &status) == 0 && static_cast<std::int64_t>(status.st_dev) == device &&
+                     static_cast<std::int64_t>(status.st_ino) == inode;
+  return is_it ? open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY) : -1;
 }
 
 bool agree(bool is_well) {
@@ -75,19 +81,9 @@ bool agree(bool is_well) {
 
 }  // namespace
 
-MPI_Comm machine_communicator() {
-  static const MPI_Comm machine = [] {
-    if (!is_under_mpirun()) return MPI_COMM_SELF;
-    start();
-    MPI_Comm found = MPI_COMM_NULL;
-    MPI_Comm_split_type(communicator(), MPI_COMM_TYPE_SHARED, rank(), MPI_INFO_NULL, &found);
-    return found;
-  }();
-  return machine;
-}
-
 int rank_on_machine() {
   if (!is_under_mpirun()) return 0;
+  start();
   int rank = 0;
   MPI_Comm_rank(machine_communicator(), &rank);
   return rank;
@@ -95,12 +91,14 @@ int rank_on_machine() {
 
 int ranks_on_machine() {
   if (!is_under_mpirun()) return 1;
+  start();
   int ranks = 1;
   MPI_Comm_size(machine_communicator(), &ranks);
   return ranks;
 }
 
 std::shared_ptr<std::byte> common_memory(std::size_t bytes) {
+  if (ranks_on_machine() == 1) return {new std::byte[bytes](), std::default_delete<std::byte[]>()};
   const bool is_first = rank_on_machine() == first;
   const OpenFile made(is_first ? file_in_memory(bytes) : -1);
   auto identity = identity_of(made.descriptor());

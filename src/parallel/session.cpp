@@ -25,7 +25,12 @@ struct Division {
   int group = 0;
   int groups = 1;
   MPI_Comm communicator = MPI_COMM_NULL;  ///< of this group; null while the processes are not divided
+  MPI_Comm on_machine = MPI_COMM_NULL;    ///< of its processes on this machine; null until it is asked for
 };
+
+void free_communicator(MPI_Comm& of_processes) noexcept {
+  if (of_processes != MPI_COMM_NULL) MPI_Comm_free(&of_processes);
+}
 
 Division& division() noexcept {
   static Division instance;
@@ -115,6 +120,7 @@ void divide(int processes_each) {
   }
   int number = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &number);
+  free_communicator(division().on_machine);
   division() = {number / processes_each, processes / processes_each};
   // PETSc takes its communicator when it starts, so it must be restarted.
   check(PetscFinalize(), "dividing the processes");
@@ -160,7 +166,8 @@ void stop() noexcept {
   MPI_Finalized(&is_finalised);
   if (is_finalised != 0) return;  // by the host program, before its end: PETSc cannot be finalised any more
   if (std::exchange(started().petsc, false) && PetscFinalize() != 0) return;
-  if (division().communicator != MPI_COMM_NULL) MPI_Comm_free(&division().communicator);
+  free_communicator(division().on_machine);
+  free_communicator(division().communicator);
   division() = {};
   if (std::exchange(started().mpi, false)) MPI_Finalize();
 }
@@ -186,6 +193,14 @@ int ranks() noexcept {
 
 MPI_Comm communicator() noexcept {
   return PETSC_COMM_WORLD;
+}
+
+MPI_Comm machine_communicator() {
+  auto& machine = division().on_machine;
+  if (machine == MPI_COMM_NULL) {
+    MPI_Comm_split_type(communicator(), MPI_COMM_TYPE_SHARED, rank(), MPI_INFO_NULL, &machine);
+  }
+  return machine;
 }
 
 int group() noexcept {

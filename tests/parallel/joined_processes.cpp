@@ -5,14 +5,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
+#include <memory>
 #include <span>
+#include <string_view>
 
 #include <mpi.h>
 
 #include "breccia/discretisation/joined_discretisation.hpp"
 #include "breccia/discretisation/labels.hpp"
 #include "breccia/discretisation/mixed_cells.hpp"
+#include "breccia/error.hpp"
+#include "breccia/parallel/common_failure.hpp"
 #include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/machine.hpp"
 #include "breccia/parallel/session.hpp"
@@ -35,24 +38,48 @@ bool are_equal(const Discretisation<dim>& one, const Discretisation<dim>& other)
          one.first_mixture() == other.first_mixture();
 }
 
-/// Whether the parts that the processes make are the whole that each makes.
+std::shared_ptr<std::byte> no_memory(std::size_t) {
+  return nullptr;
+}
+
+/// Whether the parts that the processes make are the whole that each makes, with memory in common and without.
 template <int dim, class Make>
 bool is_joined(int layers, const Make& make) {
   const auto own = breccia::layers_of_part(layers, parallel::rank_on_machine(), parallel::ranks_on_machine());
-  return are_equal<dim>(breccia::joined_on_machine<dim>(make(own), 2), make(CellLayers{}));
+  const auto part = make(own);
+  const auto whole = make(CellLayers{});
+  return are_equal<dim>(breccia::joined_on_machine<dim>(part, 2), whole) &&
+         are_equal<dim>(breccia::joined_on_machine<dim>(part, 2, no_memory), whole);
 }
 
+/// What each has written in the memory that all have in common is seen by all; there may be none.
 bool memory_is_common() {
   const auto rank = static_cast<std::size_t>(parallel::rank_on_machine());
   const auto ranks = static_cast<std::size_t>(parallel::ranks_on_machine());
   const auto memory = parallel::common_memory(ranks);
-  if (memory == nullptr) return false;
+  if (memory == nullptr) {
+    std::puts("this system gives processes no memory in common");
+    return true;
+  }
   memory.get()[rank] = static_cast<std::byte>(rank + 1);
   MPI_Barrier(parallel::machine_communicator());
   for (std::size_t other = 0; other < ranks; ++other) {
     if (memory.get()[other] != static_cast<std::byte>(other + 1)) return false;
   }
   return true;
+}
+
+/// A mistake of the last process is thrown on all of them.
+bool mistakes_are_common() {
+  try {
+    static_cast<void>(parallel::made_by_all([] {
+      if (parallel::rank() == parallel::ranks() - 1) throw breccia::InputError("of the last process");
+      return 1;
+    }));
+  } catch (const breccia::InputError& error) {
+    return std::string_view(error.what()) == "of the last process";
+  }
+  return false;
 }
 
 }  // namespace
@@ -70,7 +97,9 @@ int main() {
   };
   const breccia::Grid<2> grid = {{31, 30}, 1.0 / 30};
 
-  bool holds = expect(memory_is_common(), "the processes have no memory in common");
+  bool holds = expect(memory_is_common(), "common memory does not hold what others have written");
+  holds = expect(mistakes_are_common(), "a mistake of one process is not thrown on all") && holds;
+  holds = expect(parallel::made_by_all([] { return 7; }) == 7, "what all have made is not returned") && holds;
   holds =
       expect(is_joined<2>(
                  40, [&](const CellLayers& layers) { return discretise_mixed(discs, 40, 0, particles, 2, layers); }),

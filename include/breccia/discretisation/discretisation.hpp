@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <concepts>
 #include <cstddef>
 #include <memory>
@@ -31,7 +32,7 @@ class Discretisation {
   explicit Discretisation(const Grid<dim>& grid, PhaseIndex phase = 0, const CellLayers& layers = {});
 
   /// Cells in memory that others may read, too, all of them in the order of the grid; the first of the mixtures has the
-  /// number `first_mixture`.
+  /// number `first_mixture`. Throws as the other does.
   Discretisation(const Grid<dim>& grid, std::shared_ptr<const CellPhases<dim>[]> cells, std::vector<Mixture> mixtures,
                  PhaseIndex first_mixture);
 
@@ -41,7 +42,9 @@ class Discretisation {
   [[nodiscard]] std::size_t points() const noexcept { return cells().size() * points_per_cell; }
 
   /// Phases of the points of a cell that it has.
-  [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept { return cells_.get()[place_of(cell)]; }
+  [[nodiscard]] const CellPhases<dim>& cell(const Index<dim>& cell) const noexcept {
+    return cells_.get()[place_of(cell)];
+  }
   /// Phases of the points of all cells that it has, in the order of the grid.
   [[nodiscard]] std::span<const CellPhases<dim>> cells() const noexcept { return {cells_.get(), count_}; }
 
@@ -86,7 +89,7 @@ class Discretisation {
   /// these are multiples of 1 / mixture_steps. A mixture whose number is among them has points of its own. Throws
   /// std::out_of_range for another phase; see require_phases().
   [[nodiscard]] std::vector<double> points_by_phase(std::size_t count) const;
-  /// The same as shares of all points [-].
+  /// The same as shares of the points that it has [-].
   [[nodiscard]] std::vector<double> fractions(std::size_t count) const;
 
  private:
@@ -102,7 +105,10 @@ class Discretisation {
   }
 
   /// The place of a cell in the list of those that it has: layers of the grid follow one another in its list of cells.
-  [[nodiscard]] std::size_t place_of(const Index<dim>& cell) const noexcept { return grid_.cell_index(cell) - first_; }
+  [[nodiscard]] std::size_t place_of(const Index<dim>& cell) const noexcept {
+    assert(range_.contains(cell));
+    return grid_.cell_index(cell) - first_;
+  }
 
   /// The phases of the points, to be changed: those of this object alone.
   [[nodiscard]] CellPhases<dim>* own_cells() {

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "breccia/discretisation/discretisation.hpp"
+#include "breccia/parallel/machine.hpp"
 
 namespace breccia {
 
@@ -14,10 +17,12 @@ namespace breccia {
 /// A whole microstructure from its parts: every process of a machine has made the layers_of_part() of its rank there,
 /// and gets all of them, which the machine has in its memory once. Mixtures have the numbers that a single process
 /// would have given them; `phases` is the number of phases, which they follow. All processes of the machine must call
-/// the function. Throws InputError when there are more mixtures than a PhaseIndex can number. Instantiated for 2 and 3
-/// dimensions.
+/// the function. Where `common_memory` gives none, each process has a copy of its own. Throws InputError, on all of
+/// them, when there are more mixtures than a PhaseIndex can number. Instantiated for 2 and 3 dimensions.
 template <int dim>
-[[nodiscard]] Discretisation<dim> joined_on_machine(const Discretisation<dim>& part, std::size_t phases);
+[[nodiscard]] Discretisation<dim> joined_on_machine(
+    const Discretisation<dim>& part, std::size_t phases,
+    const std::function<std::shared_ptr<std::byte>(std::size_t)>& common_memory = parallel::common_memory);
 
 /// The mixtures of several parts, each once, in the order of the parts and of their lists.
 struct JoinedMixtures {

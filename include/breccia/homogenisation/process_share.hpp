@@ -25,4 +25,7 @@ ProcessShare film_share(const Study& study, const Stage& stage, const FilmedGrai
 /// so many bytes and seconds on one process.
 ProcessShare dynamic_share(int dimensions, int cells, double bytes, double seconds, int processes);
 
+/// The same of the classical formulation, of which every process runs the whole.
+ProcessShare classical_share(int dimensions, int cells, double bytes, double seconds);
+
 }  // namespace breccia

@@ -7,8 +7,8 @@ namespace breccia::parallel {
 /// The MPI communicator of the group of this process (session.hpp). Valid after start().
 MPI_Comm communicator() noexcept;
 
-/// That of the processes of the group which run on the same machine (machine.hpp); that of this process alone without
-/// mpirun, where MPI need not have started. Each process of the group must make the first call.
+/// That of the processes of the group which run on the same machine (machine.hpp). The first call is collective: every
+/// process of the group must make it. Valid after start().
 MPI_Comm machine_communicator();
 
 }  // namespace breccia::parallel

@@ -15,7 +15,8 @@ namespace breccia::parallel {
 
 /// Sums whose rounding does not depend on the number of processes: one process after the other adds its terms to the
 /// sums of those before it by add(sums). At the end each process has the sums of all. Each must call the function, with
-/// as many sums, which are zero.
+/// as many sums, which are zero. Processes wait for one another, so that it is not for what every step needs; add()
+/// must not throw.
 void sum_in_order(std::span<double> sums, const std::function<void(std::span<double>)>& add);
 
 /// Sets values to those of the first process of the group. Each process must call the function, with as many of them.

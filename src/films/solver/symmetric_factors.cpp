@@ -33,7 +33,8 @@ enum Control {
 };
 enum Information { status = 1, detail = 2, megabytes_of_a_process = 16 };
 // What the status may be.
-constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, no_files = -90;
+constexpr int too_few_integers = -8, too_few_reals = -9, singular = -10, too_small_to_send = -17,
+              too_small_to_receive = -20, no_files = -90;
 
 int& control(DMUMPS_STRUC_C& mumps, Control number) {
   return mumps.icntl[number - 1];
@@ -79,7 +80,8 @@ void factorise_with_room(DMUMPS_STRUC_C& mumps) {
   constexpr int most_per_cent = 2000;
   for (;;) {
     const int found = attempt(mumps, factorisation);
-    const bool wants_room = found == too_few_integers || found == too_few_reals;
+    const bool wants_room = found == too_few_integers || found == too_few_reals || found == too_small_to_send ||
+                            found == too_small_to_receive;
     if (!wants_room || control(mumps, more_memory) > most_per_cent) break;
     control(mumps, more_memory) *= 2;
   }

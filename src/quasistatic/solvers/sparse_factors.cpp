@@ -1,8 +1,12 @@
 #include "solvers/sparse_factors.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "breccia/parallel/session.hpp"
 
@@ -37,28 +41,37 @@ bool wants_room(Mat factors, const char* what) {
          found == too_small_to_receive;
 }
 
-/// Gives MUMPS more room than its analysis foresees, as long as this lives. It is an option of PETSc, since one that
-/// the user has set would replace what MatMumpsSetIcntl() says.
+constexpr PetscInt more_room = 14;  // the parameter of MUMPS, in per cent of what the analysis foresees
+
+/// The option of PETSc for the room of some factors.
+std::string option_of_room(Mat factors, const char* what) {
+  const char* before_name = nullptr;
+  check(PetscObjectGetOptionsPrefix(reinterpret_cast<PetscObject>(factors), &before_name), what);
+  return fmt::format("-{}mat_mumps_icntl_{}", before_name == nullptr ? "" : before_name, more_room);
+}
+
+/// Sets the room that MUMPS has beyond what its analysis foresees, as long as this lives. It is an option of PETSc,
+/// since one that the user has set would replace what MatMumpsSetIcntl() says.
 class MoreRoom {
  public:
-  MoreRoom(PetscInt per_cent, const char* what) {
+  MoreRoom(std::string option, PetscInt per_cent, const char* what) : option_(std::move(option)) {
     std::array<char, 64> set{};
-    check(PetscOptionsGetString(nullptr, nullptr, name, set.data(), set.size(), &was_set_), what);
+    check(PetscOptionsGetString(nullptr, nullptr, option_.c_str(), set.data(), set.size(), &was_set_), what);
     before_ = set.data();
-    check(PetscOptionsSetValue(nullptr, name, std::to_string(per_cent).c_str()), what);
+    check(PetscOptionsSetValue(nullptr, option_.c_str(), std::to_string(per_cent).c_str()), what);
   }
   ~MoreRoom() {
     if (was_set_ == PETSC_TRUE) {
-      PetscOptionsSetValue(nullptr, name, before_.c_str());
+      PetscOptionsSetValue(nullptr, option_.c_str(), before_.c_str());
     } else {
-      PetscOptionsClearValue(nullptr, name);
+      PetscOptionsClearValue(nullptr, option_.c_str());
     }
   }
   MoreRoom(const MoreRoom&) = delete;
   MoreRoom& operator=(const MoreRoom&) = delete;
 
  private:
-  static constexpr const char* name = "-mat_mumps_icntl_14";  // in per cent
+  std::string option_;
   PetscBool was_set_ = PETSC_FALSE;
   std::string before_;
 };
@@ -79,10 +92,14 @@ void set_up_with_room(KSP solver, const char* what) {
   constexpr PetscInt first_per_cent = 50, most_per_cent = 2000;
   Mat factors = factors_of(solver, what);
   check(KSPSetUp(solver), what);
-  for (PetscInt per_cent = first_per_cent; factors != nullptr && per_cent <= most_per_cent; per_cent *= 2) {
-    if (!wants_room(factors, what)) return;
+  if (factors == nullptr) return;
+  PetscInt per_cent = 0;
+  check(MatMumpsGetIcntl(factors, more_room, &per_cent), what);
+  const auto option = option_of_room(factors, what);
+  while (per_cent < most_per_cent && wants_room(factors, what)) {
+    per_cent = std::max(first_per_cent, 2 * per_cent);
     begin_anew(solver, what);
-    const MoreRoom room(per_cent, what);
+    const MoreRoom room(option, per_cent, what);
     factors = factors_of(solver, what);
     check(KSPSetUp(solver), what);
   }
