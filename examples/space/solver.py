@@ -13,6 +13,11 @@ from runs import header, measured, row
 SHEARS = [2156, 100, 10, 1, 0.3]  # of the matrix [MPa]
 PACKINGS = {0.35: (30, 14), 0.5: (200, 5)}  # by fraction: number of spheres, smallest gap [mm] in a box of 1 m
 
+
+def rounded(seconds):
+    return f"{seconds:.2g}" if seconds < 10 else f"{seconds:.0f}"
+
+
 cells, *boundaries = sys.argv[1:]
 for fraction, (number, gap) in PACKINGS.items():
     diameter = 1e3 * (6.0 * fraction / (pi * number)) ** (1.0 / 3.0)
@@ -30,5 +35,5 @@ for fraction, (number, gap) in PACKINGS.items():
             "tests.fields": '"none"',
         }) for shear in SHEARS]
         costs = (f"{run.modulus('shear', boundary=boundary) / 1e6:.4g} MPa; {run.iterations[boundary]}, "
-                 f"{run.processor_seconds:.2g} s" for run in runs)
+                 f"{rounded(run.processor_seconds)} s" for run in runs)
         row(boundary, *costs, f"{max(run.memory / run.unknowns for run in runs):.0f} B")
