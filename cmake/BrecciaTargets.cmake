@@ -115,3 +115,12 @@ function(breccia_test room)
   target_precompile_headers(${room}_test REUSE_FROM breccia_test_headers)
   gtest_discover_tests(${room}_test TEST_PREFIX ${room}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
+
+# breccia_mpirun_test(<name> <processes> <target> [<argument>...]): a program that several processes run together. Root in
+# a container, more processes than cores, and cores that are busy with other work are all fine for a test.
+function(breccia_mpirun_test name processes target)
+  add_test(NAME ${name} COMMAND ${MPIEXEC_EXECUTABLE} -n ${processes} $<TARGET_FILE:${target}> ${ARGN})
+  set(environment OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
+    OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1)
+  set_tests_properties(${name} PROPERTIES TIMEOUT 120 ENVIRONMENT "${environment}")
+endfunction()
