@@ -37,6 +37,9 @@ const std::map<std::string, Quantity> quantities_of_columns = {{"time", Quantity
                                                                {"temperature", Quantity::temperature},
                                                                {"storage", Quantity::storage_modulus},
                                                                {"loss", Quantity::loss_modulus},
+                                                               {"absolute", Quantity::absolute_modulus},
+                                                               {"phase", Quantity::phase_angle},
+                                                               {"tangent", Quantity::loss_tangent},
                                                                {"modulus", Quantity::modulus},
                                                                {"compliance", Quantity::compliance}};
 
@@ -303,7 +306,8 @@ void add_fit(CLI::App& application) {
   command
       ->add_option("--columns", arguments->columns,
                    "which column of the file is which, where the names of the columns do not say it: time, frequency, "
-                   "temperature, storage, loss, modulus or compliance, as in storage=\"E1 [MPa]\"; may be repeated")
+                   "temperature, storage, loss, absolute, phase, tangent, modulus or compliance, as in "
+                   "storage=\"E1 [MPa]\"; may be repeated")
       ->expected(1)
       ->take_all()
       ->type_name("QUANTITY=NAME");

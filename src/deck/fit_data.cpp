@@ -2,18 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
+#include "breccia/io/complex_modulus.hpp"
 #include "breccia/io/file_mistakes.hpp"
 
 namespace breccia {
 namespace {
 
-/// Reports values that are not positive and finite, since the fits use their logarithms.
+/// What is expected of a number in a column.
+std::string_view expected_in(const MeasuredColumn& column) {
+  if (column.quantity == Quantity::temperature) return "a temperature above absolute zero";
+  return column.quantity == Quantity::phase_angle ? "an angle above 0 and below 90 degrees" : "a positive number";
+}
+
+/// Reports values that are not positive and finite, since the fits use their logarithms, and phase angles that no solid
+/// has.
 void require_positive(const MeasuredTable& table, const std::vector<const MeasuredColumn*>& columns) {
   FileMistakes mistakes(table.path());
   constexpr std::size_t fewest = 3;
@@ -22,10 +32,11 @@ void require_positive(const MeasuredTable& table, const std::vector<const Measur
   }
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (const auto* column : columns) {
-      if (column->values[row] > 0.0 && std::isfinite(column->values[row])) continue;
-      const auto* expected =
-          column->quantity == Quantity::temperature ? "a temperature above absolute zero" : "a positive number";
-      mistakes.add(table.place(row), fmt::format("{}: expected {}", column->name, expected),
+      const double value = column->values[row];
+      const bool is_below =
+          column->quantity == Quantity::phase_angle ? value < std::numbers::pi / 2 : std::isfinite(value);
+      if (value > 0.0 && is_below) continue;
+      mistakes.add(table.place(row), fmt::format("{}: expected {}", column->name, expected_in(*column)),
                    fmt::format("{}", column->written[row]));
     }
   }
@@ -73,13 +84,12 @@ void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequenci
   mistakes.refuse();
 }
 
-DynamicData dynamic_data(const MeasuredTable& table, ModulusKind kind) {
+DynamicData dynamic_data(const MeasuredTable& table, const ComplexModulusColumns& pair, ModulusKind kind) {
   using enum Quantity;
   table.refuse_unknown_units({temperature});
   const auto& frequencies = table.column(angular_frequency);
-  const auto& storage = table.column(storage_modulus, kind);
-  const auto& loss = table.column(loss_modulus, kind);
-  std::vector columns = {&frequencies, &storage, &loss};
+  const auto& second = pair.other == loss_modulus ? table.column(loss_modulus, kind) : table.column(pair.other);
+  std::vector columns = {&frequencies, &table.column(pair.modulus, kind), &second};
   if (table.has({temperature})) columns.push_back(&table.column(temperature));
   require_positive(table, columns);
   const auto temperatures =
@@ -89,12 +99,13 @@ DynamicData dynamic_data(const MeasuredTable& table, ModulusKind kind) {
     std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return frequencies.values[row]; });
   }
   refuse_repeated(table, frequencies, sweeps);
+  const auto measured = complex_modulus(table, pair, kind);
   DynamicData data;
   for (const auto& rows : sweeps) {
     const auto of_sweep = in_order(temperatures, rows);
     const double mean = std::reduce(of_sweep.begin(), of_sweep.end()) / static_cast<double>(of_sweep.size());
     data.sweeps.push_back(
-        {mean, in_order(frequencies.values, rows), in_order(storage.values, rows), in_order(loss.values, rows)});
+        {mean, in_order(frequencies.values, rows), in_order(measured.storage, rows), in_order(measured.loss, rows)});
   }
   return data;
 }
@@ -122,14 +133,15 @@ ModulusKind kind_of(const MeasuredTable& table, ModulusKind given) {
 
 [[noreturn]] void refuse_columns(const MeasuredTable& table) {
   using enum Quantity;
-  table.refuse_unknown_units(
-      {time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus, angular_frequency, temperature});
+  table.refuse_unknown_units({time, relaxation_time, modulus, compliance, storage_modulus, loss_modulus,
+                              absolute_modulus, phase_angle, loss_tangent, angular_frequency, temperature});
   throw InputError(fmt::format(
       "{}: expected the columns of one of\n"
       "  a relaxation modulus  time_s, modulus_Pa\n"
       "  a creep compliance    time_s, compliance_1_per_Pa\n"
       "  dynamic moduli        frequency_Hz or angular_frequency_rad_per_s, storage_modulus_Pa, loss_modulus_Pa and,\n"
-      "                        for a master curve, temperature_K or temperature_degC\n"
+      "                        for a master curve, temperature_K or temperature_degC; phase_angle_deg or tan_delta\n"
+      "                        may stand for one of the moduli, \"|G*| [Pa]\" for the other\n"
       "  a Prony series        relaxation_time_s, modulus_Pa\n"
       "with any unit at the end of a name, or in brackets as in \"Storage modulus [MPa]\"; it has {}\n"
       "breccia fit --columns tells which column is which, as in --columns storage=NAME --columns loss=NAME",
@@ -154,7 +166,8 @@ FitInput fit_data_in(const MeasuredTable& table, ModulusKind given) {
   using enum Quantity;
   const auto kind = kind_of(table, given);
   if (table.has({relaxation_time, modulus})) return {series(table.path(), kind), kind};
-  if (table.has({angular_frequency, storage_modulus, loss_modulus})) return {dynamic_data(table, kind), kind};
+  const auto pair = complex_modulus_columns(table);
+  if (pair && table.has({angular_frequency})) return {dynamic_data(table, *pair, kind), kind};
   const bool is_relaxation = table.has({time, modulus}), is_creep = table.has({time, compliance});
   if (is_relaxation == is_creep) refuse_columns(table);
   const auto& times = table.column(time);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 39> stems{{
+constexpr std::array<Stem, 54> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -66,10 +67,25 @@ constexpr std::array<Stem, 39> stems{{
     {"log a t", log10_shift_factor},
     {"log10 at", log10_shift_factor},
     {"log10 a t", log10_shift_factor},
+    {"phase angle", phase_angle},
+    {"phase shift", phase_angle},
+    {"phase shift angle", phase_angle},
+    {"phase lag", phase_angle},
+    {"loss angle", phase_angle},
+    {"delta", phase_angle},
+    {"tan delta", loss_tangent},
+    {"tan δ", loss_tangent},
+    {"tan d", loss_tangent},
+    {"tandelta", loss_tangent},
+    {"tanδ", loss_tangent},
+    {"loss factor", loss_tangent},
+    {"loss factor tan delta", loss_tangent},
+    {"loss factor tan δ", loss_tangent},
+    {"damping factor", loss_tangent},
 }};
 
 /// Symbols of quantities, which are case-sensitive.
-constexpr std::array<Stem, 19> symbols{{
+constexpr std::array<Stem, 26> symbols{{
     {"t", time},
     {"T", temperature},
     {"f", angular_frequency, ModulusKind::unspecified, true},
@@ -89,14 +105,22 @@ constexpr std::array<Stem, 19> symbols{{
     {"E''", loss_modulus, ModulusKind::young},
     {"K''", loss_modulus, ModulusKind::bulk},
     {"τ", relaxation_time},
+    {"δ", phase_angle},
+    {"G*", absolute_modulus, ModulusKind::shear},
+    {"E*", absolute_modulus, ModulusKind::young},
+    {"K*", absolute_modulus, ModulusKind::bulk},
+    {"|G*|", absolute_modulus, ModulusKind::shear},
+    {"|E*|", absolute_modulus, ModulusKind::young},
+    {"|K*|", absolute_modulus, ModulusKind::bulk},
 }};
 
 /// Names that other words may precede, as in "shear storage modulus"; a longer name comes before its own ending.
-constexpr std::array<Stem, 4> moduli{{
+constexpr std::array<Stem, 5> moduli{{
     {"storage modulus", storage_modulus},
     {"loss modulus", loss_modulus},
     {"modulus", modulus},
     {"compliance", compliance},
+    {"loss tangent", loss_tangent},
 }};
 
 std::string with_replaced(std::string_view text, std::string_view from, std::string_view to) {
@@ -133,11 +157,22 @@ const Stem* symbol_of(const std::string& word) {
   return found == symbols.end() ? nullptr : found;
 }
 
+bool has_one_of(const std::vector<std::string>& words, std::span<const std::string_view> wanted) {
+  return std::ranges::any_of(words, [&](const auto& word) { return std::ranges::find(wanted, word) != wanted.end(); });
+}
+
 /// Whether the words before "modulus" say that the quantity is not a modulus, as in "log modulus".
 bool say_something_else(const std::vector<std::string>& words) {
-  constexpr std::array<std::string_view, 9> others{"log",        "log10",      "lg",       "ln",   "complex",
+  constexpr std::array<std::string_view, 8> others{"log",        "log10",      "lg",       "ln",
                                                    "normalised", "normalized", "relative", "error"};
-  return std::ranges::any_of(words, [&](const auto& word) { return std::ranges::find(others, word) != others.end(); });
+  return has_one_of(words, others);
+}
+
+/// Whether the words before "modulus" say that it is the absolute value of a complex modulus: instruments write
+/// "complex modulus", the standards of asphalt and rubber "dynamic modulus".
+bool say_absolute_value(const std::vector<std::string>& words) {
+  constexpr std::array<std::string_view, 3> signs{"complex", "dynamic", "absolute"};
+  return has_one_of(words, signs);
 }
 
 ModulusKind kind_of_words(const std::vector<std::string>& words) {
@@ -152,7 +187,9 @@ std::optional<Stem> modulus_in_words(const std::vector<std::string>& words) {
   for (const auto& known : moduli) {
     if (!text.ends_with(fmt::format(" {}", known.text))) continue;
     if (say_something_else(words)) return std::nullopt;
-    return Stem{known.text, known.quantity, kind_of_words(words)};
+    const bool is_absolute = known.quantity == modulus && say_absolute_value(words);
+    if (known.quantity == compliance && say_absolute_value(words)) return std::nullopt;
+    return Stem{known.text, is_absolute ? absolute_modulus : known.quantity, kind_of_words(words)};
   }
   return std::nullopt;
 }
@@ -181,7 +218,8 @@ std::optional<Stem> stem_of(std::string_view text) {
   return stem;
 }
 
-/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", and "log(aT)" becomes "log aT".
+/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", "log(aT)" becomes "log aT", and "Tan(delta)"
+/// "Tan delta".
 std::string without_argument(std::string_view name) {
   std::string text(name);
   for (const auto* logarithm : {"log", "log10", "Log", "Log10"}) {
@@ -190,6 +228,11 @@ std::string without_argument(std::string_view name) {
     }
   }
   for (const auto* argument : {"(t)", "(ω)", "(omega)", "(f)"}) text = with_replaced(text, argument, "");
+  for (const auto* angle : {"delta", "Delta", "δ", "d"}) {
+    for (const auto* tangent : {"tan", "Tan", "TAN"}) {
+      text = with_replaced(text, fmt::format("{}({})", tangent, angle), fmt::format("{} {}", tangent, angle));
+    }
+  }
   return text;
 }
 

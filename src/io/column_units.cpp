@@ -89,7 +89,8 @@ Conversion number_without_unit(std::string_view unit) {
 /// Quantities without a unit.
 bool is_number(Quantity quantity) {
   return quantity == Quantity::filler || quantity == Quantity::particle || quantity == Quantity::film_share ||
-         quantity == Quantity::shift_factor || quantity == Quantity::log10_shift_factor;
+         quantity == Quantity::shift_factor || quantity == Quantity::log10_shift_factor ||
+         quantity == Quantity::loss_tangent;
 }
 
 std::string_view example_of_unit(const ColumnMeaning& meaning) {
@@ -112,6 +113,7 @@ std::string_view example_of_unit(const ColumnMeaning& meaning) {
     case Quantity::axis_2:
     case Quantity::axis_3:
       return "um";
+    case Quantity::phase_angle:
     case Quantity::angle:
     case Quantity::azimuth:
     case Quantity::elevation:
@@ -157,6 +159,7 @@ Conversion conversion_of(const ColumnMeaning& meaning) {
     case Quantity::axis_2:
     case Quantity::axis_3:
       return by_unit(unit, Dimension::length);
+    case Quantity::phase_angle:
     case Quantity::angle:
     case Quantity::azimuth:
     case Quantity::elevation:

@@ -27,6 +27,12 @@ std::string_view example_of(Quantity quantity) {
       return "of storage moduli, such as storage_modulus_Pa";
     case Quantity::loss_modulus:
       return "of loss moduli, such as loss_modulus_Pa";
+    case Quantity::absolute_modulus:
+      return "of absolute values of a complex modulus, such as \"|G*| [Pa]\"";
+    case Quantity::phase_angle:
+      return "of phase angles, such as phase_angle_deg";
+    case Quantity::loss_tangent:
+      return "of loss tangents, such as tan_delta";
     case Quantity::angular_frequency:
       return "of frequencies, such as frequency_Hz or angular_frequency_rad_per_s";
     case Quantity::temperature:
@@ -93,8 +99,8 @@ std::vector<ModulusKind> MeasuredTable::kinds() const {
   for (const auto& column : columns_) {
     using enum Quantity;
     const auto quantity = column.quantity;
-    const bool has_kind =
-        quantity == modulus || quantity == compliance || quantity == storage_modulus || quantity == loss_modulus;
+    const bool has_kind = quantity == modulus || quantity == compliance || quantity == storage_modulus ||
+                          quantity == loss_modulus || quantity == absolute_modulus;
     if (has_kind && std::ranges::find(all, column.kind) == all.end()) all.push_back(column.kind);
   }
   return all;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/complex_modulus.hpp"
 #include "breccia/io/file_mistakes.hpp"
 
 #include "column_meaning.hpp"
@@ -95,6 +96,24 @@ class MeasuredTableReader {
     if (!has(Quantity::x)) std::ranges::replace_if(meanings_, is_of(Quantity::particle), std::nullopt);
     const bool has_particles = has(Quantity::diameter) || has(Quantity::axis_1) || has(Quantity::particle);
     if (!has_particles) std::ranges::replace_if(meanings_, is_of(Quantity::filler), std::nullopt);
+    leave_out_what_follows(has);
+  }
+
+  /// Two columns determine a complex modulus: others of it, such as a loss tangent beside storage and loss moduli, may
+  /// hold anything.
+  void leave_out_what_follows(const detail::IsOfQuantity& has) {
+    const auto is_chosen = [&](Quantity quantity) {
+      return std::ranges::find(choices_, quantity, &ColumnChoice::quantity) != choices_.end();
+    };
+    const auto columns = detail::preferred_columns(has, is_chosen);
+    if (!columns) return;
+    std::ranges::replace_if(
+        meanings_,
+        [&](const auto& meaning) {
+          return meaning && detail::is_part_of_complex_modulus(meaning->quantity) &&
+                 meaning->quantity != columns->modulus && meaning->quantity != columns->other;
+        },
+        std::nullopt);
   }
 
   /// The columns that distinguish the series in a table of results of Breccia.

@@ -27,6 +27,12 @@ std::string_view words_of(Quantity quantity) {
       return "storage modulus";
     case Quantity::loss_modulus:
       return "loss modulus";
+    case Quantity::absolute_modulus:
+      return "absolute modulus";
+    case Quantity::phase_angle:
+      return "phase angle";
+    case Quantity::loss_tangent:
+      return "loss tangent";
     case Quantity::angular_frequency:
       return "frequency";
     case Quantity::temperature:

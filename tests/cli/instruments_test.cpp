@@ -93,6 +93,31 @@ TEST_F(Instruments, NamesInAnotherLanguage) {
   expect_the_solid();
 }
 
+TEST_F(Instruments, AnAbsoluteValueAndAPhaseAngle) {
+  const auto outcome = fit("asphalt.csv", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("absolute modulus (shear)   \"|G*| (kPa)\" [kPa], "));
+  EXPECT_THAT(outcome.output, HasSubstr("phase angle                \"Phase angle (°)\" [°], "));
+  EXPECT_THAT(outcome.output, HasSubstr("WLF: c1 = "));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, AStorageModulusAndALossFactor) {
+  const auto outcome = fit("bending.csv");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("loss tangent               \"Tan Delta\""));
+  EXPECT_THAT(outcome.output, HasSubstr("\"Temperature\" [°F], 68 to 68"));
+  EXPECT_THAT(outcome.output, HasSubstr("not read                   \"Stiffness\""));
+  expect_the_solid(3.0);
+}
+
+TEST_F(Instruments, AnAbsoluteValueAndAPhaseAngleThatTheUserNames) {
+  const auto outcome = fit("asphalt.csv", {"--reference-temperature", "20 degC", "--columns", "absolute=|G*| (kPa)",
+                                           "--columns", "phase=Phase angle (°)"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  expect_the_solid();
+}
+
 TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
   struct Broken {
     const char* file;
@@ -100,7 +125,9 @@ TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
   };
   const std::vector<Broken> files = {
       {"broken-thousands.csv", {"the comma of \"1,234\" may be a decimal one or part thousands"}},
-      {"broken-absolute.csv", {"expected the columns of one of", "it has \"Frequency [Hz]\", \"|E*| [MPa]\""}},
+      {"broken-phase.csv",
+       {":3: Phase angle [deg]: expected an angle above 0 and below 90 degrees, got 93.2",
+        ":4: Phase angle [deg]: expected an angle above 0 and below 90 degrees, got 0"}},
       {"broken-values.csv",
        {":2: Loss modulus [MPa]: expected a number, got \"overload\"", ":3: Loss modulus [MPa]: expected a number",
         ":5: expected 3 values"}},

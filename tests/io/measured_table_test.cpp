@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/io/complex_modulus.hpp"
 #include "breccia/io/measured_table_reader.hpp"
 
 #include "messages.hpp"
@@ -84,6 +85,20 @@ TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
       {"loss [kPa]", loss_modulus, 3e3},
       {"G\" [Pa]", loss_modulus, 3.0, ModulusKind::shear},
       {"tensile_loss_modulus_MPa", loss_modulus, 3e6, ModulusKind::young},
+      {"|G*| [MPa]", absolute_modulus, 3e6, ModulusKind::shear},
+      {"E* (kPa)", absolute_modulus, 3e3, ModulusKind::young},
+      {"Complex modulus [Pa]", absolute_modulus, 3.0},
+      {"Complex Shear Modulus / MPa", absolute_modulus, 3e6, ModulusKind::shear},
+      {"Dynamic modulus |E*| (MPa)", absolute_modulus, 3e6, ModulusKind::young},
+      {"phase_angle_deg", phase_angle, 3.0 * std::numbers::pi / 180.0},
+      {"Phase angle δ [°]", phase_angle, 3.0 * std::numbers::pi / 180.0},
+      {"Phase Shift Angle [mrad]", phase_angle, 3e-3},
+      {"delta (rad)", phase_angle, 3.0},
+      {"tan_delta", loss_tangent, 3.0},
+      {"Tan(delta)", loss_tangent, 3.0},
+      {"tan(δ) [-]", loss_tangent, 3.0},
+      {"Loss factor tan(δ) [1]", loss_tangent, 3.0},
+      {"shear_loss_tangent", loss_tangent, 3.0, ModulusKind::shear},
       {"diameter_um", diameter, 3e-6},
       {"x [mm]", x, 3e-3},
       {"y_m", y, 3.0},
@@ -121,6 +136,38 @@ TEST_F(MeasuredTableTest, OtherColumnsMayHoldAnything) {
   EXPECT_THAT(table.column(time).values, ElementsAre(1.0));
   EXPECT_THAT(table.column(modulus).values, ElementsAre(2.0));
   EXPECT_FALSE(table.has({temperature}));
+}
+
+// |M*| = 5, tan(delta) = 3 / 4: M' = 4, M'' = 3.
+TEST_F(MeasuredTableTest, TwoColumnsDetermineAComplexModulus) {
+  for (const auto* text : {
+           "storage_modulus_Pa,loss_modulus_Pa\n4,3\n",
+           "storage_modulus_Pa,phase_angle_rad\n4,0.6435011087932844\n",
+           "storage_modulus_Pa,tan_delta\n4,0.75\n",
+           "loss_modulus_Pa,phase_angle_rad\n3,0.6435011087932844\n",
+           "loss_modulus_Pa,tan_delta\n3,0.75\n",
+           "|G*| [Pa],phase_angle_deg\n5,36.86989764584402\n",
+           "tan_delta,G* [Pa]\n0.75,5\n",
+       }) {
+    const auto table = read(text);
+    const auto columns = complex_modulus_columns(table);
+    ASSERT_TRUE(columns.has_value()) << text;
+    const auto modulus = complex_modulus(table, *columns, ModulusKind::unspecified);
+    EXPECT_NEAR(modulus.storage.at(0), 4.0, 1e-14) << text;
+    EXPECT_NEAR(modulus.loss.at(0), 3.0, 1e-14) << text;
+  }
+  EXPECT_FALSE(complex_modulus_columns(read("storage_modulus_Pa,|G*| [Pa]\n4,5\n")).has_value());
+}
+
+TEST_F(MeasuredTableTest, WhatFollowsFromTwoColumnsMayHoldAnything) {
+  const auto table = read("loss_modulus_Pa,tan_delta,|G*| [Pa],storage_modulus_Pa,phase_angle_deg\n3,-,overload,4,\n");
+  EXPECT_TRUE(table.has({storage_modulus, loss_modulus}));
+  EXPECT_FALSE(table.has({loss_tangent}) || table.has({absolute_modulus}) || table.has({phase_angle}));
+  const std::vector<ColumnChoice> choices = {{absolute_modulus, "B [Pa]"}, {phase_angle, "A [deg]"}};
+  const auto path = directory.written("chosen.csv", "storage_modulus_Pa,loss_modulus_Pa,B [Pa],A [deg]\n-,-,5,30\n");
+  const auto chosen = read_measured_table(path, choices);
+  EXPECT_TRUE(chosen.has({absolute_modulus, phase_angle}));
+  EXPECT_FALSE(chosen.has({storage_modulus}) || chosen.has({loss_modulus}));
 }
 
 TEST_F(MeasuredTableTest, AnUnknownUnitIsAnErrorOnlyInTheSoleColumnOfAQuantity) {

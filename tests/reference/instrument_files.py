@@ -3,7 +3,7 @@
 
 The solid is G*(omega, T) of three Maxwell elements beside a spring, with the shift law of Williams, Landel and Ferry
 (c1 = 10, c2 = 100 K at 20 degC); in tension E = 3 G. Headers follow the habits of rheometers and analysers; no file is
-a copy of one. Five files are sound, five are not.
+a copy of one. Seven files are sound, five are not.
 
     python3 tests/reference/instrument_files.py
 """
@@ -75,17 +75,27 @@ for celsius, frequency, storage, loss in rows([20]):
     text += f"{comma(frequency)};{comma(storage / 1e6)};{comma(loss / 1e6)};gut\n"
 write("german.csv", text, "utf-8", "\r\n")
 
+# Asphalt: the absolute value of the complex shear modulus ("dynamic modulus") and the phase angle.
+text = "Temp. (°C);Freq. (Hz);|G*| (kPa);Phase angle (°)\n"
+for celsius, frequency, storage, loss in rows([10, 20, 30]):
+    text += f"{celsius};{frequency:.6g};{math.hypot(storage, loss) / 1e3:.8g};{math.degrees(math.atan2(loss, storage)):.8g}\n"
+write("asphalt.csv", text)
+
+# An analyser in bending that gives the storage modulus and the loss factor alone, in units of the United States.
+text = "Frequency,Temperature,Flexural Storage Modulus,Tan Delta,Stiffness\nHz,°F,psi,,N/m\n"
+for celsius, frequency, storage, loss in rows([20]):
+    text += f"{frequency:.6g},{1.8 * celsius + 32:.2f},{3 * storage / 6894.757293168:.8g},{loss / storage:.8g},{storage:.4g}\n"
+write("bending.csv", text)
+
 # Not sound: every comma may part thousands.
 text = "Frequency [Hz];Storage modulus [kPa];Loss modulus [kPa]\n"
 for number in (1, 2, 3, 4):
     text += f"{number};{number},234;{number},111\n"
 write("broken-thousands.csv", text)
 
-# Not sound: an absolute value and a phase instead of storage and loss moduli.
-text = "Frequency [Hz],|E*| [MPa],Phase angle [deg]\n"
-for celsius, frequency, storage, loss in rows([20]):
-    text += f"{frequency:.6g},{math.hypot(storage, loss) / 1e6:.6g},{math.degrees(math.atan2(loss, storage)):.5g}\n"
-write("broken-absolute.csv", text)
+# Not sound: a phase angle of noise beyond 90 degrees, and one of zero.
+text = "Frequency [Hz],|E*| [MPa],Phase angle [deg]\n1,12.5,4.1\n2,13.0,93.2\n4,14.1,0\n8,15,3.2\n"
+write("broken-phase.csv", text)
 
 # Not sound: texts and values below zero among the numbers, and a row that breaks off.
 text = "Frequency [Hz],Storage modulus [MPa],Loss modulus [MPa]\n1,12.5,overload\n2,13.0,---\n4,14.1,2.2\n8,15\n"
