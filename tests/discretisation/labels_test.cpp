@@ -15,12 +15,12 @@ namespace {
 
 constexpr Disc disc = {{0.513, 0.477}, 0.61};
 
-double distance_to(const Disc& disc, const Vector<2>& place) {
+double distance_to_disc(const Vector<2>& place) {
   return std::hypot(place[0] - disc.centre[0], place[1] - disc.centre[1]) - 0.5 * disc.diameter;
 }
 
 PhaseAt in_disc(const Vector<2>& place) {
-  const double distance = distance_to(disc, place);
+  const double distance = distance_to_disc(place);
   return {static_cast<PhaseIndex>(distance <= 0.0 ? 1 : 0), std::abs(distance)};
 }
 
