@@ -68,7 +68,7 @@ TEST(GridEstimate, OfSpheresIsOfTheSizeOfMeasuredErrors) {
   EXPECT_FALSE(expected_sphere_error(4.4, fraction)) << "too few cells to tell";
   EXPECT_FALSE(expected_sphere_error(19.0, 0.61)) << "close to jamming";
   EXPECT_FALSE(cells_per_diameter_for(0.01, 0.61));
-  for (const double measured : {0.29, 0.3, 0.4, 0.5}) EXPECT_TRUE(is_sphere_error_measured(measured)) << measured;
+  for (const double share : {0.29, 0.3, 0.4, 0.5}) EXPECT_TRUE(is_sphere_error_measured(share)) << share;
   for (const double extrapolated : {0.0, 0.2, 0.55}) EXPECT_FALSE(is_sphere_error_measured(extrapolated));
   for (const double error : {0.05, 0.01}) {
     EXPECT_NEAR(expected_sphere_error(cells_per_diameter_for(error, 0.5).value(), 0.5).value(), error, 1e-12);

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "breccia/error.hpp"
 #include "breccia/study/identity.hpp"
 #include "breccia/study/soundness.hpp"
 
