@@ -105,6 +105,20 @@ def test_particles_and_images_are_given_as_arrays(binder, particle):
     assert np.array_equal(box.labels()[0], labels)
 
 
+def test_images_and_labels_of_a_cube(binder, particle):
+    """The planes of an image have their top rows first, those of labels their bottom rows; z rises in both."""
+    voxels = np.zeros((4, 4, 4), int)
+    voxels[0, 1, 3] = voxels[2, 3, 0] = 1
+    scan = breccia.Stage("scan", matrix=binder, packing=breccia.Image(voxels, pixel=1e-4, materials=[binder, particle]))
+    box = breccia.pack(breccia.Study(scan, breccia.Tests(times=(1e-3, 1e-2)), dimensions=3))["scan"].microstructure
+    labels = box.labels()[0]
+    assert np.array_equal(labels[..., ::-1, :], voxels)
+    again = breccia.Stage("scan", matrix=binder, packing=breccia.Image(
+        labels[..., ::-1, :], pixel=1e-4, materials={0: binder, 1: particle}))
+    box = breccia.pack(breccia.Study(again, breccia.Tests(times=(1e-3, 1e-2)), dimensions=3))["scan"].microstructure
+    assert np.array_equal(box.labels()[0], labels)
+
+
 def test_a_chain_of_stages(binder, particle):
     filler = breccia.Filler(particle, diameter="20 um")
     array = breccia.Packing("regular", columns=1, rows=1)
