@@ -56,7 +56,7 @@ class Files:
         return path
 
     def image(self, labels: Any, argument: str) -> str:
-        """A file with the labels of an argument, [y, x] with the top row first, or [z, y, x]."""
+        """A file with the labels of an argument, [y, x] or [z, y, x] with the top row first."""
         path = self._path("labels.npy", argument)
         labels = np.asarray(labels)
         if labels.dtype == bool:

@@ -113,7 +113,7 @@ class Image(Table):
                  materials: Mapping[int, Material | str] | Sequence[Material | str],
                  pixel: Quantity | None = None, periodic: bool | None = None, **keys: Any) -> None:
         self.labels = labels
-        if isinstance(materials, str) or not np.iterable(materials):
+        if isinstance(materials, str) or not isinstance(materials, Iterable):
             raise InputError(f"Image: materials: expected the material of each value, as in {{0: rubber, 1: glass}}, got "
                              f"{materials!r}")
         by_value = materials if isinstance(materials, Mapping) else dict(enumerate(materials))

@@ -226,11 +226,10 @@ void bind_stage(py::module_& module) {
                                    view_of(test.compliance, &CreepSample::compliance, self));
            }),
            load, boundary, method, grid, of_compliance.c_str())
-      .def(
-          "engineering", &engineering_of_stage, boundary,
-          "Young's modulus and Poisson's ratio, EngineeringModuli, of a stage that was tested in shear and in bulk "
-          "under "
-          "this boundary condition, which is needed where there are several. Raises InputError with what is missing.")
+      .def("engineering", &engineering_of_stage, boundary,
+           "Young's modulus and Poisson's ratio, EngineeringModuli, of a stage that was tested in shear and in bulk "
+           "under "
+           "this boundary condition, which is needed where there are several. Raises InputError with what is missing.")
       .def("__repr__",
            [](const SolvedStage& stage) {
              return fmt::format("<breccia.StageResult {}: {}>", stage.result.name,

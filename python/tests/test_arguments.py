@@ -1,10 +1,13 @@
 """Arguments: quantities as text and as numbers, and mistakes, which are InputError with plain words."""
 
+import re
+
 import numpy as np
 import pytest
 
 import breccia
-from conftest import MODEL, OVERRIDES
+from breccia._quantities import UNITS
+from conftest import MODEL, OVERRIDES, ROOT
 
 RUBBER = breccia.Material("rubber", density=1100.0, bulk="2 GPa", shear=breccia.PronySeries([(1.0, 2e6)], 1e6))
 GLASS = breccia.Material("glass", density=2500.0, bulk="40 GPa", shear="28 GPa")
@@ -70,12 +73,7 @@ def test_overrides_and_swept_keys_take_numbers():
 
 def test_every_quantity_of_a_deck_has_a_unit_here():
     """What the readers of decks take as quantities is what numbers get a unit for."""
-    import re
-    from pathlib import Path
-
-    from breccia._quantities import UNITS
-    from conftest import ROOT
-    text = "".join(path.read_text() for path in Path(ROOT, "src", "deck").glob("*.cpp"))
+    text = "".join(path.read_text() for path in (ROOT / "src" / "deck").glob("*.cpp"))
     keys = set(re.findall(r'quantit(?:y|ies)\(\s*"([a-z0-9_]+)",\s*Dimension::', text))
     by_variable = {"bulk", "shear", "young", "times", "resolution", "gap"}  # read by a name in a variable
     assert keys | by_variable == set(UNITS)
@@ -102,6 +100,7 @@ def test_series_take_text_with_units_and_pairs_of_any_kind():
     (lambda: breccia.PronySeries(np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])), "terms: expected pairs"),
     (lambda: breccia.PronySeries([1.0, 2.0]), "terms: expected pairs .* got 1.0 in place of a pair"),
     (lambda: breccia.PronySeries(3e6), "terms: expected pairs"),
+    (lambda: breccia.quantity(3, "pressure"), "text: expected a number with its unit in quotes, got 3"),
     (lambda: breccia.PronySeries([("1 Pa", 1e6)]), "terms: expected a time"),
     (lambda: breccia.PronySeries([(1.0, None)]), "terms: expected a pressure, as a number .* got None"),
     (lambda: SERIES.at("1 m"), "time: expected a time"),

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import breccia
-from conftest import MODEL, OVERRIDES
+from conftest import MODEL, OVERRIDES, ROOT
 
 
 def test_study_built_in_python_has_the_bits_of_its_deck(model, composite):
@@ -140,6 +140,14 @@ def test_a_study_describes_itself(composite):
     assert [solid.name for solid in study.materials] == ["binder", "particle"]
     assert "[materials.binder]" in study.deck
     assert "matrix=" in repr(composite) and "breccia.Filler" in repr(composite.fillers)
+
+
+def test_the_study_of_the_documentation_has_no_warnings():
+    text = (ROOT / "docs" / "python.md").read_text()
+    code = next(part for part in text.split("```python\n")[1:] if part.startswith("rubber = "))
+    names = {"breccia": breccia}
+    exec(code.partition("```")[0], names)  # pylint: disable=exec-used
+    assert breccia.solve(names["study"]).warnings == []
 
 
 def test_studies_can_be_pickled(binder, particle, tmp_path):
