@@ -85,7 +85,7 @@ double plain_number_of(std::string_view argument, const py::handle& value) {
 Numbers numbers_of(const Expected& expected, const py::object& values,
                    double (*in_si)(std::string_view argument, const py::handle& value)) {
   const bool is_text = py::isinstance<py::str>(values);
-  const auto numbers = Numbers::ensure(is_text ? py::float_(in_si(expected.argument, values)) : values);
+  auto numbers = Numbers::ensure(is_text ? py::float_(in_si(expected.argument, values)) : values);
   if (!numbers) {
     PyErr_Clear();
     throw InputError(

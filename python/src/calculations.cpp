@@ -156,8 +156,10 @@ Replacement at_other_temperature(const Solution& solution, double temperature) {
 /// Other materials, with the laws of their shifts, by the names that a caller has given.
 Replacement by_names(const Solution& solution, const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
   std::vector<Material> of_study;
+  of_study.reserve(solution.content.materials.size());
   for (const auto& [material, shift] : solution.content.materials) of_study.push_back(material);
   std::vector<NewMaterial> given;
+  given.reserve(replaced.size());
   for (const auto& [name, one] : replaced) given.push_back({name, one.material});
   Replacement replacement{by_replaced_material(given, solution.responses, of_study), {}};
   for (const auto& one : given) {

@@ -45,7 +45,7 @@ std::string lacking(const StageResult& stage, const std::optional<std::string>& 
     return fmt::format("the tests in shear and in bulk{} are not by one method on one grid", where);
   }
   const auto* const what = has_shear ? "bulk" : has_bulk ? "shear" : "shear and in bulk";
-  return fmt::format("it was not tested in {}{}; a study takes loads=[\"shear\", \"bulk\"]", what, where);
+  return fmt::format(R"(it was not tested in {}{}; a study takes loads=["shear", "bulk"])", what, where);
 }
 
 template <class Sample>
@@ -93,6 +93,7 @@ EngineeringCurves engineering_of(const StageResult& stage, const std::optional<s
   if (all.empty()) throw InputError(fmt::format("stage {}: {}", stage.name, lacking(stage, boundary)));
   if (all.size() > 1) {
     std::vector<std::string> choices;
+    choices.reserve(all.size());
     for (const auto& one : all) choices.push_back(fmt::format("boundary=\"{}\"", name_of(one.test.boundary)));
     throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(choices, " or ")));
   }

@@ -140,6 +140,7 @@ void bind_curve(py::module_& module) {
       "master_curve",
       [](const std::vector<py::tuple>& sweeps, double reference_temperature, double times_per_decade) {
         std::vector<FrequencySweep> read;
+        read.reserve(sweeps.size());
         for (const auto& sweep : sweeps) read.push_back(sweep_of(sweep));
         const auto options = fit_options(0.0, times_per_decade);
         return [&] {

@@ -240,7 +240,7 @@ CreepCompliance compliance_from(const py::tuple& state) {
   std::vector<RetardationTerm> terms;
   const auto times = state[1].cast<std::vector<double>>(), values = state[2].cast<std::vector<double>>();
   for (std::size_t i = 0; i < times.size(); ++i) terms.push_back({times[i], values.at(i)});
-  return CreepCompliance(state[0].cast<double>(), std::move(terms), state[3].cast<double>());
+  return {state[0].cast<double>(), std::move(terms), state[3].cast<double>()};
 }
 
 py::tuple state_of(const Material& material) {
