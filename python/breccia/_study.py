@@ -170,7 +170,8 @@ class Study:
 def _override_lines(overrides: Mapping[str, Any] | Iterable[str] | str) -> list[str]:
     """Overrides as the command line has them."""
     if isinstance(overrides, Mapping):
-        return [f"{path}={_deck.text_of(in_path(path, value))}" for path, value in overrides.items()]
+        return [f"{path}=" + ("" if value is None else _deck.text_of(in_path(path, value)))
+                for path, value in overrides.items()]
     return [overrides] if isinstance(overrides, str) else list(overrides)
 
 
@@ -190,8 +191,9 @@ def read_study(deck: PathLike, overrides: Mapping[str, Any] | Iterable[str] | st
     """The study of a deck; its sweep is ignored.
 
     overrides: values by the paths of their keys, {"stages.0.cells": 96, "tests.method": "quasistatic"}, quantities as
-    text or as numbers in the SI unit; or lines "key.path=value", with quantities as text. Raises InputError with a line
-    for every mistake, also where there is no such deck, and FileError where the deck cannot be read.
+    text or as numbers in the SI unit, None to remove a key; or lines "key.path=value", with quantities as text. Raises
+    InputError with a line for every mistake, also where there is no such deck, and FileError where the deck cannot be
+    read.
     """
     path = os.path.abspath(deck)
     return Study._of(_native.read_study(os.fspath(deck), _override_lines(overrides)), path)

@@ -63,6 +63,8 @@ def test_overrides_and_swept_keys_take_numbers():
     as_number = breccia.read_study(MODEL, {**OVERRIDES, "materials.binder.bulk": 2e6, "tests.times": (1e-3, 0.05)})
     assert as_number.materials == as_text.materials and as_number.times == as_text.times
     assert breccia.read_study(MODEL, "stages.0.cells=24").stages == ["model"]
+    with pytest.raises(breccia.InputError, match="stages.model.box: missing"):
+        breccia.read_study(MODEL, {"stages.0.box": None})
     studies = breccia.read_sweep(MODEL, OVERRIDES, keys={"materials.binder.bulk": [1e6, 2e6]})
     assert [study.materials[0].bulk.equilibrium for study in studies.values()] == [1e6, 2e6]
     ranges = breccia.read_sweep(MODEL, OVERRIDES, keys={"stages.0.cells": {"from": 8, "to": 10}})

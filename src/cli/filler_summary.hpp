@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia::cli {

@@ -168,7 +168,9 @@ class Fitter {
 /// A temperature [K] in the unit of the data, kelvin or else degrees Celsius.
 std::string temperature_in(std::string_view unit, double temperature) {
   constexpr double zero_celsius = 273.15;
-  return unit == "K" ? fmt::format("{:.6g} K", temperature) : fmt::format("{:.6g} degC", temperature - zero_celsius);
+  if (unit == "K") return fmt::format("{:.6g} K", temperature);
+  constexpr double rounding = 1e6;  // of 32 degF
+  return fmt::format("{:.6g} degC", std::round(rounding * (temperature - zero_celsius)) / rounding + 0.0);
 }
 
 std::string shifts(const FitResult& result, std::string_view unit) {
@@ -196,12 +198,40 @@ std::string describe(const FitResult& result) {
                      pressure(series.unrelaxed()), pressure(series.equilibrium()));
 }
 
+/// At which temperatures the frequency sweeps are.
+std::string sweeps_in_words(const FitData& input, std::string_view unit) {
+  const auto* data = std::get_if<DynamicData>(&input);
+  if (data == nullptr || data->sweeps.size() == 1) return "";
+  const auto from = temperature_in(unit, data->sweeps.front().temperature);
+  const auto to = temperature_in(unit, data->sweeps.back().temperature);
+  if (data->is_of_ramp) {
+    return fmt::format(
+        "\n  the temperature changes through the measurement: moduli interpolated to {} temperatures from {} to {}",
+        data->sweeps.size(), from, to);
+  }
+  return fmt::format("\n  {} sweeps at temperatures from {} to {}", data->sweeps.size(), from, to);
+}
+
+/// What a user should know of a modulus that the file calls neither shear, Young's nor bulk.
+std::string note_on_kind(ModulusKind kind) {
+  if (kind != ModulusKind::unspecified) return "";
+  return "The file does not say which modulus it has: it is taken for G; --modulus young or bulk says otherwise\n";
+}
+
+std::string note_on_deviation(const FitResult& result) {
+  constexpr double much = 0.1;
+  if (result.quality->median_error < much) return "";
+  return "These data are not those of a linear viscoelastic solid: see \"Accuracy and limits\" in docs/fitting.md\n";
+}
+
 std::string quality(const FitResult& result) {
   const auto& [median, worst, worst_at, fitted, standard_errors] = *result.quality;
   const auto where = result.measured == CurveKind::dynamic ? fmt::format("{:.4g} rad/s", worst_at) : time(worst_at);
-  return fmt::format(
-      "deviation from the data: median {:.2g} %, worst {:.2g} % at {}; standard error of the fit: at most {:.2g} %\n",
-      100.0 * median, 100.0 * worst, where, 100.0 * *std::ranges::max_element(standard_errors));
+  const double error = *std::ranges::max_element(standard_errors);
+  const auto in_words = std::isnan(error) ? "unknown, for the fit has as many terms as there are data"
+                                          : fmt::format("at most {:.2g} %", 100.0 * error);
+  return fmt::format("deviation from the data: median {:.2g} %, worst {:.2g} % at {}; standard error of the fit: {}\n",
+                     100.0 * median, 100.0 * worst, where, in_words);
 }
 
 std::string dynamic_table(const ConvertedCurve& curve, std::string_view letter) {
@@ -259,7 +289,9 @@ void fit(const FitArguments& arguments) {
   const auto table_of_data = read_measured_table(arguments.file, columns_of(arguments));
   const auto [data, modulus_kind] = fit_data_in(table_of_data, given);
   if (!arguments.quiet) {
-    fmt::print("{}\n\n", description_of(table_of_data));
+    const auto unit =
+        table_of_data.has({Quantity::temperature}) ? table_of_data.column(Quantity::temperature).unit : "";
+    fmt::print("{}{}\n\n", description_of(table_of_data), sweeps_in_words(data, unit));
     std::fflush(stdout);  // before the fit, which may take long or fail
   }
   auto result = std::visit(fitter, data);
@@ -270,7 +302,8 @@ void fit(const FitArguments& arguments) {
       write_fit({directory, arguments.file, options_of(arguments, result), arguments.overwrite}, data, result, kind);
   if (arguments.quiet) return;
   fmt::print("{}: {}\n", arguments.file.string(), describe(result));
-  if (result.quality) fmt::print("{}", quality(result));
+  if (result.quality) fmt::print("{}{}", quality(result), note_on_deviation(result));
+  fmt::print("{}", note_on_kind(modulus_kind));
   if (result.master_curve) {
     fmt::print("{}", shifts(result, table_of_data.column(Quantity::temperature).unit));
   }

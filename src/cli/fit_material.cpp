@@ -48,8 +48,7 @@ std::string shift_key(const FitResult& result, const std::string& directory) {
 }  // namespace
 
 bool follows_law(const FitResult& result) {
-  constexpr double most_decades = 0.1;
-  return result.law && result.law->worst_deviation <= most_decades && result.law->c1_error < result.law->law.c1;
+  return result.law && follow(*result.law);
 }
 
 std::string material_keys(const FitResult& result, const std::string& directory) {

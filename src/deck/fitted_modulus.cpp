@@ -15,6 +15,7 @@
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
+#include "breccia/viscoelasticity/temperature_shift_fit.hpp"
 
 namespace breccia {
 namespace {
@@ -34,7 +35,8 @@ struct FitModulus {
   FittedModulus operator()(const DynamicData& data) const {
     if (data.sweeps.size() > 1) {
       auto curve = master_curve(data.sweeps, temperature_among(data.sweeps));
-      return {std::move(curve.fit.series), times_of(curve.frequencies)};
+      auto law = shift_law_of(curve);
+      return {std::move(curve.fit.series), times_of(curve.frequencies), std::move(law)};
     }
     refuse_temperature();
     const auto& sweep = data.sweeps.front();

@@ -6,6 +6,7 @@
 #include "breccia/io/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
 
 namespace breccia {
 
@@ -13,6 +14,7 @@ namespace breccia {
 struct FittedModulus {
   PronySeries series;                        ///< [Pa]
   std::optional<TimeWindow> measured_times;  ///< of the data [s]; of dynamic moduli 1 / omega; nothing of a series
+  std::optional<ShiftLaw> shift_law = {};    ///< of a master curve (shift_law_of)
 };
 
 /// The modulus fitted to the measured data in a file (fit_data_in): a relaxation modulus, a creep compliance,

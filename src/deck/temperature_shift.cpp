@@ -16,7 +16,7 @@
 namespace breccia {
 namespace {
 
-enum class LawName { wlf, arrhenius, table };
+enum class LawName { wlf, arrhenius, table, measured };
 
 /// Nothing after a mistake.
 std::optional<ShiftLaw> read_wlf(const Section& section) {
@@ -106,9 +106,16 @@ std::optional<ShiftLaw> read_table(const Section& section) {
   return law;
 }
 
-std::optional<ShiftLaw> read_law(const Section& section) {
-  const auto name = section.choice<LawName>(
-      "law", {{"wlf", LawName::wlf}, {"arrhenius", LawName::arrhenius}, {"table", LawName::table}});
+double reference_temperature_of(const ShiftLaw& law) {
+  const auto* table = std::get_if<ShiftTable>(&law);
+  return table != nullptr ? table->reference_temperature() : std::get<WilliamsLandelFerry>(law).reference_temperature;
+}
+
+std::optional<ShiftLaw> read_law(const Section& section, const std::optional<ShiftLaw>& measured) {
+  const auto name = section.choice<LawName>("law", {{"wlf", LawName::wlf},
+                                                    {"arrhenius", LawName::arrhenius},
+                                                    {"table", LawName::table},
+                                                    {"measured", LawName::measured}});
   if (!name) {
     static_cast<void>(section.keys());  // which of them are known depends on the law
     return std::nullopt;
@@ -118,6 +125,13 @@ std::optional<ShiftLaw> read_law(const Section& section) {
       return read_wlf(section);
     case LawName::arrhenius:
       return read_arrhenius(section);
+    case LawName::measured:
+      if (!measured) {
+        section.report("law",
+                       "expected a modulus of this material from measured data at several temperatures "
+                       "({ measured = ... }), whose shift factors fall as the temperature rises");
+      }
+      return measured;
     case LawName::table:
       break;
   }
@@ -126,10 +140,12 @@ std::optional<ShiftLaw> read_law(const Section& section) {
 
 }  // namespace
 
-std::optional<TemperatureShift> read_temperature_shift(const Section& material) {
+std::optional<TemperatureShift> read_temperature_shift(const Section& material,
+                                                       const std::optional<ShiftLaw>& measured) {
   const auto section = material.optional_section("temperature_shift");
+  if (!section && measured) return TemperatureShift{*measured, reference_temperature_of(*measured)};
   if (!section) return std::nullopt;
-  const auto law = read_law(*section);
+  const auto law = read_law(*section, measured);
   const double temperature = section->quantity("temperature", Dimension::temperature, Range::positive());
   std::optional<TemperatureShift> shift;
   if (!law || std::isnan(temperature)) return shift;

@@ -270,6 +270,7 @@ void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::s
   state.read(group + "/history", history, places, count);
 }
 
+template std::size_t TotalLagrangian<2>::values_of_all_nodes() const;
 template Footprint TotalLagrangian<2>::footprint() const;
 template void TotalLagrangian<2>::set_fields_of_cell(LatticeFields<2>&, const Index<2>&) const;
 template Vector<2> TotalLagrangian<2>::momentum() const;
@@ -278,6 +279,7 @@ template LatticeFields<2> TotalLagrangian<2>::fields() const;
 template Vector<2> TotalLagrangian<2>::most_moved() const;
 template void TotalLagrangian<2>::save_arrays(StateWriter&, const std::string&) const;
 template void TotalLagrangian<2>::restore_arrays(const StateReader&, const std::string&);
+template std::size_t TotalLagrangian<3>::values_of_all_nodes() const;
 template Footprint TotalLagrangian<3>::footprint() const;
 template void TotalLagrangian<3>::set_fields_of_cell(LatticeFields<3>&, const Index<3>&) const;
 template Vector<3> TotalLagrangian<3>::momentum() const;

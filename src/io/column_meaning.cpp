@@ -27,7 +27,7 @@ struct Stem {
 };
 
 /// Names of quantities, in lower case.
-constexpr std::array<Stem, 54> stems{{
+constexpr std::array<Stem, 55> stems{{
     {"time", time},
     {"relaxation time", relaxation_time},
     {"tau", relaxation_time},
@@ -67,6 +67,7 @@ constexpr std::array<Stem, 54> stems{{
     {"log a t", log10_shift_factor},
     {"log10 at", log10_shift_factor},
     {"log10 a t", log10_shift_factor},
+    {"phase", phase_angle},
     {"phase angle", phase_angle},
     {"phase shift", phase_angle},
     {"phase shift angle", phase_angle},
@@ -85,7 +86,7 @@ constexpr std::array<Stem, 54> stems{{
 }};
 
 /// Symbols of quantities, which are case-sensitive.
-constexpr std::array<Stem, 26> symbols{{
+constexpr std::array<Stem, 31> symbols{{
     {"t", time},
     {"T", temperature},
     {"f", angular_frequency, ModulusKind::unspecified, true},
@@ -105,7 +106,12 @@ constexpr std::array<Stem, 26> symbols{{
     {"E''", loss_modulus, ModulusKind::young},
     {"K''", loss_modulus, ModulusKind::bulk},
     {"τ", relaxation_time},
+    {"Ts", temperature},
+    {"M'", storage_modulus},
+    {"M''", loss_modulus},
     {"δ", phase_angle},
+    {"M*", absolute_modulus},
+    {"|M*|", absolute_modulus},
     {"G*", absolute_modulus, ModulusKind::shear},
     {"E*", absolute_modulus, ModulusKind::young},
     {"K*", absolute_modulus, ModulusKind::bulk},
@@ -218,8 +224,8 @@ std::optional<Stem> stem_of(std::string_view text) {
   return stem;
 }
 
-/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", "log(aT)" becomes "log aT", and "Tan(delta)"
-/// "Tan delta".
+/// Removes the argument of a symbol: "G(t) [MPa]" becomes "G [MPa]", "log(aT)" becomes "log aT", "Tan(delta)" "Tan
+/// delta", and "Storage modulus (E')/MPa" "Storage modulus  E'/MPa".
 std::string without_argument(std::string_view name) {
   std::string text(name);
   for (const auto* logarithm : {"log", "log10", "Log", "Log10"}) {
@@ -232,6 +238,10 @@ std::string without_argument(std::string_view name) {
     for (const auto* tangent : {"tan", "Tan", "TAN"}) {
       text = with_replaced(text, fmt::format("{}({})", tangent, angle), fmt::format("{} {}", tangent, angle));
     }
+  }
+  for (const auto& symbol : symbols) {
+    if (symbol.text.find_first_of("'*") == std::string_view::npos) continue;
+    text = with_replaced(text, fmt::format("({})", symbol.text), fmt::format(" {}", symbol.text));
   }
   return text;
 }
@@ -287,11 +297,26 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   return meaning_by_words(text);
 }
 
+namespace {
+
+/// The kind of modulus that a symbol in a name says, which may be one in another language: "Speichermodul E' [MPa]".
+ModulusKind kind_in(std::string_view name) {
+  const auto parts = split_at_bracket(name);
+  for (const auto& word : words_of(parts ? parts->stem : name.substr(0, name.find('/')))) {
+    if (const auto* symbol = symbol_of(word); symbol != nullptr && symbol->kind != ModulusKind::unspecified) {
+      return symbol->kind;
+    }
+  }
+  return ModulusKind::unspecified;
+}
+
+}  // namespace
+
 bool is_choice_of(const ColumnChoice& choice, std::string_view name) {
   if (name.empty()) return false;
   if (choice.name == name) return true;
-  const auto parts = split_at_bracket(choice.name);
-  return parts && parts->stem == name;
+  const auto of_choice = split_at_bracket(choice.name), of_column = split_at_bracket(name);
+  return (of_choice && of_choice->stem == name) || (of_column && of_column->stem == choice.name);
 }
 
 std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const ColumnChoice> choices) {
@@ -302,10 +327,13 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name, std::span<const C
         meaning && std::ranges::find(choices, meaning->quantity, &ColumnChoice::quantity) != choices.end();
     return is_taken ? std::nullopt : meaning;
   }
-  if (meaning && meaning->quantity == chosen->quantity && chosen->name == name) return meaning;
+  const auto of_choice_itself = split_at_bracket(chosen->name);
+  if (meaning && meaning->quantity == chosen->quantity && !of_choice_itself) return meaning;
   ColumnMeaning of_choice{
-      chosen->quantity, meaning ? meaning->kind : ModulusKind::unspecified, chosen->quantity == angular_frequency, {}};
-  if (const auto parts = split_at_bracket(chosen->name)) {
+      chosen->quantity, meaning ? meaning->kind : kind_in(name), chosen->quantity == angular_frequency, {}};
+  if (of_choice_itself) {
+    of_choice.unit = std::string(of_choice_itself->unit);
+  } else if (const auto parts = split_at_bracket(name)) {
     of_choice.unit = std::string(parts->unit);
   } else if (const auto sign = name.find('/'); sign != std::string_view::npos) {
     of_choice.unit = std::string(trimmed(name.substr(sign + 1)));

@@ -25,6 +25,8 @@ Conversion reciprocal(const Conversion& conversion) {
 }
 
 Conversion by_unit(std::string_view unit, Dimension dimension) {
+  // UDUNITS-2 knows the dyne by its whole name alone.
+  if (unit.starts_with("dyn/")) return by_unit(fmt::format("dyne{}", unit.substr(3)), dimension);
   return by_factor(parse_quantity(fmt::format("1 {}", unit), dimension));
 }
 
@@ -52,18 +54,21 @@ Conversion frequency(std::string_view unit, bool counts_cycles) {
   for (const std::string_view angle : {"rad_per_", "rad/", "rad /"}) {
     if (unit.starts_with(angle)) return reciprocal(by_unit(unit.substr(angle.size()), Dimension::time));
   }
-  for (const std::string_view rate : {"rad s-1", "rad s^-1", "rad·s-1", "rad*s^-1", "rad s⁻¹"}) {
+  for (const std::string_view rate : {"rad s-1", "rad s^-1", "rad·s-1", "rad*s^-1", "rad s⁻¹", "rad·s⁻¹"}) {
     if (unit == rate) return {};
   }
   constexpr double turn = 2.0 * std::numbers::pi, minute = 60.0;
   if (unit == "rpm") return {turn / minute};
+  for (const std::string_view rate : {"cycles/s", "cycle/s", "cycles/sec", "cps"}) {
+    if (unit == rate) return {turn};
+  }
   if (counts_cycles) {
     if (is_in_hertz(unit)) return {turn * parse_quantity(fmt::format("1 {}", unit), Dimension::frequency)};
     const bool has_radians = unit.find("rad") != std::string_view::npos;
     if (!has_radians) static_cast<void>(parse_quantity(fmt::format("1 {}", unit), Dimension::frequency));
     throw InputError(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit));
   }
-  if (unit == "1/s" || unit == "s-1" || unit == "s^-1") return {};
+  if (unit == "1/s" || unit == "s-1" || unit == "s^-1" || unit == "s⁻¹") return {};
   throw InputError(fmt::format("expected a unit such as rad_per_s, got \"{}\"", unit));
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -95,15 +96,90 @@ class Assignment {
   std::vector<std::string> replaced_;
 };
 
+/// Removes all keys that a path stands for.
+class Removal {
+ public:
+  using Steps = std::span<const std::string>;
+
+  explicit Removal(Place place) : place_(std::move(place)) {}
+
+  /// Adds a mistake if there is no such key.
+  void apply(DeckTable& root, Steps steps, std::vector<Mistake>& mistakes) {
+    apply(root, "", steps);
+    if (removed_ == 0) mistakes.push_back(missing_.front());
+  }
+
+ private:
+  void apply(DeckTable& table, const std::string& path, Steps steps) {
+    std::vector<std::string> keys;
+    for (const auto& entry : table.entries) keys.push_back(entry.key);
+    std::size_t i = 0;
+    const auto is_meant = [&](const auto&) { return is_step(steps.front(), keys[i++]); };
+    if (steps.size() == 1) {
+      return note(std::erase_if(table.entries, is_meant), path, steps.front(), keys);
+    }
+    bool has_any = false;
+    for (auto& entry : table.entries) {
+      if (!is_meant(entry)) continue;
+      has_any = true;
+      apply(entry.value, joined(path, entry.key), steps.subspan(1));
+    }
+    if (!has_any) note(0, path, steps.front(), keys);
+  }
+
+  void apply(DeckValue& value, const std::string& path, Steps steps) {
+    if (auto* table = std::get_if<DeckTable>(&value.content)) return apply(*table, path, steps);
+    if (auto* array = std::get_if<DeckArray>(&value.content)) return apply(*array, path, steps);
+    note(0, path, steps.front(), {});
+  }
+
+  void apply(DeckArray& array, const std::string& path, Steps steps) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < array.values.size(); ++i) names.push_back(element_name(array.values[i], i));
+    std::size_t i = 0;
+    const auto is_meant = [&](const auto&) {
+      const auto at = i++;
+      return is_step(steps.front(), names[at]) || steps.front() == std::to_string(at);
+    };
+    if (steps.size() == 1) {
+      return note(std::erase_if(array.values, is_meant), path, steps.front(), names);
+    }
+    bool has_any = false;
+    for (auto& value : array.values) {
+      if (!is_meant(value)) continue;
+      has_any = true;
+      apply(value, joined(path, names[i - 1]), steps.subspan(1));
+    }
+    if (!has_any) note(0, path, steps.front(), names);
+  }
+
+  [[nodiscard]] static bool is_step(const std::string& step, const std::string& name) {
+    return step == "*" || step == name;
+  }
+
+  /// Notes how many keys were removed, or what is missing.
+  void note(std::size_t removed, const std::string& path, const std::string& step,
+            const std::vector<std::string>& known) {
+    removed_ += removed;
+    if (removed > 0) return;
+    missing_.push_back({place_, fmt::format("nothing to remove: {} has no \"{}\"{}", path.empty() ? "the deck" : path,
+                                            step, suggestion(step, known))});
+  }
+
+  Place place_;
+  std::size_t removed_ = 0;
+  std::vector<Mistake> missing_;
+};
+
 struct KeyAndValue {
   std::string key;
   std::string value;
 };
 
-/// The two sides of `key=value`; nothing if one is missing.
+/// The two sides of `key=value`, of which the value may be empty; nothing without the sign.
 std::optional<KeyAndValue> split_entry(std::string_view entry) {
   const auto equals = entry.find('=');
-  if (equals == std::string_view::npos || equals + 1 == entry.size()) return std::nullopt;
+  if (equals == std::string_view::npos) return std::nullopt;
   return KeyAndValue{std::string(entry.substr(0, equals)), std::string(entry.substr(equals + 1))};
 }
 
@@ -118,6 +194,7 @@ void apply_override(DeckTable& root, const std::string& origin, const std::strin
     mistakes.push_back({place, "expected key.path=value, such as \"stages.HB-1.cells=100\""});
     return;
   }
+  if (entry->value.empty()) return Removal(place).apply(root, *steps, mistakes);
   Assignment(parse_value(entry->value, place), place, mistakes).apply(root, "", *steps);
 }
 
@@ -141,7 +218,7 @@ std::vector<std::string> apply_setting(DeckTable& root, const Setting& setting, 
 void add_entry(DeckTable& root, const std::string& table, const Place& place, std::string_view entry,
                std::vector<Mistake>& mistakes) {
   const auto parts = split_entry(entry);
-  if (!parts || !split_path(parts->key)) {
+  if (!parts || parts->value.empty() || !split_path(parts->key)) {
     mistakes.push_back({place, "expected key.path=[value, ...], such as \"stages.*.packing.seed=[1, 2]\""});
     return;
   }

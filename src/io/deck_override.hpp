@@ -8,8 +8,8 @@
 
 namespace breccia::detail {
 
-/// Applies an override `key.path=value` to the tree, or adds a mistake. `origin`: what overrides are called
-/// (ValueOrigins).
+/// Applies an override to the tree, or adds a mistake: `key.path=value`, or `key.path=`, which removes the key.
+/// `origin`: what overrides are called (ValueOrigins).
 void apply_override(DeckTable& root, const std::string& origin, const std::string& override_text,
                     std::vector<Mistake>& mistakes);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@
 #include "column_meaning.hpp"
 #include "column_units.hpp"
 #include "csv_records.hpp"
+#include "repeated_tables.hpp"
 #include "table_layout.hpp"
 #include "text_encoding.hpp"
 
@@ -29,13 +32,14 @@ class MeasuredTableReader {
   }
 
   MeasuredTable read() {
-    const auto [text, encoding] = detail::read_table_text(table_.path_);
+    auto [text, encoding] = detail::read_table_text(table_.path_);
     try {
       layout_ = detail::layout_of(text, choices_);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: {}", table_.path_.string(), error.what()));
     }
     table_.names_ = layout_.header.fields;
+    if (layout_.is_aligned_by_blanks) text = detail::with_tabs(text);
     if (table_.names_.empty()) throw InputError(fmt::format("{}: expected a header line", table_.path_.string()));
     refuse_header();
     detail::CsvRecords records(text, layout_.separator);
@@ -43,15 +47,29 @@ class MeasuredTableReader {
     while (record && record->line <= layout_.header.line) record = records.next();
     read_meanings();
     find_labels();
-    table_.reading_ = {name_of(encoding), layout_.separator, layout_.has_decimal_commas, layout_.header.line};
+    table_.reading_ = {name_of(encoding), layout_.is_aligned_by_blanks ? ' ' : layout_.separator,
+                       layout_.has_decimal_commas, layout_.header.line};
+    std::vector<std::string> units;
     if (record && is_row_of_units(record->fields)) {
       table_.reading_.has_row_of_units = true;
-      add_units(record->fields);
+      units = record->fields;
+      // Of columns that are aligned by blanks the first may have no unit.
+      if (layout_.is_aligned_by_blanks && units.size() < table_.names_.size()) {
+        units.insert(units.begin(), table_.names_.size() - units.size(), "");
+      }
+      add_units(units);
       record = records.next();
     }
     make_columns();
     mistakes_.refuse();
-    for (; record; record = records.next()) read_row(std::move(*record));
+    std::vector<detail::CsvRecord> below;
+    for (; record; record = records.next()) below.push_back(std::move(*record));
+    auto tables = detail::repeated_tables(std::move(below), table_.names_, units,
+                                          [&](const auto& one) { return may_be_row(one.fields); });
+    table_.reading_.tables = tables.count;
+    for (auto& row : tables.rows) read_row(std::move(row));
+    mistakes_.refuse();
+    leave_out_twins();
     mistakes_.refuse();
     return std::move(table_);
   }
@@ -174,10 +192,41 @@ class MeasuredTableReader {
             return column.quantity == wanted && column.kind == same;
           });
       if (earlier != table_.columns_.end()) {
-        mistakes_.add("", fmt::format("{} says the same as {}", shown_value(name), shown_value(earlier->name)));
+        twins_.emplace_back(static_cast<std::size_t>(earlier - table_.columns_.begin()), table_.columns_.size());
       }
       table_.columns_.push_back({quantity, kind, name, unit, {}, {}});
     }
+  }
+
+  /// Leaves out columns that repeat the values of an earlier one, such as a frequency in Hz beside one in rad/s, and
+  /// reports those with other values.
+  void leave_out_twins() {
+    constexpr double rounding = 1e-3;
+    auto& columns = table_.columns_;
+    for (const auto& [first, second] : twins_) {
+      const auto& [one, other] = std::tie(columns[first], columns[second]);
+      const bool are_equal = std::ranges::equal(one.values, other.values, [](double a, double b) {
+        return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+      });
+      if (are_equal) continue;
+      mistakes_.add("", fmt::format("{} says the same as {}, with other values; leave one of them out, or choose it "
+                                    "(breccia fit --columns)",
+                                    shown_value(other.name), shown_value(one.name)));
+    }
+    for (auto twin = twins_.rbegin(); twin != twins_.rend(); ++twin) {
+      columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(twin->second));
+    }
+  }
+
+  /// Whether a line between two tables may be a row, if not a whole one: it has numbers of two known columns, or one of
+  /// the first of them and as many values as there are names.
+  [[nodiscard]] bool may_be_row(const std::vector<std::string>& fields) const {
+    const auto has_number = [&](const Source& source) {
+      return source.place_in_row < fields.size() && number_in(fields[source.place_in_row]);
+    };
+    constexpr std::ptrdiff_t fewest = 2;
+    const bool is_whole = fields.size() == table_.names_.size() && !sources_.empty();
+    return (is_whole && has_number(sources_.front())) || std::ranges::count_if(sources_, has_number) >= fewest;
   }
 
   void read_row(detail::CsvRecord record) {
@@ -200,11 +249,27 @@ class MeasuredTableReader {
       const auto number = number_in(fields[place_in_row]);
       if (!number) {
         mistakes_.add(place(record.line), fmt::format("{}: expected a number", column.name),
-                      shown_value(fields[place_in_row]));
+                      shown_value(fields[place_in_row]) + hint_on_number(fields[place_in_row]));
       }
       column.written.push_back(number.value_or(0.0));
       column.values.push_back(conversion(number.value_or(0.0)));
     }
+  }
+
+  /// What a text that is no number may be.
+  [[nodiscard]] std::string hint_on_number(std::string text) const {
+    const auto size = text.size();
+    for (const std::string_view blank : {" ", "\u00a0", "\u202f", "'", "’"}) {
+      for (auto at = text.find(blank); at != std::string::npos; at = text.find(blank)) text.erase(at, blank.size());
+    }
+    const bool has_blanks = text.size() < size;
+    const auto points = std::ranges::count(text, '.'), commas = std::ranges::count(text, ',');
+    std::erase_if(text, [](char letter) { return letter == '.' || letter == ','; });
+    if (!detail::parse_number(text)) return "";
+    if (has_blanks || points + commas > 1) return " (numbers are read without signs that part thousands)";
+    if (layout_.separator != ',')
+      return fmt::format(" (other numbers have decimal {}s)", commas == 1 ? "point" : "comma");
+    return " (decimal commas are read where semicolons or tabs part the columns)";
   }
 
   [[nodiscard]] std::optional<double> number_in(const std::string& field) const {
@@ -225,6 +290,7 @@ class MeasuredTableReader {
   detail::TableLayout layout_;
   std::vector<std::optional<detail::ColumnMeaning>> meanings_;  ///< meaning of each name
   std::vector<Source> sources_;                                 ///< source of each column of the table
+  std::vector<std::pair<std::size_t, std::size_t>> twins_;      ///< indices of columns of one quantity and kind
   std::vector<std::size_t> label_columns_;                      ///< indices of the label columns in a row
   std::vector<std::string> first_labels_;                       ///< labels of the first row
 };

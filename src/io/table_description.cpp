@@ -60,13 +60,26 @@ std::string_view words_of(ModulusKind kind) {
   }
 }
 
+std::string_view words_of(char separator) {
+  switch (separator) {
+    case ';':
+      return "semicolons";
+    case '\t':
+      return "tabs";
+    case ' ':
+      return "blanks";
+    default:
+      return "commas";
+  }
+}
+
 std::string layout_of(const MeasuredTable& table) {
   const auto& reading = table.reading();
-  const auto* const separator = reading.separator == ';' ? "semicolons" : reading.separator == '\t' ? "tabs" : "commas";
-  return fmt::format("{}: {}, {}, {}{} between columns, names in line {}{}", table.path().string(),
-                     display_count(table.rows(), "row"), reading.encoding,
-                     reading.has_decimal_commas ? "decimal commas, " : "", separator, reading.line_of_names,
-                     reading.has_row_of_units ? ", units below" : "");
+  const auto tables = reading.tables > 1 ? fmt::format(" of {} tables", reading.tables) : "";
+  return fmt::format("{}: {}{}, {}, {}{} between columns, names in line {}{}", table.path().string(),
+                     display_count(table.rows(), "row"), tables, reading.encoding,
+                     reading.has_decimal_commas ? "decimal commas, " : "", words_of(reading.separator),
+                     reading.line_of_names, reading.has_row_of_units ? ", units below" : "");
 }
 
 }  // namespace
@@ -76,9 +89,10 @@ std::string description_of(const MeasuredTable& table) {
   auto ignored = table.names();
   for (const auto& column : table.columns()) {
     const auto [least, most] = std::ranges::minmax(column.written.empty() ? std::vector{0.0} : column.written);
-    text += fmt::format("\n  {:<26} {} [{}], {} to {}",
-                        fmt::format("{}{}", words_of(column.quantity), words_of(column.kind)), shown_value(column.name),
-                        column.unit, three_digits(least), three_digits(most));
+    const auto unit = column.unit.empty() ? "" : fmt::format(" [{}]", column.unit);
+    text +=
+        fmt::format("\n  {:<26} {}{}, {} to {}", fmt::format("{}{}", words_of(column.quantity), words_of(column.kind)),
+                    shown_value(column.name), unit, three_digits(least), three_digits(most));
     std::erase(ignored, column.name);
   }
   std::erase(ignored, "");

@@ -40,24 +40,51 @@ std::optional<TableLayout> layout_in_comment(std::string_view text, char separat
     if (!record) continue;
     record->line = line;
     const auto known = known_columns_of(*record, choices);
-    if (known >= fewest) return TableLayout{separator, *std::move(record), known, false};
+    if (known >= fewest) return TableLayout{separator, *std::move(record), known};
   }
   return std::nullopt;
+}
+
+bool is_row_of_numbers(const CsvRecord& record) {
+  constexpr std::ptrdiff_t fewest = 2;
+  return std::ranges::count_if(record.fields, [](std::string field) {
+           std::ranges::replace(field, ',', '.');
+           return parse_number(field).has_value();
+         }) >= fewest;
+}
+
+/// The likely names among records of which none has known names: the uppermost of the texts right above a row of
+/// numbers that have as many values as it; or else the first record.
+CsvRecord likely_names(const std::vector<CsvRecord>& records) {
+  if (records.empty()) return {};
+  for (auto numbers = records.begin(); numbers != records.end(); ++numbers) {
+    if (!is_row_of_numbers(*numbers)) continue;
+    const auto is_text_of_same_size = [&](const CsvRecord& record) {
+      return record.fields.size() == numbers->fields.size() && !is_row_of_numbers(record);
+    };
+    auto names = numbers;
+    while (names != records.begin() && is_text_of_same_size(*(names - 1))) --names;
+    if (names != numbers) return *names;
+  }
+  return records.front();
 }
 
 TableLayout layout_with(std::string_view text, char separator, Choices choices) {
   constexpr std::size_t fewest = 2;
   constexpr std::size_t longest_preamble = 200;
-  TableLayout first{separator, {}, 0, false};
+  std::vector<CsvRecord> preamble;
   CsvRecords records(text, separator);
-  for (std::size_t i = 0; i < longest_preamble; ++i) {
+  while (preamble.size() < longest_preamble) {
     auto record = records.next();
     if (!record) break;
     const auto known = known_columns_of(*record, choices);
-    if (known >= fewest) return {separator, *std::move(record), known, false};
-    if (i == 0) first = {separator, *std::move(record), known, false};
+    if (known >= fewest) return {separator, *std::move(record), known};
+    preamble.push_back(*std::move(record));
   }
-  return layout_in_comment(text, separator, choices).value_or(std::move(first));
+  if (auto layout = layout_in_comment(text, separator, choices)) return *std::move(layout);
+  auto names = likely_names(preamble);
+  const auto known = known_columns_of(names, choices);
+  return {separator, std::move(names), known};
 }
 
 /// The digits and commas of a number, without its sign and exponent; nothing if the value is not a number with commas.
@@ -128,6 +155,22 @@ bool has_decimal_commas(std::string_view text, const TableLayout& layout, Choice
 
 }  // namespace
 
+std::string with_tabs(std::string_view text) {
+  std::string result;
+  std::size_t blanks = 0;
+  for (const char letter : text) {
+    if (letter == ' ') {
+      ++blanks;
+      continue;
+    }
+    const bool is_at_margin = result.empty() || result.back() == '\n' || letter == '\n';
+    if (blanks > 0 && !is_at_margin) result += blanks > 1 ? '\t' : ' ';
+    blanks = 0;
+    result += letter;
+  }
+  return result;
+}
+
 TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choices) {
   auto best = layout_with(text, ',', choices);
   for (const char separator : {';', '\t'}) {
@@ -136,6 +179,15 @@ TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choic
       return std::tuple(layout.known_columns, layout.header.fields.size());
     };
     if (merit(other) > merit(best)) best = std::move(other);
+  }
+  if (best.known_columns < 2) {
+    const auto tabbed = with_tabs(text);
+    auto by_blanks = layout_with(tabbed, '\t', choices);
+    if (by_blanks.known_columns >= 2) {
+      by_blanks.is_aligned_by_blanks = true;
+      by_blanks.has_decimal_commas = has_decimal_commas(tabbed, by_blanks, choices);
+      return by_blanks;
+    }
   }
   if (best.separator != ',') best.has_decimal_commas = has_decimal_commas(text, best, choices);
   return best;

@@ -147,6 +147,20 @@ double as_written(double converted) {
   return value;
 }
 
+bool contains_one_of(std::string_view text, std::initializer_list<std::string_view> parts) {
+  return std::ranges::any_of(parts, [&](auto part) { return text.find(part) != std::string_view::npos; });
+}
+
+/// UDUNITS-2 takes a radian for the number 1, and rad/s for Hz.
+bool is_angle_per_time(std::string_view unit) {
+  return contains_one_of(unit, {"rad", "deg", "arc", "°"});
+}
+
+/// UDUNITS-2 takes a turn for the number 2 pi, and rpm for 0.105 Hz.
+bool counts_turns(std::string_view unit) {
+  return contains_one_of(unit, {"rpm", "rps", "cps", "cycle", "circle", "revolution", "rotation", "turn"});
+}
+
 /// The quantity in the SI unit of the dimension, or the reason why it has none (empty for another dimension).
 std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension dimension) {
   const std::lock_guard lock(udunits_mutex);
@@ -154,8 +168,7 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
   const auto unit = parse_unit(is_angle && quantity.unit == "deg" ? "degree" : quantity.unit);
   if (!unit && quantity.unit.starts_with(',')) return hint(quantity, dimension);
   if (!unit) return fmt::format(": unknown unit \"{}\"{}", quantity.unit, hint(quantity, dimension));
-  // UDUNITS-2 takes a radian for the number 1, and rad/s for Hz.
-  if (dimension == Dimension::frequency && quantity.unit.find("rad") != std::string::npos) {
+  if (dimension == Dimension::frequency && is_angle_per_time(quantity.unit)) {
     return ": a frequency counts cycles, 1 Hz is 6.2832 rad/s";
   }
   const auto converter = converter_to(unit, parse_unit(facts(dimension).si_unit));
@@ -163,6 +176,9 @@ std::variant<double, std::string> to_si(const NumberAndUnit& quantity, Dimension
   const bool is_difference = dimension == Dimension::temperature_difference;
   const double origin = is_difference ? cv_convert_double(converter.get(), 0.0) : 0.0;
   const double converted = cv_convert_double(converter.get(), quantity.number) - origin;
+  if (dimension == Dimension::frequency && counts_turns(quantity.unit)) {
+    return as_written(converted / (2.0 * std::numbers::pi));
+  }
   // A degree is no decimal fraction of a radian.
   return is_angle ? converted : as_written(converted);
 }

@@ -90,8 +90,10 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
     if (result.amplitudes[j] > 0.0) used.push_back(j);
   }
-  const auto freedom = std::max<Eigen::Index>(1, data.size() - static_cast<Eigen::Index>(used.size()));
-  const double scatter = std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom));
+  // With as many parts as data nothing is left over that would tell the scatter.
+  const auto freedom = data.size() - static_cast<Eigen::Index>(used.size());
+  const double scatter =
+      freedom > 0 ? std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom)) : std::nan("");
   const Eigen::MatrixXd basis = orthonormal_basis(relative(Eigen::all, used));
   for (Eigen::Index i = 0; i < data.size(); ++i) quality.standard_errors.push_back(scatter * basis.row(i).norm());
   return result;

@@ -65,8 +65,9 @@ Eigen::VectorXd overlapping_shifts(const std::vector<FrequencySweep>& sweeps) {
     const auto back = horizontal_distance(colder, warmer);
     const double weight = there.weight + back.weight;
     if (!(weight > 0.0)) {
-      throw InputError(fmt::format("master curve: the storage moduli at {:.6g} and {:.6g} K do not overlap",
-                                   sweeps[i - 1].temperature, sweeps[i].temperature));
+      constexpr double zero_celsius = 273.15;
+      throw InputError(fmt::format("master curve: the storage moduli at {:.6g} and {:.6g} degC do not overlap",
+                                   sweeps[i - 1].temperature - zero_celsius, sweeps[i].temperature - zero_celsius));
     }
     const auto at = static_cast<Eigen::Index>(i);
     shifts[at] = shifts[at - 1] + (there.sum - back.sum) / weight;

@@ -100,4 +100,28 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   return fit;
 }
 
+bool follow(const WilliamsLandelFerryFit& fit) {
+  constexpr double most_decades = 0.1;
+  return fit.worst_deviation <= most_decades && fit.c1_error < fit.law.c1;
+}
+
+std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve) {
+  const auto& factors = curve.shift_factors;
+  const bool do_fall = std::ranges::adjacent_find(factors, [](const ShiftFactor& one, const ShiftFactor& next) {
+                         return next.log10_factor >= one.log10_factor;
+                       }) == factors.end();
+  constexpr std::size_t fewest_of_law = 3, fewest = 2;
+  if (!do_fall || factors.size() < fewest) return std::nullopt;
+  if (factors.size() >= fewest_of_law) {
+    const auto fit = fit_williams_landel_ferry(factors, curve.reference_temperature);
+    if (fit && follow(*fit)) return fit->law;
+  }
+  std::vector<double> temperatures, logarithms;
+  for (const auto& factor : factors) {
+    temperatures.push_back(factor.temperature);
+    logarithms.push_back(factor.log10_factor);
+  }
+  return ShiftTable(std::move(temperatures), std::move(logarithms), curve.reference_temperature);
+}
+
 }  // namespace breccia

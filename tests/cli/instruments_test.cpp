@@ -118,6 +118,36 @@ TEST_F(Instruments, AnAbsoluteValueAndAPhaseAngleThatTheUserNames) {
   expect_the_solid();
 }
 
+TEST_F(Instruments, ATableForEachTemperature) {
+  const auto outcome = fit("steps.csv", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("27 rows of 3 tables, UTF-8, commas between columns, names in line 5"));
+  EXPECT_THAT(outcome.output, HasSubstr("3 sweeps at temperatures from 10 degC to 30 degC"));
+  EXPECT_THAT(outcome.output, HasSubstr("The file does not say which modulus it has: it is taken for G"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, ColumnsAlignedByBlanks) {
+  const auto outcome = fit("aligned.txt", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("blanks between columns, names in line 4, units below"));
+  expect_the_solid();
+}
+
+TEST_F(Instruments, ARampOfTheTemperature) {
+  const auto outcome = fit("ramp.csv", {"--reference-temperature", "20 degC"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("the temperature changes through the measurement: moduli interpolated to 35 "
+                                        "temperatures from 6 degC to 40 degC"));
+  EXPECT_THAT(outcome.output, HasSubstr("WLF: c1 = "));
+  expect_the_solid();
+  directory.write("one.csv", "Temperature [degC],Frequency [Hz],G' [MPa],G'' [MPa]\n10,1,9,1\n12,1,8,1\n14,1,7,1\n");
+  const auto one = run_breccia(directory.path(), {"fit", "one.csv", "--reference-temperature", "12 degC"});
+  EXPECT_EQ(one.exit_code, 2);
+  EXPECT_THAT(one.errors, HasSubstr("the temperature changes through the measurement, so at least two frequencies at "
+                                    "the same temperatures are needed, got one frequency from 10 to 14 degC"));
+}
+
 TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {
   struct Broken {
     const char* file;

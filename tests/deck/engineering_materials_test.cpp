@@ -1,4 +1,5 @@
 #include <cmath>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -80,6 +81,33 @@ TEST_F(EngineeringMaterials, ASweepOfTemperaturesNeedsItsReference) {
   EXPECT_THAT(mistakes(with("")), HasSubstr("expected the reference_temperature of one of the sweeps, at -41 degC"));
   EXPECT_THAT(mistakes(with(", reference_temperature = \"20 m\"")), HasSubstr("expected a temperature"));
   EXPECT_THAT(mistakes(with(", equilibrium = \"1 MPa\"")), HasSubstr("the fit of measured data finds it"));
+}
+
+// The data were computed with c1 = 6.5 and c2 = 120 K at 19 degC, and have 1 % of noise.
+TEST_F(EngineeringMaterials, MeasuredModuliAtSeveralTemperaturesHaveTheirShiftLaw) {
+  const std::string data = BRECCIA_DATA_DIRECTORY "/synthetic_dma.csv";
+  const auto lines =
+      test::join("bulk = \"3.6 GPa\"\nshear = { measured = \"", data, "\", reference_temperature = \"19 degC\" }\n");
+  const auto study = directory.study(deck(lines));
+  const auto& shift = study.temperature_shifts.at("binder");
+  const auto& law = std::get<WilliamsLandelFerry>(shift.law);
+  EXPECT_NEAR(law.c1 / 6.5, 1.0, 0.01);
+  EXPECT_NEAR(law.c2 / 120.0, 1.0, 0.01);
+  EXPECT_NEAR(shift.temperature, 292.15, 1e-9);
+
+  const auto warm =
+      directory.study(deck(lines + "temperature_shift = { law = \"measured\", temperature = \"40 degC\" }"));
+  EXPECT_EQ(warm.temperature_shifts.at("binder").temperature, 313.15);
+  const double factor = law.shift_factor(313.15);
+  const auto& cold_terms = study.materials.at(0).shear.terms();
+  const auto& warm_terms = warm.materials.at(0).shear.terms();
+  EXPECT_NEAR(warm_terms.at(0).relaxation_time / (cold_terms.at(0).relaxation_time * factor), 1.0, 1e-12);
+}
+
+TEST_F(EngineeringMaterials, AMeasuredShiftLawNeedsMeasuredModuli) {
+  EXPECT_THAT(mistakes("bulk = \"3.6 GPa\"\nshear = \"1 GPa\"\n"
+                       "temperature_shift = { law = \"measured\", temperature = \"40 degC\" }"),
+              HasSubstr("temperature_shift.law: expected a modulus of this material from measured data"));
 }
 
 TEST_F(EngineeringMaterials, RefusesWhatIsNoSolid) {

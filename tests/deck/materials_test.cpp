@@ -175,6 +175,7 @@ temperature = "-120 degC")")),
                         "(reference temperature - c2), got 153.15 K (-120 degC)"));
   EXPECT_EQ(mistakes(shift("law = \"vogel\"\nc1 = 6.5\ntemperature = \"20 degC\"")),
             "deck.toml:6:7: materials.binder.temperature_shift.law: expected one of \"wlf\", \"arrhenius\", \"table\", "
+            "\"measured\", "
             "got \"vogel\"");
   const auto arrhenius = mistakes(shift("law = \"arrhenius\"\nactivation_energy = \"120 kJ\"\nc1 = 6.5"));
   EXPECT_THAT(arrhenius, HasSubstr("activation_energy: expected a molar energy, got \"120 kJ\""));

@@ -70,6 +70,22 @@ TEST_F(DeckOverride, ReachesElementsAndQuotedKeys) {
   EXPECT_EQ(deck.root().section("a.b").integer("c"), 1);
 }
 
+TEST_F(DeckOverride, AnEmptyValueRemovesTheKey) {
+  const auto deck = read({"stages.*.times=", "stages.HB-2.cells=", "materials.binder=", "stages.0.name=", "a=1", "a="});
+  const auto stages = deck.root().sections("stages");
+  EXPECT_EQ(stages.at(0).integer("cells"), 300);
+  EXPECT_FALSE(stages.at(0).has("times") || stages.at(0).has("name") || stages.at(1).has("cells"));
+  EXPECT_FALSE(deck.root().section("materials").has("binder") || deck.root().has("a"));
+  EXPECT_EQ(stages.at(1).text("name"), "HB-2");
+  EXPECT_NO_THROW(deck.finish()) << "the second stage has no times, and lacks none";
+}
+
+TEST_F(DeckOverride, WhatIsNotThereCannotBeRemoved) {
+  EXPECT_THAT(mistake("stages.HB-3="), testing::HasSubstr("nothing to remove: stages has no \"HB-3\""));
+  EXPECT_THAT(mistake("stages.HB-1.cell="), testing::HasSubstr("stages.HB-1 has no \"cell\", did you mean \"cells\"?"));
+  EXPECT_THAT(mistake("stages.HB-1.cells.x="), testing::HasSubstr("stages.HB-1.cells has no \"x\""));
+}
+
 TEST_F(DeckOverride, AStarIsEveryElementAndEveryEntry) {
   const auto deck = read({"stages.*.cells=40", "stages.HB-1.times.*=3 s", "materials.*.bulk=1 GPa"});
   const auto stages = deck.root().sections("stages");
@@ -93,7 +109,7 @@ TEST_F(DeckOverride, MistakesNameTheOverride) {
   EXPECT_EQ(mistake("title"), "--set title: expected key.path=value, such as \"stages.HB-1.cells=100\"");
   EXPECT_EQ(mistake("=3"), "--set =3: expected key.path=value, such as \"stages.HB-1.cells=100\"");
   EXPECT_EQ(mistake("a..b=3"), "--set a..b=3: expected key.path=value, such as \"stages.HB-1.cells=100\"");
-  EXPECT_EQ(mistake("a="), "--set a=: expected key.path=value, such as \"stages.HB-1.cells=100\"");
+  EXPECT_EQ(mistake("a="), "--set a=: nothing to remove: the deck has no \"a\"; known: \"materials\", \"stages\"");
   EXPECT_EQ(mistake("stages.HB1.cells=3"),
             "--set stages.HB1.cells=3: stages has no entry \"HB1\", did you mean \"HB-1\"?");
   EXPECT_EQ(mistake("stages.7.cells=3"),

@@ -60,6 +60,10 @@ TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
       {"omega/(rad/s)", angular_frequency, 3.0},
       {"f [megahertz]", angular_frequency, turn * 3e6},
       {"frequency_rpm", angular_frequency, turn * 0.05},
+      {"frequency [cycles/s]", angular_frequency, turn * 3.0},
+      {"ω [s⁻¹]", angular_frequency, 3.0},
+      {"Storage modulus (E')/MPa", storage_modulus, 3e6, ModulusKind::young},
+      {"Complex modulus (G*) [dyn/cm^2]", absolute_modulus, 0.3, ModulusKind::shear},
       {"omega [rpm]", angular_frequency, turn * 0.05},
       {"ω [1/s]", angular_frequency, 3.0},
       {"temperature_K", temperature, 3.0},
@@ -211,7 +215,8 @@ TEST_F(MeasuredTableTest, SeparatorsAndDecimalSigns) {
 
 // 1,234 beside 1.5 has a comma that parts thousands: it is not 1.234.
 TEST_F(MeasuredTableTest, BothDecimalSignsAreRefused) {
-  EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"), "table.csv:2: modulus_Pa: expected a number, got \"1,234\"");
+  EXPECT_EQ(mistakes("time_s;modulus_Pa\n1.5;1,234\n"),
+            "table.csv:2: modulus_Pa: expected a number, got \"1,234\" (other numbers have decimal points)");
 }
 
 TEST_F(MeasuredTableTest, CommasThatMaySeparateThousandsAreRefused) {
@@ -236,7 +241,7 @@ TEST_F(MeasuredTableTest, IgnoresCommasInColumnsThatAreNotRead) {
 
 TEST_F(MeasuredTableTest, AFrequencyIsInHertzOrRadians) {
   const auto use = [](const MeasuredTable& table) { table.require({angular_frequency}); };
-  for (const auto* unit : {"1/s", "s-1", "1/ms", "1/min", "1/sec", "/s", "s**-1", "1/hour", "cycles/s", "krad/s"}) {
+  for (const auto* unit : {"1/s", "s-1", "1/ms", "1/min", "1/sec", "/s", "s**-1", "1/hour", "krad/s"}) {
     EXPECT_THAT(mistakes(fmt::format("frequency [{}],modulus_Pa\n1,2\n", unit), use),
                 HasSubstr(fmt::format("\"{}\" may mean cycles or radians; write Hz or rad/s", unit)));
   }
@@ -263,7 +268,67 @@ TEST_F(MeasuredTableTest, OneMessageInThePlaceOfAFlood) {
             "table.csv:1: expected the name of a column (the first line is the header), got \"1\"\n"
             "table.csv:1: expected the name of a column (the first line is the header), got \"2\"");
   EXPECT_EQ(mistakes("# nothing\n"), "table.csv: expected a header line");
-  EXPECT_EQ(mistakes("time_s,time_ms\n1,2\n"), "table.csv: \"time_ms\" says the same as \"time_s\"");
+}
+
+TEST_F(MeasuredTableTest, TwoColumnsOfOneQuantityAreOneIfTheyAgree) {
+  const auto table = read("omega [rad/s],Frequency [Hz],time_s,time_ms\n6.28319,1,1,1000\n12.566,2,2,2000\n");
+  EXPECT_THAT(table.column(angular_frequency).values, ElementsAre(6.28319, 12.566));
+  EXPECT_THAT(table.column(time).values, ElementsAre(1.0, 2.0));
+  EXPECT_EQ(table.columns().size(), 2);
+  EXPECT_EQ(
+      mistakes("time_s,time_ms\n1,2\n"),
+      "table.csv: \"time_ms\" says the same as \"time_s\", with other values; leave one of them out, or choose it "
+      "(breccia fit --columns)");
+}
+
+TEST_F(MeasuredTableTest, ColumnsPartedByBlanks) {
+  const auto table = read(
+      "Curve Name:\n  binder\n   Index       t   Temp. \n             [s]    [°C]\n  0      1.5   20\n  1   2.5      "
+      "30  \n");
+  EXPECT_THAT(table.column(time).values, ElementsAre(1.5, 2.5));
+  EXPECT_THAT(table.column(temperature).values, ElementsAre(293.15, 303.15));
+}
+
+TEST_F(MeasuredTableTest, TablesBelowOneAnother) {
+  const auto* table = "Test\nStep,1\nTime,Modulus\ns,Pa\n1,3\n2,2\n\n[step]\nStep,2\nTime,Modulus\ns,Pa\n3,1\n";
+  EXPECT_THAT(read(table).column(time).values, ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_EQ(read(table).reading().tables, 2);
+  EXPECT_EQ(read(table).place(2).substr(read(table).place(2).rfind(':')), ":12");
+  // A row that broke off, or has no number, is not taken for a line between two tables.
+  EXPECT_EQ(mistakes("Time,Modulus,Note\ns,Pa,\n1,3\nTime,Modulus,Note\ns,Pa,\n3,1,a\n"),
+            "table.csv:3: expected 3 values (Time, Modulus, Note), got 2");
+  EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,overload\nTime,Modulus\ns,Pa\n3,1\n"),
+            "table.csv:3: Modulus: expected a number, got \"overload\"");
+  // Other units are not passed over.
+  EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,3\nTime,Modulus\ns,kPa\n3,1\n"),
+            "table.csv:5: Time: expected a number, got \"s\"\n"
+            "table.csv:5: Modulus: expected a number, got \"kPa\"");
+}
+
+TEST_F(MeasuredTableTest, NumbersWithSignsThatPartThousands) {
+  for (const auto* number : {"1.234.567,5", "1 234,5", "1'234.5", "\"1,234,567.5\""}) {
+    EXPECT_THAT(mistakes(fmt::format("time_s;modulus_Pa\n1;{}\n", number)),
+                HasSubstr("(numbers are read without signs that part thousands)"))
+        << number;
+  }
+  EXPECT_THAT(mistakes("time_s,modulus_Pa\n1,\"0,5\"\n"),
+              HasSubstr("(decimal commas are read where semicolons or tabs part the columns)"));
+}
+
+// No name is known, so they are those above the numbers, for the message that lists them.
+TEST_F(MeasuredTableTest, NamesInAnotherLanguageAreThoseAboveTheNumbers) {
+  const auto table = read("Projekt:\tBinder\nDaten:\t1\t8\nNr.\tFrequenz\tSpeichermodul\n\t[Hz]\t[Pa]\n1\t0,5\t3\n");
+  EXPECT_THAT(table.names(), ElementsAre("Nr.", "Frequenz", "Speichermodul"));
+}
+
+TEST_F(MeasuredTableTest, AChoiceNeedsNoUnit) {
+  const auto path =
+      directory.written("chosen.csv", "Frequenz [Hz];Speichermodul E' [MPa];Kreisfrequenz [rad/s]\n1;2;3\n");
+  const auto table = read_measured_table(
+      path, std::vector<ColumnChoice>{{angular_frequency, "Kreisfrequenz"}, {storage_modulus, "Speichermodul E'"}});
+  EXPECT_EQ(table.column(angular_frequency).values.at(0), 3.0);
+  EXPECT_EQ(table.column(storage_modulus, ModulusKind::young).values.at(0), 2e6);
+  EXPECT_EQ(table.column(storage_modulus).kind, ModulusKind::young);
 }
 
 TEST_F(MeasuredTableTest, TheKindOfAModulusIsNotMistaken) {

@@ -3,7 +3,7 @@
 
 The solid is G*(omega, T) of three Maxwell elements beside a spring, with the shift law of Williams, Landel and Ferry
 (c1 = 10, c2 = 100 K at 20 degC); in tension E = 3 G. Headers follow the habits of rheometers and analysers; no file is
-a copy of one. Seven files are sound, five are not.
+a copy of one. Ten files are sound, five are not.
 
     python3 tests/reference/instrument_files.py
 """
@@ -86,6 +86,31 @@ text = "Frequency,Temperature,Flexural Storage Modulus,Tan Delta,Stiffness\nHz,�
 for celsius, frequency, storage, loss in rows([20]):
     text += f"{frequency:.6g},{1.8 * celsius + 32:.2f},{3 * storage / 6894.757293168:.8g},{loss / storage:.8g},{storage:.4g}\n"
 write("bending.csv", text)
+
+# A rheometer that writes a table for each temperature.
+text = "Filename,binder 7\n"
+for step, celsius in enumerate([10, 20, 30]):
+    text += f"\n[step]\nFrequency sweep - {step + 1}\nAngular frequency,Storage modulus,Loss modulus,Tan(delta),Temperature\n"
+    text += "rad/s,Pa,Pa,,°C\n"
+    for _, frequency, storage, loss in rows([celsius]):
+        text += f"{2 * math.pi * frequency:.7g},{storage:.7g},{loss:.7g},{loss / storage:.5g},{celsius:.2f}\n"
+write("steps.csv", text)
+
+# An analyser that aligns its columns by blanks; the index has no unit.
+text = "Curve Name:\n  DMA binder\nCurve Values:\n"
+text += "".join(f"{name:>14}" for name in ("Index", "Ts", "f", "G'", "G''")) + "\n"
+text += "".join(f"{unit:>14}" for unit in ("", "[°C]", "[Hz]", "[MPa]", "[MPa]")) + "\n"
+for i, (celsius, frequency, storage, loss) in enumerate(rows([10, 20, 30])):
+    text += f"{i:14d}{celsius:14.2f}{frequency:14.6g}{storage / 1e6:14.7g}{loss / 1e6:14.7g}\n"
+write("aligned.txt", text)
+
+# A ramp of temperature, 0.3 K from row to row, while three frequencies alternate.
+text = "Temperature [°C],Frequency [Hz],G' [MPa],G'' [MPa]\n"
+for i in range(121):
+    celsius, frequency = 5 + 0.3 * i, (0.3, 3.0, 30.0)[i % 3]
+    storage, loss = shear(frequency, celsius)
+    text += f"{celsius:.2f},{frequency:g},{storage / 1e6:.7g},{loss / 1e6:.7g}\n"
+write("ramp.csv", text)
 
 # Not sound: every comma may part thousands.
 text = "Frequency [Hz];Storage modulus [kPa];Loss modulus [kPa]\n"

@@ -62,6 +62,12 @@ TEST(Fit, RelaxationWithNoise) {
   EXPECT_GT(static_cast<double>(inside), 0.9 * static_cast<double>(times.size()));
 }
 
+TEST(Fit, WithAsManyTermsAsDataItsErrorIsUnknown) {
+  const std::vector<double> few{1.0, 10.0, 100.0};
+  const std::vector<double> data{3e6, 2e6, 1e6};
+  for (const double error : fit_relaxation(few, data).quality.standard_errors) EXPECT_TRUE(std::isnan(error));
+}
+
 TEST(Fit, CreepWithNoiseGivesTheRelaxationModulus) {
   const auto truth = creep_compliance(binder);
   std::vector<double> data;

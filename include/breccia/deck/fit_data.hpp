@@ -25,6 +25,7 @@ struct CreepData {
 /// Frequency sweeps by rising temperature; a single one if the file has no temperatures.
 struct DynamicData {
   std::vector<FrequencySweep> sweeps;
+  bool is_of_ramp = false;  ///< the sweeps were interpolated between the temperatures of a ramp
 };
 
 /// The data that can be fitted; a Prony series needs no fit.

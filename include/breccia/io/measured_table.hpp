@@ -24,10 +24,11 @@ struct MeasuredColumn {
 /// How the text of a table was taken.
 struct TableReading {
   std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
-  char separator = ',';  ///< of columns
+  char separator = ',';  ///< of columns; a blank: two blanks and more
   bool has_decimal_commas = false;
   std::size_t line_of_names = 0;  ///< from 1
   bool has_row_of_units = false;  ///< below the names
+  std::size_t tables = 1;         ///< of the same columns, one below the other
 };
 
 /// The columns of a file that are recognised by their names. All other columns are ignored.

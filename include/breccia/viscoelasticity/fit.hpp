@@ -21,11 +21,13 @@ struct FitOptions {
 
 /// Deviations of a fit from its data, relative to the data.
 struct FitQuality {
-  double median_error = 0.0;            ///< median of the absolute deviations [-]
-  double worst_error = 0.0;             ///< largest absolute deviation [-]
-  double worst_at = 0.0;                ///< its time [s] or angular frequency [rad/s]
-  std::vector<double> fitted;           ///< values of the fit at the data points, in the unit of the data
-  std::vector<double> standard_errors;  ///< of the fit at each data point, from the scatter of the data [-]
+  double median_error = 0.0;   ///< median of the absolute deviations [-]
+  double worst_error = 0.0;    ///< largest absolute deviation [-]
+  double worst_at = 0.0;       ///< its time [s] or angular frequency [rad/s]
+  std::vector<double> fitted;  ///< values of the fit at the data points, in the unit of the data
+  /// Of the fit at each data point, from the scatter of the data [-]; not a number where the fit has as many parts as
+  /// there are data.
+  std::vector<double> standard_errors;
 };
 
 /// A relaxation modulus fitted to data.

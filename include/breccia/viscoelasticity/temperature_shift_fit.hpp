@@ -24,4 +24,12 @@ struct WilliamsLandelFerryFit {
 std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const ShiftFactor> factors,
                                                                 double reference_temperature);
 
+/// Whether shift factors follow a law that was fitted to them: within 0.1 decade, and with constants that they
+/// determine. Factors that pass the glass transition do not.
+bool follow(const WilliamsLandelFerryFit& fit);
+
+/// The law of the shift factors of a master curve: that of Williams, Landel and Ferry where there are three of them and
+/// they follow it, or else their table. Nothing where the factors do not fall as the temperature rises.
+std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve);
+
 }  // namespace breccia

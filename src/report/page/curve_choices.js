@@ -19,7 +19,7 @@ export function quantityChoices(curves, shown, draw) {
   const offerReferences = () => {
     const labels = curves.filter((curve) => curve.quantity === shown.quantity.name && curve.role !== "matrix")
       .map((curve) => curve.label);
-    reference.replaceChildren(element("option", {value: ""}, "compared with nothing"),
+    reference.replaceChildren(element("option", {value: ""}, "no comparison"),
       ...labels.map((label) => element("option", {value: label}, `deviation from ${label}`)));
     shown.reference = labels.includes(shown.reference) ? shown.reference : "";
     reference.value = shown.reference;

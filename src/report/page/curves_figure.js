@@ -143,6 +143,9 @@ function noteOn(curves, quantity, shown) {
   }
   if (shown.quantity.x !== "time") notes.push("From the Prony series, of the grid and method that tell most.");
   if (shown.axis === "temperature") notes.push(noteOnTemperatures(curves, shown));
+  if (study.stages.some(({dimensions}) => dimensions !== 3)) {
+    notes.push("Computed in two dimensions (plane strain): particles are cross-sections of cylinders.");
+  }
   return notes.join(" ");
 }
 

@@ -59,7 +59,20 @@ function wordsOnError(result, stage) {
   const shares = result.filter(({band}) => band !== undefined).flatMap(({y, band}) => band.map((half, i) => half / y[i]))
     .filter(Number.isFinite);
   if (shares.length > 0) return `± ${percent(Math.max(...shares))} by the grid`;
-  return gridsOf(stage)[0] === "films" ? "" : "the error of the grid is not known";
+  return gridsOf(stage)[0] === "films" ? "" : "the discretisation error is not known";
+}
+
+/// The warnings of all stages, those of one kind together.
+function groupsOfStudy() {
+  const warnings = study.stages.flatMap((stage) => stage.warnings.map(withMicroSign));
+  if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
+  return groupsOfWarnings(warnings, study.stages.map(({name}) => name));
+}
+
+/// That there are warnings, for readers of a small screen, who see them below the figure.
+function wordsOnWarnings() {
+  const count = groupsOfStudy().length;
+  return count === 0 ? "" : count === 1 ? "see the warning" : `see the ${count} warnings`;
 }
 
 function gridsOf(stage) {
@@ -81,18 +94,17 @@ export function showAnswer(curves) {
   const [{stage, load}] = result;
   const isShear = load !== "bulk";
   const sentences = answerSentences({stage: nameOfResult(stage), symbol: symbolOf(load), curves: result,
-    error: wordsOnError(result, stage), binder: isShear ? binderBeside(stage) : undefined,
+    error: [wordsOnError(result, stage), wordsOnWarnings()].filter(Boolean).join("; "), binder: isShear ? binderBeside(stage) : undefined,
     measured: isShear ? measuredBeside(curves, stage) : undefined});
   const [first, ...others] = sentences;
   place.append(element("p", {id: "answer"}, element("strong", {}, first), ` ${others.join(" ")}`));
 }
 
-/// Shows what the reader should know before using the results, one line for each kind.
+/// Shows what the reader should know before using the results, one line for each kind, beside the first figure.
 export function showWarnings() {
-  const warnings = study.stages.flatMap((stage) => stage.warnings.map(withMicroSign));
-  if (!study.complete) warnings.unshift("The run is not complete: this is what there is so far.");
-  const groups = groupsOfWarnings(warnings, study.stages.map(({name}) => name));
+  const groups = groupsOfStudy();
   const list = document.getElementById("warnings");
+  document.querySelector(".first-look").prepend(list);
   list.append(...groups.map((group) => {
     const line = lineOnGroup(group);
     const isWhole = group.texts.length === 1 && line.endsWith(group.texts[0]);
@@ -102,8 +114,8 @@ export function showWarnings() {
   }));
   list.hidden = groups.length === 0;
   const whole = document.getElementById("all-warnings");
-  whole.append(...warnings.map((text) => element("li", {}, text)));
-  whole.parentElement.hidden = warnings.length === 0;
+  whole.append(...groups.flatMap(({texts}) => texts).map((text) => element("li", {}, text)));
+  whole.parentElement.hidden = groups.length === 0;
 }
 
 /// Shows the microstructure of the last stage beside the figure.

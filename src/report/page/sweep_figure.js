@@ -123,7 +123,7 @@ function sweepChoices(curves, choice, drawAll) {
     .filter((value) => hasPartners(dimension, value))
     .map((value) => [{dimension, value}, `deviation from ${nameOfValue(dimension, value)}`]));
   references.push(...measuredCurves().map((measured) => [{measured}, `deviation from ${measured.label}`]));
-  rows.push(chooser("reference", "compared with", [[undefined, "compared with nothing"], ...references], (reference) => {
+  rows.push(chooser("reference", "compared with", [[undefined, "no comparison"], ...references], (reference) => {
     choice.reference = reference;
     drawAll();
   }));

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "breccia/io/deck.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
+
+namespace breccia {
+
+/// The moduli of a material in a deck [Pa].
+struct DeckModuli {
+  PronySeries bulk = {};
+  PronySeries shear = {};
+  std::optional<ShiftLaw> shift_law = {};  ///< that of measured moduli at several temperatures
+};
+
+/// Reads the two of `bulk`, `shear`, `young` and `poisson` that a material has, and finds its bulk and its shear
+/// modulus. After a mistake, which is reported, the moduli are empty.
+DeckModuli read_moduli(const Section& material);
+
+}  // namespace breccia
