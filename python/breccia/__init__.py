@@ -13,10 +13,12 @@ from . import _errors, _html, _native
 from ._calculations import pack, respond, run, solve
 from ._errors import Error, FileError, InputError, Interrupted, NumericalError
 from ._exports import Isochrone, export, isochrone
-from ._fits import master_curve, read_sweeps
+from ._fits import master_curve, read_measured, read_sweeps
+from ._materials import Material
 from ._native import (
     CreepCompliance,
     CreepFit,
+    EngineeringModuli,
     MasterCurve,
     Microstructure,
     PronySeries,
@@ -31,28 +33,16 @@ from ._native import (
     fit_creep,
     fit_dynamic,
     quantity,
-    read_measured,
 )
+from ._stages import Coating, Filler, Image, Packing, Stage
 from ._stored import read_results, read_sweep_results
-from ._study import (
-    Coating,
-    Filler,
-    Image,
-    Material,
-    Measurement,
-    Packing,
-    Stage,
-    Study,
-    Tests,
-    read_study,
-    read_sweep,
-)
+from ._study import Measurement, Study, Tests, read_study, read_sweep
 
 __all__ = [
-    "Coating", "CreepCompliance", "CreepFit", "Error", "FileError", "Filler", "Image", "InputError", "Interrupted",
-    "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure", "NumericalError", "Packing",
-    "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study", "TestResult", "Tests",
-    "WilliamsLandelFerry",
+    "Coating", "CreepCompliance", "CreepFit", "EngineeringModuli", "Error", "FileError", "Filler", "Image",
+    "InputError", "Interrupted", "Isochrone", "MasterCurve", "Material", "Measurement", "Microstructure",
+    "NumericalError", "Packing", "PronySeries", "RelaxationFit", "Result", "Solid", "Stage", "StageResult", "Study",
+    "TestResult", "Tests", "WilliamsLandelFerry",
     "export", "fit", "fit_creep", "fit_dynamic", "isochrone", "master_curve", "pack", "quantity", "read_measured",
     "read_results", "read_study", "read_sweep", "read_sweep_results", "read_sweeps", "respond", "run", "solve",
 ]
@@ -65,7 +55,11 @@ for _name in __all__:
 
 setattr(Result, "_repr_html_", _html.result_html)
 setattr(StageResult, "_repr_html_", _html.stage_html)
+setattr(TestResult, "_repr_html_", _html.test_html)
+setattr(EngineeringModuli, "_repr_html_", _html.engineering_html)
 setattr(PronySeries, "_repr_html_", _html.series_html)
+setattr(RelaxationFit, "_repr_html_", _html.relaxation_fit_html)
+setattr(CreepFit, "_repr_html_", _html.creep_fit_html)
 setattr(MasterCurve, "_repr_html_", _html.master_curve_html)
 setattr(Microstructure, "_repr_html_", _html.microstructure_html)
 setattr(Microstructure, "_repr_svg_", Microstructure.svg)

@@ -7,8 +7,10 @@ from typing import Any, Mapping, Sequence, Union
 
 from . import _native
 from ._errors import InputError
+from ._materials import Material
+from ._quantities import PathLike, Quantity, si, window
 from ._progress import Progress, shown
-from ._study import Material, PathLike, Quantity, Study
+from ._study import Study
 
 AnyMaterial = Union[Material, _native.Solid, _native.PronySeries, PathLike]
 
@@ -22,7 +24,7 @@ def solve(study: Study, *, threads: int = 0, ignore_memory: bool = False,
     shown in terminals and notebooks. Ctrl-C ends it. Raises InputError and NumericalError.
     """
     with shown(progress) as show:
-        return _native.solve(study._checked, threads, ignore_memory, show)
+        return _native.solve(checked(study), threads, ignore_memory, show)
 
 
 def pack(study: Study, directory: PathLike | None = None, *, overwrite: bool = False,
@@ -33,8 +35,8 @@ def pack(study: Study, directory: PathLike | None = None, *, overwrite: bool = F
     """
     with shown(progress) as show:
         if directory is None:
-            return _native.pack(study._checked, show)
-        return _native.pack_in_directory(study._checked, os.fspath(directory), overwrite, show)
+            return _native.pack(checked(study), show)
+        return _native.pack_in_directory(checked(study), os.fspath(directory), overwrite, show)
 
 
 def run(study: Study, directory: PathLike, *, resume: bool = False, overwrite: bool = False,
@@ -47,8 +49,10 @@ def run(study: Study, directory: PathLike, *, resume: bool = False, overwrite: b
     FileError.
     """
     limit = None if time_limit is None else si("time_limit", time_limit, "time")
+    if limit is not None and not limit > 0.0:
+        raise InputError(f"time_limit: expected a positive number in s, got {limit:g}")
     with shown(progress) as show:
-        return _native.run(study._checked, os.fspath(directory), resume, overwrite, limit, threads, ignore_memory, show)
+        return _native.run(checked(study), os.fspath(directory), resume, overwrite, limit, threads, ignore_memory, show)
 
 
 def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
@@ -57,10 +61,15 @@ def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
     """The curves of the same boxes with other materials or at another temperature, in milliseconds.
 
     binder: a new matrix: a Material, a PronySeries for its shear modulus alone, or a TOML file; materials: others by
-    the names of those that they replace; temperature: [K] or "40 degC", by the temperature_shift of the study; times:
-    first and last time [s]. Raises InputError where the result does not cover the materials; the message has the times
-    that it covers.
+    the names of those that they replace; temperature: [K] or "40 degC", by the temperature_shift of the study or of the
+    new binder; times: first and last time [s]. Elastic materials vary only where the study asked for it:
+    Tests(quasistatic={"vary": {"glass": {"shear": [3e9, 300e9]}}}). The answer can be asked again. Raises InputError
+    where the result does not cover the materials; the message has the times that it covers.
     """
+    solved(result)
+    if materials is not None and not isinstance(materials, Mapping):
+        raise InputError(f'materials: expected materials by the names of those they replace, as in {{"glass": steel}}, '
+                         f"got {materials!r}")
     replaced = dict(materials or {})
     if binder is not None:
         replaced["matrix"] = binder
@@ -72,33 +81,36 @@ def respond(result: _native.Result, binder: AnyMaterial | None = None, *,
     return _native.respond(result, solids, kelvin, covered)
 
 
-def si(argument: str, value: Any, dimension: str) -> float:
-    """An argument that is a quantity as text, or a number, in the SI unit."""
-    if not isinstance(value, str):
-        return float(value)
-    try:
-        return _native.quantity(value, dimension)
-    except InputError as error:
-        raise InputError(f"{argument}: {error}") from None
+def checked(study: Any) -> _native.CheckedStudy:
+    """What a study is solved from. Raises InputError for anything else, such as the name of a deck."""
+    if isinstance(study, Study):
+        return study._checked
+    advice = f": read_study({study!r}) makes one of a deck" if isinstance(study, (str, os.PathLike)) else ""
+    raise InputError(f"study: expected a Study, got {study!r}{advice}")
 
 
-def window(argument: str, ends: Sequence[Quantity], dimension: str) -> tuple[float, float]:
-    """An argument that is a first and a last quantity, in the SI unit."""
-    if isinstance(ends, str) or len(ends) != 2:
-        raise InputError(f"{argument}: expected the first and the last one, got {ends!r}")
-    return si(argument, ends[0], dimension), si(argument, ends[1], dimension)
+def solved(result: Any) -> _native.Result:
+    """A result. Raises InputError for anything else, such as the name of a directory."""
+    if isinstance(result, _native.Result):
+        return result
+    advice = f": read_results({result!r}) reads that of a directory" if isinstance(result, (str, os.PathLike)) else ""
+    raise InputError(f"result: expected a Result, got {result!r}{advice}")
 
 
-def _solid(result: _native.Result, replaced: str, material: AnyMaterial) -> _native.Solid:
+def _solid(result: _native.Result, replaced: str, material: AnyMaterial) -> _native.ShiftedSolid:
     """A material of a caller in SI units."""
     if isinstance(material, _native.Solid):
-        return material
+        return _native.ShiftedSolid(material)
     if isinstance(material, Material):
-        return material.solid()
+        return material._shifted()
     if isinstance(material, _native.PronySeries):
         own = _replaced_solid(result, replaced)
-        return _native.Solid(own.name, density=own.density, bulk=own.bulk, shear=material)
-    return _native.read_solid(os.fspath(material))
+        return _native.ShiftedSolid(_native.Solid(own.name, density=own.density, bulk=own.bulk, shear=material))
+    if isinstance(material, (str, os.PathLike)):
+        return _native.read_shifted(os.fspath(material))
+    argument = "binder" if replaced == "matrix" else f"materials: {replaced}"
+    raise InputError(f"{argument}: expected a Material, a PronySeries of its shear modulus, or the name of a TOML file, "
+                     f"got {material!r}")
 
 
 def _replaced_solid(result: _native.Result, name: str) -> _native.Solid:

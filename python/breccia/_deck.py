@@ -11,21 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-
-def quantity(value: Any, unit: str) -> Any:
-    """A quantity as a deck has it: text with a unit as it is, a number in the SI unit."""
-    if isinstance(value, (bool, str)) or value is None:
-        return value
-    if isinstance(value, (int, float, np.number)):
-        return f"{float(value)!r} {unit}"
-    return value
-
-
-def quantities(values: Any, unit: str) -> Any:
-    """Several of them."""
-    if values is None or isinstance(values, str):
-        return values
-    return [quantity(value, unit) for value in values]
+from ._errors import InputError
 
 
 class Files:
@@ -34,6 +20,7 @@ class Files:
     def __init__(self) -> None:
         self._directory: tempfile.TemporaryDirectory[str] | None = None
         self._numbers = itertools.count(1)
+        self._arguments: dict[str, str] = {}
 
     @classmethod
     def of(cls, contents: dict[str, bytes]) -> Files:
@@ -52,26 +39,34 @@ class Files:
         """The contents of all files, by their names."""
         return {path.name: path.read_bytes() for path in sorted(Path(self.place).iterdir())} if self.place else {}
 
+    def in_words(self, message: str) -> str:
+        """A message with the arguments that the arrays were given by in place of the names of the files."""
+        for path, argument in self._arguments.items():
+            message = message.replace(path, argument)
+        return message
+
     def _path_in(self, name: str) -> Path:
         if self._directory is None:
             self._directory = tempfile.TemporaryDirectory(prefix="breccia-")
         return Path(self._directory.name) / name
 
-    def _path(self, name: str) -> Path:
-        return self._path_in(f"{next(self._numbers)}-{name}")
+    def _path(self, name: str, argument: str) -> Path:
+        path = self._path_in(f"{next(self._numbers)}-{name}")
+        self._arguments[str(path)] = argument
+        return path
 
-    def image(self, labels: NDArray[Any]) -> str:
-        """A file with labels, [y, x] with the top row first, or [z, y, x]."""
-        path = self._path("labels.npy")
+    def image(self, labels: Any, argument: str) -> str:
+        """A file with the labels of an argument, [y, x] or [z, y, x] with the top row first."""
+        path = self._path("labels.npy", argument)
         labels = np.asarray(labels)
         if labels.dtype == bool:
             labels = labels.astype(np.uint8)
         np.save(path, labels)
         return str(path)
 
-    def table(self, columns: dict[str, NDArray[Any]]) -> str:
-        """A file with columns of numbers, to their last bit."""
-        path = self._path("table.csv")
+    def table(self, columns: dict[str, NDArray[Any]], argument: str) -> str:
+        """A file with the columns of numbers of an argument, to their last bit."""
+        path = self._path("table.csv", argument)
         rows = zip(*(np.asarray(column).tolist() for column in columns.values()))
         lines = [",".join(columns), *(",".join(repr(number) for number in row) for row in rows)]
         path.write_text("\n".join(lines) + "\n")
@@ -93,7 +88,7 @@ def text_of(value: Any) -> str:
         return "{ " + ", ".join(entries) + " }"
     if isinstance(value, (list, tuple, np.ndarray)):
         return "[" + ", ".join(text_of(element) for element in value) + "]"
-    raise TypeError(f"a study cannot hold {value!r}")
+    raise InputError(f"expected what a deck can hold, got {value!r}")
 
 
 def _quoted(text: str) -> str:
@@ -106,14 +101,24 @@ def _key(key: str) -> str:
     return key if is_bare else _quoted(key)
 
 
+def lines_of(table: dict[str, Any]) -> list[str]:
+    """The lines of a table. Raises InputError with the key of what no deck can hold."""
+    lines = []
+    for key, value in table.items():
+        try:
+            lines += [] if value is None else [f"{_key(key)} = {text_of(value)}"]
+        except InputError as error:
+            raise InputError(f"{key}: {error}") from None
+    return lines
+
+
 def _section(heading: str, table: dict[str, Any]) -> list[str]:
-    lines = [f"{_key(key)} = {text_of(value)}" for key, value in table.items() if value is not None]
-    return ["", heading, *lines]
+    return ["", heading, *lines_of(table)]
 
 
 def deck_text(deck: dict[str, Any]) -> str:
     """A deck as text, laid out as a person would."""
-    lines = [f"{_key(key)} = {text_of(value)}" for key, value in deck.items() if _is_plain(key) and value is not None]
+    lines = lines_of({key: value for key, value in deck.items() if _is_plain(key)})
     for name, material in deck.get("materials", {}).items():
         lines += _section(f"[materials.{_key(name)}]", material)
     for stage in deck.get("stages", []):

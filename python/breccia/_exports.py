@@ -11,9 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _html, _native
-from ._calculations import si, window
+from ._calculations import solved
 from ._errors import InputError
-from ._study import PathLike, Quantity, Stage, name_of
+from ._materials import name_of
+from ._quantities import PathLike, Quantity, share, si, window
+from ._stages import Stage
 
 ISOCHRONAL_FORMAT = "dma"
 _STEP = 2.0  # [K]
@@ -21,7 +23,7 @@ _FREQUENCY = 1.0  # [Hz]
 
 
 def export(result: _native.Result, format: str, file: PathLike | None = None, *, stage: Stage | str | None = None,
-           boundary: str | None = None, load: str | None = None, tolerance: float | None = None,
+           boundary: str | None = None, load: str | None = None, tolerance: float | str | None = None,
            times: Sequence[Quantity] | None = None, bulk: Quantity | None = None, poisson: float | None = None,
            units: str | None = None, frequency: Quantity | None = None, temperatures: Sequence[Quantity] | None = None,
            step: Quantity | None = None, overwrite: bool = False) -> str:
@@ -31,7 +33,7 @@ def export(result: _native.Result, format: str, file: PathLike | None = None, *,
     temperature; file: where to write it, too; overwrite: whether an existing one may be replaced; stage: the last one
     by default; boundary: needed where several were tested; load: which shear gives G(t).
 
-    Of a card: tolerance: largest relative deviation of G(t) and K(t) [-], 0.01 by default; times: first and last time
+    Of a card: tolerance: largest relative deviation of G(t) and K(t), 0.01 or "1 %", by default that; times: first and last time
     at which it holds [s]; bulk: an elastic bulk modulus [Pa], or poisson: a constant Poisson's ratio, in place of the
     bulk test; units: "m-kg-s" or "mm-t-s". Of the table: frequency [Hz], temperatures [K] and step [K] as of
     isochrone(). Raises InputError with every mistake, and FileError.
@@ -44,11 +46,11 @@ def export(result: _native.Result, format: str, file: PathLike | None = None, *,
         mistakes.append(f"{os.fspath(file)}: the file exists; replace it (overwrite=True) or choose another name")
     if mistakes:
         raise InputError("\n".join(mistakes))
-    composite = _native.composite(result, None if stage is None else name_of(stage), boundary, load)
+    composite = _native.composite(solved(result), name_of("stage", stage), boundary, load)
     if format == ISOCHRONAL_FORMAT:
         text = _native.isochronal_table(composite, *_isochronal_arguments(frequency, temperatures, step))
     else:
-        text = _native.card(composite, format, 0.01 if tolerance is None else tolerance,
+        text = _native.card(composite, format, 0.01 if tolerance is None else share("tolerance", tolerance),
                             None if times is None else window("times", times, "time"),
                             None if bulk is None else si("bulk", bulk, "pressure"), poisson, units or "m-kg-s")
     if file is not None:
@@ -87,7 +89,7 @@ def isochrone(result: _native.Result, frequency: Quantity = _FREQUENCY, *,
     between them [K]; stage, boundary, load: as of export(). The binder needs a temperature_shift, and nothing else may
     relax. Raises InputError.
     """
-    composite = _native.composite(result, None if stage is None else name_of(stage), boundary, load)
+    composite = _native.composite(solved(result), name_of("stage", stage), boundary, load)
     omega, range_, kelvins = _isochronal_arguments(frequency, temperatures, step)
     return Isochrone(omega / (2.0 * math.pi), **_native.isochronal(composite, omega, range_, kelvins))
 

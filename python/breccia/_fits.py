@@ -3,34 +3,96 @@
 from __future__ import annotations
 
 import os
-from typing import Sequence, Tuple
+from typing import Any, Iterable, Mapping, Tuple, Union
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._calculations import si
-from ._study import PathLike, Quantity
+from ._errors import InputError
+from ._quantities import PathLike, Quantity, si
 
-Sweep = Tuple[float, ArrayLike, ArrayLike, ArrayLike]
+Sweep = Tuple[Union[str, float], ArrayLike, ArrayLike, ArrayLike]
+
+#: What the library says of unknown columns, and what a caller of this module can do.
+_ADVICE = {
+    "breccia fit --columns tells which column is which, as in --columns storage=NAME --columns loss=NAME":
+        'columns={"storage": NAME, "loss": NAME} tells which column is which',
+}
 
 
-def read_sweeps(file: PathLike, kind: str | None = None) -> list[Sweep]:
+def read_measured(file: PathLike, kind: str | None = None, *,
+                  columns: Mapping[str, str] | None = None) -> dict[str, NDArray[np.float64]]:
+    """The columns of a table of measured data that are known by their names, in SI units, whatever those of the file.
+
+    They are time [s], temperature [K], angular_frequency [rad/s], modulus, storage_modulus, loss_modulus,
+    absolute_modulus [Pa], phase_angle [rad], loss_tangent [-], compliance [1/Pa]. kind: "shear", "young" or "bulk":
+    refuses columns of another kind; columns: as of read_sweeps(). Raises InputError with every mistake, and FileError.
+    """
+    return _native.read_measured(os.fspath(file), kind, _pairs(columns))
+
+
+def read_sweeps(file: PathLike, kind: str | None = None, *, columns: Mapping[str, str] | None = None) -> list[Sweep]:
     """The frequency sweeps in a file of an instrument, as `breccia fit` reads it, for master_curve().
 
-    kind: "shear", "young" or "bulk", where the names of the columns do not say what was measured. A sweep is its
-    temperature [K], angular frequencies [rad/s], storage and loss moduli [Pa]; temperatures within 0.5 K count as one.
-    Raises InputError with every mistake, and FileError.
+    kind: "shear", "young" or "bulk", where the names of the columns do not say what was measured; columns: which column
+    is which, where its name does not say it: {"storage": "E1 [MPa]", "loss": "E2 [MPa]"}, of the words time, frequency,
+    temperature, storage, loss, absolute, phase, tangent, modulus and compliance. A sweep is its temperature [K], angular
+    frequencies [rad/s], storage and loss moduli [Pa]; temperatures within 0.5 K count as one. Raises InputError with
+    every mistake, and FileError.
     """
-    return _native.read_sweeps(os.fspath(file), kind)
+    try:
+        return list(_native.read_sweeps(os.fspath(file), kind, _pairs(columns)))
+    except InputError as error:
+        message = str(error)
+        for of_command, of_module in _ADVICE.items():
+            message = message.replace(of_command, of_module)
+        raise InputError(message) from None
 
 
-def master_curve(sweeps: Sequence[Sweep], reference_temperature: Quantity, *,
+def _pairs(columns: Mapping[str, str] | None) -> list[tuple[str, str]]:
+    if columns is not None and not isinstance(columns, Mapping):
+        raise InputError(f'columns: expected names by quantities, as in {{"storage": "E1 [MPa]"}}, got {columns!r}')
+    return [(str(word), str(name)) for word, name in (columns or {}).items()]
+
+
+def master_curve(sweeps: Iterable[Sweep], reference_temperature: Quantity, *,
                  times_per_decade: float = 10.0) -> _native.MasterCurve:
     """Shifts frequency sweeps at several temperatures to one curve, with a Prony series for all of them.
 
     sweeps: a list of (temperature [K], angular frequencies [rad/s], storage moduli [Pa], loss moduli [Pa]), as of
-    read_sweeps(); reference_temperature: that of one of them [K]; times_per_decade: relaxation times that are offered
-    to the fit. Raises InputError and NumericalError.
+    read_sweeps(); a temperature may be text, "20 degC"; reference_temperature: that of one of them [K];
+    times_per_decade: relaxation times that are offered to the fit. Raises InputError and NumericalError.
     """
     reference = si("reference_temperature", reference_temperature, "temperature")
-    return _native.master_curve(sweeps, reference, times_per_decade=times_per_decade)
+    given = [_sweep(number, sweep) for number, sweep in enumerate(_listed(sweeps))]
+    return _native.master_curve(given, reference, times_per_decade=times_per_decade)
+
+
+def _listed(sweeps: Any) -> list[Any]:
+    if isinstance(sweeps, (str, Mapping)) or not np.iterable(sweeps):
+        raise InputError(f"sweeps: expected a list of sweeps, got {sweeps!r}")
+    return list(sweeps)
+
+
+def _sweep(number: int, sweep: Any) -> tuple[float, list[float], list[float], list[float]]:
+    """A sweep in SI units."""
+    place = f"sweeps[{number}]"
+    parts = [] if isinstance(sweep, str) or not np.iterable(sweep) else list(sweep)
+    if len(parts) != 4:
+        raise InputError(f"{place}: expected (temperature [K], angular frequencies [rad/s], storage, loss [Pa]), got "
+                         f"{sweep!r}")
+    temperature, *columns = parts
+    numbers = [_numbers(f"{place}: {name}", column)
+               for name, column in zip(("angular frequencies", "storage", "loss"), columns)]
+    return (si(f"{place}: temperature", temperature, "temperature"), numbers[0], numbers[1], numbers[2])
+
+
+def _numbers(argument: str, values: Any) -> list[float]:
+    try:
+        array = np.asarray(values, dtype=float)
+    except (TypeError, ValueError):
+        array = np.empty((0, 0))
+    if array.ndim != 1:
+        raise InputError(f"{argument}: expected a list of numbers, got {values!r}")
+    return [float(value) for value in array]

@@ -110,15 +110,54 @@ def microstructure_html(box: _native.Microstructure) -> str:
     return f'<div style="width:360px">{box.svg()}</div>'
 
 
+def test_html(test: _native.TestResult) -> str:
+    """A test for a notebook."""
+    return f"<div>{html.escape(repr(test))}</div>" + plot([Curve(_label(test, [test]), test.time, test.modulus)]) + _table(
+        [test])
+
+
+def relaxation_fit_html(fit: _native.RelaxationFit) -> str:
+    """A fit of a Prony series for a notebook: the data and the fit."""
+    heading = f"<div>{html.escape(repr(fit))}</div>"
+    if len(fit.angular_frequency) > 0:
+        storage, loss = np.split(fit.measured, 2)
+        return heading + _dynamic_plot(fit.angular_frequency, storage, loss, fit.series)
+    time = np.geomspace(fit.time[0], fit.time[-1], 200)
+    return heading + plot([Curve("M(t), measured", fit.time, fit.measured, 0, marks=True),
+                           Curve("M(t), fitted", time, fit.series.at(time), 0)])
+
+
+def creep_fit_html(fit: _native.CreepFit) -> str:
+    """A fit of a creep compliance for a notebook: the data and the fit, in 1/Pa."""
+    time = np.geomspace(fit.time[0], fit.time[-1], 200)
+    drawn = plot([Curve("J(t) Pa, measured", fit.time, fit.measured, 0, marks=True),
+                  Curve("J(t) Pa, fitted", time, fit.compliance.at(time), 0)], ordinate=plain)
+    return f"<div>{html.escape(repr(fit))}</div>{drawn}"
+
+
 def master_curve_html(curve: _native.MasterCurve) -> str:
     """A master curve for a notebook: the shifted data and their fit."""
-    frequency = np.geomspace(curve.angular_frequency[0], curve.angular_frequency[-1], 200)
-    fitted = curve.series.complex_modulus(frequency)
-    drawn = plot([Curve("M\u2032, measured", curve.angular_frequency, curve.storage, 0, marks=True),
-                  Curve("M\u2033, measured", curve.angular_frequency, curve.loss, 1, marks=True),
-                  Curve("M\u2032, fitted", frequency, fitted.real, 0),
-                  Curve("M\u2033, fitted", frequency, fitted.imag, 1)], abscissa="Angular frequency / (rad/s)")
+    drawn = _dynamic_plot(curve.angular_frequency, curve.storage, curve.loss, curve.series)
     return f"<div>{html.escape(repr(curve))}</div>{drawn}"
+
+
+def _dynamic_plot(measured_at: Floats, storage: Floats, loss: Floats, series: _native.PronySeries) -> str:
+    """Dynamic moduli and the series that was fitted to them."""
+    frequency = np.geomspace(measured_at[0], measured_at[-1], 200)
+    fitted = series.complex_modulus(frequency)
+    return plot([Curve("M\u2032, measured", measured_at, storage, 0, marks=True),
+                 Curve("M\u2033, measured", measured_at, loss, 1, marks=True),
+                 Curve("M\u2032, fitted", frequency, fitted.real, 0),
+                 Curve("M\u2033, fitted", frequency, fitted.imag, 1)], abscissa="Angular frequency / (rad/s)")
+
+
+def engineering_html(moduli: _native.EngineeringModuli) -> str:
+    """The moduli of a uniaxial test for a notebook: E, G and K over time, and Poisson's ratio in words."""
+    drawn = plot([Curve("E", moduli.time, moduli.young, 0), Curve("G", moduli.time, moduli.shear, 1),
+                  Curve("K", moduli.time, moduli.bulk, 2)])
+    first, last = _three_digits(moduli.time[0], "s"), _three_digits(moduli.time[-1], "s")
+    ratio = f"Poisson's ratio {moduli.poisson[0]:.4g} at {first}, {moduli.poisson[-1]:.4g} at {last}"
+    return f"<div>{html.escape(repr(moduli))}</div>{drawn}<div>{html.escape(ratio)}</div>"
 
 
 def isochrone_html(modulus: NDArray[np.complex128], temperature: Floats, name: str, heading: str) -> str:

@@ -53,12 +53,31 @@ class _Axis:
         return np.asarray(self.begin + share * (self.end - self.begin))
 
     def decades(self, most: int = 8) -> list[int]:
+        """The whole decades within, at most so many."""
         whole = range(math.ceil(self.first - 1e-9), math.floor(self.last + 1e-9) + 1)
         return list(whole)[:: max(1, math.ceil(len(whole) / most))]
 
+    def steps(self) -> list[float]:
+        """1, 2 and 5 times the whole decades, or all their multiples where these are fewer than two."""
+        around = range(math.floor(self.first), math.ceil(self.last) + 1)
+        for digits in ((1, 2, 5), range(1, 10)):
+            steps = [float(f"{digit}e{decade}") for decade in around for digit in digits
+                     if self.first - 1e-9 <= decade + math.log10(digit) <= self.last + 1e-9]
+            if len(steps) > 1:
+                break
+        return steps
+
+    def values(self, most: int) -> list[float]:
+        """Where labels stand: at whole decades, or at steps within them where there are fewer than two."""
+        decades = self.decades(most)
+        return [10.0**decade for decade in decades] if len(decades) > 1 else self.steps()
+
     def ticks(self) -> list[tuple[float, str]]:
-        """Places of whole decades, and what stands there."""
-        return [(float(self.place(np.array(10.0**decade))), _power(decade)) for decade in self.decades()]
+        """Places of whole decades, or of steps within one, and what stands there."""
+        decades = self.decades()
+        if len(decades) > 1:
+            return [(float(self.place(np.array(10.0**decade))), _power(decade)) for decade in decades]
+        return [(float(self.place(np.array(step))), f"{step:g}") for step in self.steps()]
 
 
 @dataclass
@@ -114,21 +133,22 @@ def _power(decade: int) -> str:
     return f'10<tspan dy="-5" font-size="9">{sign}{abs(decade)}</tspan>'
 
 
-def _pascals(decade: int) -> str:
-    """A whole decade of pascals in words: 100 kPa."""
+def _pascals(value: float) -> str:
+    """A round number of pascals in words: 100 kPa."""
+    decade = math.floor(math.log10(value) + 1e-9)
     prefix = min(max(3 * (decade // 3), -3), 9)
-    return f"{10.0 ** (decade - prefix):g} {_PREFIXES[prefix]}Pa"
+    return f"{value / 10.0**prefix:.6g} {_PREFIXES[prefix]}Pa"
 
 
-def _grid(x: _Axis | _LinearAxis, y: _Axis, abscissa: str, words: Callable[[int], str]) -> list[str]:
+def _grid(x: _Axis | _LinearAxis, y: _Axis, abscissa: str, words: Callable[[float], str]) -> list[str]:
     parts = []
     for at, tick in x.ticks():
         parts.append(f'<line x1="{at:.1f}" x2="{at:.1f}" y1="{_TOP}" y2="{_HEIGHT - _BOTTOM}" stroke="#e4e7eb"/>')
         parts.append(f'<text x="{at:.1f}" y="{_HEIGHT - _BOTTOM + 17}" text-anchor="middle">{tick}</text>')
-    for decade in y.decades(6):
-        at = float(y.place(np.array(10.0**decade)))
+    for value in y.values(6):
+        at = float(y.place(np.array(value)))
         parts.append(f'<line x1="{_LEFT}" x2="{_WIDTH - _RIGHT}" y1="{at:.1f}" y2="{at:.1f}" stroke="#e4e7eb"/>')
-        parts.append(f'<text x="{_LEFT - 8}" y="{at + 4:.1f}" text-anchor="end">{words(decade)}</text>')
+        parts.append(f'<text x="{_LEFT - 8}" y="{at + 4:.1f}" text-anchor="end">{words(value)}</text>')
     parts.append(f'<text x="{(_LEFT + _WIDTH - _RIGHT) / 2}" y="{_HEIGHT - 8}" text-anchor="middle">'
                  f"{html.escape(abscissa)}</text>")
     return parts
@@ -149,26 +169,27 @@ def _legend(curves: Sequence[Curve]) -> list[str]:
     return parts
 
 
-def plot(curves: Sequence[Curve], bands: Sequence[Band] = (), abscissa: str = "Time / s") -> str:
-    """An SVG of curves of moduli on logarithmic axes."""
+def plot(curves: Sequence[Curve], bands: Sequence[Band] = (), abscissa: str = "Time / s",
+         ordinate: Callable[[float], str] = _pascals) -> str:
+    """An SVG of curves of moduli on logarithmic axes; ordinate: the words for round values."""
     positive = [Curve(curve.label, curve.x[curve.x > 0], curve.y[curve.x > 0], curve.colour, curve.dashes, curve.marks)
                 for curve in curves]
-    return _drawn(positive, bands, lambda values: _axis(values, _LEFT, _WIDTH - _RIGHT, 0.0), abscissa, _pascals)
+    return _drawn(positive, bands, lambda values: _axis(values, _LEFT, _WIDTH - _RIGHT, 0.0), abscissa, ordinate)
 
 
-def plot_over_temperature(curves: Sequence[Curve], ordinate: Callable[[int], str] = _pascals) -> str:
-    """An SVG of curves over the temperature [degC], on a linear axis; ordinate: the words for whole decades."""
+def plot_over_temperature(curves: Sequence[Curve], ordinate: Callable[[float], str] = _pascals) -> str:
+    """An SVG of curves over the temperature [degC], on a linear axis; ordinate: the words for round values."""
     return _drawn(curves, (), lambda values: _linear_axis(values, _LEFT, _WIDTH - _RIGHT), "Temperature / \u00b0C",
                   ordinate)
 
 
-def plain(decade: int) -> str:
-    """A whole decade of a number without a unit: 0.1."""
-    return f"{10.0**decade:g}"
+def plain(value: float) -> str:
+    """A number without a unit: 0.1."""
+    return f"{value:.6g}"
 
 
 def _drawn(curves: Sequence[Curve], bands: Sequence[Band], axis: Callable[[Sequence[Floats]], _Axis | _LinearAxis],
-           abscissa: str, words: Callable[[int], str]) -> str:
+           abscissa: str, words: Callable[[float], str]) -> str:
     curves = [shown for shown in map(_shown, curves) if len(shown.x) > 0]
     if not curves:
         return ""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from . import _native
 from ._errors import InputError
-from ._study import PathLike
+from ._quantities import PathLike
 
 
 def read_results(directory: PathLike) -> _native.Result:

@@ -1,15 +1,18 @@
 #pragma once
 
-#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
-#include <fmt/format.h>
 #include <pybind11/numpy.h>
 
-#include "breccia/error.hpp"
 #include "breccia/io/range.hpp"
+#include "breccia/io/units.hpp"
 
 namespace breccia::python {
+
+/// Numbers of a caller; a copy only where they are not doubles already.
+using Numbers = pybind11::array_t<double, pybind11::array::forcecast>;
 
 /// What is expected of the numbers of an argument.
 struct Expected {
@@ -20,18 +23,32 @@ struct Expected {
 
 /// Throws InputError, which is a ValueError, for a number out of its range: "time: expected a non-negative number in
 /// s, got -1".
-inline void require(const Expected& expected, double value) {
-  if (accepts(expected.range, value)) return;
-  const auto unit = expected.unit.empty() ? std::string() : fmt::format(" in {}", expected.unit);
-  throw InputError(
-      fmt::format("{}: expected {}{}, got {}", expected.argument, described(expected.range, "number"), unit, value));
-}
+void require(const Expected& expected, double value);
 
-/// The same for each number of an array.
-inline void require_each(
-    const Expected& expected,
-    const pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>& values) {
-  for (pybind11::ssize_t i = 0; i < values.size(); ++i) require(expected, values.data()[i]);
-}
+/// A number of a caller, or text with a unit of a dimension, in the SI unit. Throws InputError for anything else.
+double quantity_of(std::string_view argument, const pybind11::handle& value, Dimension dimension);
+
+/// An angular frequency [rad/s]: a number, or text such as "10 rad/s" or "1 Hz". Throws InputError for anything else.
+double angular_frequency_of(std::string_view argument, const pybind11::handle& value);
+
+/// The numbers of an argument: one, an array, or text that `in_si` reads. Throws InputError for anything else, and
+/// where a number is out of its range.
+Numbers numbers_of(const Expected& expected, const pybind11::object& values,
+                   double (*in_si)(std::string_view argument, const pybind11::handle& value));
+
+/// The times of an argument [s], as above; for numbers_of().
+double time_of(std::string_view argument, const pybind11::handle& value);
+
+/// The pairs of an argument: an n x 2 array, or anything that gives pairs, each of a time, as a number [s] or text with
+/// a unit, and of what `second` reads. Throws InputError, with what was `expected`, for anything else; also for a tuple
+/// of two lists, which may be meant as two columns.
+std::vector<std::pair<double, double>> pairs_of(std::string_view argument, std::string_view expected,
+                                                const pybind11::object& pairs,
+                                                double (*second)(std::string_view argument,
+                                                                 const pybind11::handle& value));
+
+/// A modulus [Pa], and a number without a unit; for pairs_of().
+double modulus_of(std::string_view argument, const pybind11::handle& value);
+double plain_number_of(std::string_view argument, const pybind11::handle& value);
 
 }  // namespace breccia::python

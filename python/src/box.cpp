@@ -179,11 +179,13 @@ void bind_box(py::module_& module) {
           "fillers", [](const py::object& self) { return view(self, &Box::fillers, false); },
           "The number of the filler of each particle, from 0.")
       .def("svg", &picture_of, "Picture, an SVG; of a cube the plane through its middle.")
-      .def("labels", &labels_of, py::arg("cells") = 0,
-           "What is at the material points, two to a cell along each axis, [y, x] or [z, y, x]: the phases, the "
-           "particle "
-           "or grain at each place (-1 in the matrix; None of an image), and the names of the phases.\n\n"
-           "cells: along each side; by default those of the finest grid of the stage.")
+      .def(
+          "labels", &labels_of, py::arg("cells") = 0,
+          "What is at the material points, two to a cell along each axis, [y, x] or [z, y, x] with y and z rising: the "
+          "phases, the particle or grain at each place (-1 in the matrix; None of an image), and the names of the "
+          "phases. A picture has its top row first: Image(), and a plot with its origin at the top, take "
+          "labels()[0][..., ::-1, :].\n\n"
+          "cells: along each side; by default those of the finest grid of the stage.")
       .def("__repr__",
            [](const Box& box) {
              const auto content = box.kind == "image" ? box.kind : fmt::format("{} {}", box.particles, box.kind);

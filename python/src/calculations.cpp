@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 
 #include "breccia/campaign/pack.hpp"
 #include "breccia/campaign/run.hpp"
+#include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/packed_stage.hpp"
@@ -135,22 +137,67 @@ std::map<std::string, Material> materials_at(const Solution& solution, double te
   return materials;
 }
 
-/// Puts new materials in the place of those of a study. Those at another temperature keep their shift law; for others
-/// it is not known.
-void replace_materials(StudyContent& content, const std::map<std::string, Material>& materials,
-                       const std::optional<double>& temperature) {
+/// New materials for those that a study names.
+struct Replacement {
+  std::map<std::string, Material> materials;                      ///< by the names of those that they replace
+  std::map<std::string, std::optional<TemperatureShift>> shifts;  ///< likewise
+};
+
+/// The materials of the study at another temperature [K], with the laws of their shifts.
+Replacement at_other_temperature(const Solution& solution, double temperature) {
+  Replacement replacement{materials_at(solution, temperature), {}};
+  for (const auto& [material, shift] : solution.content.materials) {
+    auto& moved = replacement.shifts[material.name] = shift;
+    if (moved) moved->temperature = temperature;
+  }
+  return replacement;
+}
+
+/// Other materials, with the laws of their shifts, by the names that a caller has given.
+Replacement by_names(const Solution& solution, const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced) {
+  std::vector<Material> of_study;
+  of_study.reserve(solution.content.materials.size());
+  for (const auto& [material, shift] : solution.content.materials) of_study.push_back(material);
+  std::vector<NewMaterial> given;
+  given.reserve(replaced.size());
+  for (const auto& [name, one] : replaced) given.push_back({name, one.material});
+  Replacement replacement{by_replaced_material(given, solution.responses, of_study), {}};
+  for (const auto& one : given) {
+    const auto found = by_replaced_material({one}, solution.responses, of_study).begin()->first;
+    const auto place = static_cast<std::size_t>(&one - given.data());
+    replacement.shifts[found] = replaced[place].second.shift;
+  }
+  return replacement;
+}
+
+/// Puts new materials in the place of those of a study.
+void replace_materials(StudyContent& content, const Replacement& replacement) {
   for (auto& stored : content.materials) {
-    const auto found = materials.find(stored.material.name);
-    if (found == materials.end()) continue;
+    const auto found = replacement.materials.find(stored.material.name);
+    if (found == replacement.materials.end()) continue;
     stored.material = found->second;
     stored.material.name = found->first;
-    if (!temperature) stored.shift = std::nullopt;
-    if (stored.shift) stored.shift->temperature = *temperature;
+    stored.shift = replacement.shifts.at(found->first);
   }
 }
 
+/// The reduced responses of a study with new materials, at the times of a response: what another one starts from.
+std::vector<StoredResponses> with_materials(std::vector<StoredResponses> responses, const StudyContent& content) {
+  const auto replace = [&content](Material& material) {
+    for (const auto& stored : content.materials) {
+      if (stored.material.name == material.name) material = stored.material;
+    }
+  };
+  for (auto& stored : responses) {
+    stored.times = content.times;
+    for (auto& [phase, material] : stored.other_phases) replace(material);
+    if (auto* const matrix = std::get_if<Material>(&stored.matrix)) replace(*matrix);
+  }
+  return responses;
+}
+
 std::shared_ptr<Solution> respond_with(const Solution& solution,
-                                       const std::vector<std::pair<std::string, Material>>& replaced,
+                                       const std::vector<std::pair<std::string, ShiftedMaterial>>& replaced,
                                        std::optional<double> temperature,
                                        const std::optional<std::pair<double, double>>& times) {
   if (solution.responses.empty()) {
@@ -158,22 +205,19 @@ std::shared_ptr<Solution> respond_with(const Solution& solution,
         "this result has no reduced responses, which the quasi-static method with the reduced solver leaves");
   }
   if (replaced.empty() == !temperature) throw InputError("expected other materials, or a temperature");
-  std::vector<NewMaterial> given;
-  std::vector<Material> of_study;
-  for (const auto& [name, material] : replaced) given.push_back({name, material});
-  for (const auto& [material, shift] : solution.content.materials) of_study.push_back(material);
   const auto window = window_of(times);
   auto answer = std::make_shared<Solution>();
   answer->content = solution.content;
   answer->content.times = window.value_or(solution.content.times);
   return calculate([&] {
-    auto materials =
-        temperature ? materials_at(solution, *temperature) : by_replaced_material(given, solution.responses, of_study);
-    replace_materials(answer->content, materials, temperature);
+    auto replacement = temperature ? at_other_temperature(solution, *temperature) : by_names(solution, replaced);
+    replace_materials(answer->content, replacement);
+    auto& materials = replacement.materials;
     add_matrices_of_study(solution, materials);
     for (auto& stage : respond(solution.responses, materials, window)) {
       answer->stages.push_back({std::move(stage), std::nullopt});
     }
+    answer->responses = with_materials(solution.responses, answer->content);
     return answer;
   });
 }

@@ -10,6 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/memory.hpp"
+#include "breccia/homogenisation/new_materials.hpp"
 #include "breccia/homogenisation/not_covered.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/foreign_results.hpp"
@@ -44,6 +45,9 @@ std::string with_advice(const Error& error) {
   std::string message = error.what();
   if (dynamic_cast<const LackingMemory*>(&error) != nullptr) message += " (ignore_memory=True runs them nevertheless)";
   if (dynamic_cast<const Interrupted*>(&error) != nullptr) message += ", and resume=True continues from it";
+  if (dynamic_cast<const NotVaried*>(&error) != nullptr) {
+    message += "; a study built in Python has this table as Tests(quasistatic={\"vary\": {...}})";
+  }
   const auto* const not_covered = dynamic_cast<const NotCovered*>(&error);
   if (not_covered != nullptr && not_covered->times()) {
     const auto& times = *not_covered->times();

@@ -1,7 +1,6 @@
 #include "fits.hpp"
 
 #include <cmath>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -14,8 +13,6 @@
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
-#include "breccia/viscoelasticity/master_curve.hpp"
-#include "breccia/viscoelasticity/temperature_shift_fit.hpp"
 
 #include "arguments.hpp"
 #include "materials.hpp"
@@ -49,37 +46,57 @@ auto without_lock(const Work& work) {
   return work();
 }
 
+const std::vector<double> nothing;
+
+std::string terms_in_words(const RelaxationFit& fit) {
+  return display_count(fit.series.terms().size(), "term");
+}
+std::string terms_in_words(const CreepFit& fit) {
+  return display_count(fit.compliance.terms().size(), "term");
+}
+
 std::string quality_in_words(const FitQuality& quality, const char* unit) {
   return fmt::format("deviation from the data: median {:.2g} %, worst {:.2g} % at {:.4g} {}",
                      100.0 * quality.median_error, 100.0 * quality.worst_error, quality.worst_at, unit);
 }
 
-/// What the three kinds of fits have in common.
+/// Numbers of a fit as a view.
+template <class Fit, class Numbers>
+auto list_of(const Numbers& numbers_in) {
+  return [numbers_in](const py::object& self) {
+    const std::vector<double>& numbers = numbers_in(self.cast<const MeasuredFit<Fit>&>());
+    return view_of(numbers.data(), {static_cast<py::ssize_t>(numbers.size())}, self);
+  };
+}
+
+/// What the kinds of fits have in common.
 template <class Fit>
-void bind_quality(py::class_<Fit>& fit) {
+void bind_quality(py::class_<MeasuredFit<Fit>>& fit) {
+  using Measured = MeasuredFit<Fit>;
+  using List = const std::vector<double>&;
   fit.def_property_readonly(
-         "median_error", [](const Fit& self) { return self.quality.median_error; },
+         "median_error", [](const Measured& self) { return self.fit.quality.median_error; },
          "Median of the absolute deviations from the data, relative [-].")
       .def_property_readonly(
-          "worst_error", [](const Fit& self) { return self.quality.worst_error; },
+          "worst_error", [](const Measured& self) { return self.fit.quality.worst_error; },
           "Largest absolute deviation from the data, relative [-].")
       .def_property_readonly(
-          "worst_at", [](const Fit& self) { return self.quality.worst_at; },
+          "worst_at", [](const Measured& self) { return self.fit.quality.worst_at; },
           "Time [s] or angular frequency [rad/s] of the largest deviation.")
       .def_property_readonly(
-          "fitted",
-          [](const py::object& self) {
-            const auto& fitted = self.cast<const Fit&>().quality.fitted;
-            return view_of(fitted.data(), {static_cast<py::ssize_t>(fitted.size())}, self);
-          },
+          "fitted", list_of<Fit>([](const Measured& self) -> List { return self.fit.quality.fitted; }),
           "Values of the fit at the data, in their unit; of dynamic moduli first all storage, then all loss moduli.")
-      .def_property_readonly(
-          "standard_errors",
-          [](const py::object& self) {
-            const auto& errors = self.cast<const Fit&>().quality.standard_errors;
-            return view_of(errors.data(), {static_cast<py::ssize_t>(errors.size())}, self);
-          },
-          "Standard error of the fit at each value, from the scatter of the data, relative [-].");
+      .def_property_readonly("measured", list_of<Fit>([](const Measured& self) -> List { return self.measured; }),
+                             "The data, in the order of `fitted`.")
+      .def_property_readonly("standard_errors", list_of<Fit>([](const Measured& self) -> List {
+                               return self.fit.quality.standard_errors;
+                             }),
+                             "Standard error of the fit at each value, from the scatter of the data, relative [-].")
+      .def("__repr__", [](const Measured& self) {
+        return fmt::format(
+            "<breccia.{}: {}; {}>", py::type::of<Measured>().attr("__name__").template cast<std::string>(),
+            terms_in_words(self.fit), quality_in_words(self.fit.quality, self.is_dynamic ? "rad/s" : "s"));
+      });
 }
 
 py::tuple state_of_quality(const FitQuality& quality) {
@@ -92,34 +109,50 @@ FitQuality quality_from(const py::tuple& state) {
           state[3].cast<std::vector<double>>(), state[4].cast<std::vector<double>>()};
 }
 
-FitOptions options_of(double ramp, double times_per_decade) {
-  if (!(times_per_decade > 0.0)) throw InputError("times_per_decade: expected a positive number");
-  if (!(ramp >= 0.0)) throw InputError("ramp: expected a duration [s] that is not negative");
-  return {.times_per_decade = times_per_decade, .ramp = ramp};
+MeasuredFit<CreepFit> creep_fit_from(const py::tuple& state) {
+  return {{compliance_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())},
+          false,
+          state[2].cast<std::vector<double>>(),
+          state[3].cast<std::vector<double>>()};
 }
 
 void bind_results(py::module_& module) {
-  py::class_<RelaxationFit> relaxation(module, "RelaxationFit", "A Prony series fitted to data.");
-  relaxation.def_readonly("series", &RelaxationFit::series, "The fit, a PronySeries.");
+  using Relaxation = MeasuredFit<RelaxationFit>;
+  using Creep = MeasuredFit<CreepFit>;
+  py::class_<Relaxation> relaxation(module, "RelaxationFit", "A Prony series fitted to data.");
+  relaxation
+      .def_property_readonly(
+          "series", [](const Relaxation& self) { return self.fit.series; }, "The fit, a PronySeries.")
+      .def_property_readonly("time", list_of<RelaxationFit>([](const Relaxation& self) -> const std::vector<double>& {
+                               return self.is_dynamic ? nothing : self.at;
+                             }),
+                             "Times of the data [s]; none of dynamic moduli.")
+      .def_property_readonly("angular_frequency",
+                             list_of<RelaxationFit>([](const Relaxation& self) -> const std::vector<double>& {
+                               return self.is_dynamic ? self.at : nothing;
+                             }),
+                             "Angular frequencies of dynamic moduli [rad/s]; else none.")
+      .def(py::pickle([](const Relaxation& fit) { return python::state_of(fit); }, &relaxation_fit_from));
   bind_quality(relaxation);
-  relaxation.def("__repr__", [](const RelaxationFit& fit) {
-    return fmt::format("<breccia.RelaxationFit: {}; {}>", display_count(fit.series.terms().size(), "term"),
-                       quality_in_words(fit.quality, "s or rad/s"));
-  });
-  relaxation.def(py::pickle(
-      [](const RelaxationFit& fit) {
-        return py::make_tuple(python::state_of(fit.series), state_of_quality(fit.quality));
-      },
-      [](const py::tuple& state) {
-        return RelaxationFit{series_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())};
-      }));
-  py::class_<CreepFit> creep(module, "CreepFit", "A creep compliance fitted to data.");
-  creep.def_readonly("compliance", &CreepFit::compliance, "The fit, a CreepCompliance.");
+  py::class_<Creep> creep(module, "CreepFit", "A creep compliance fitted to data.");
+  creep
+      .def_property_readonly(
+          "compliance", [](const Creep& self) { return self.fit.compliance; }, "The fit, a CreepCompliance.")
+      .def_property_readonly("time",
+                             list_of<CreepFit>([](const Creep& self) -> const std::vector<double>& { return self.at; }),
+                             "Times of the data [s].")
+      .def(py::pickle(
+          [](const Creep& self) {
+            return py::make_tuple(python::state_of(self.fit.compliance), state_of_quality(self.fit.quality),
+                                  array_of(self.at), array_of(self.measured));
+          },
+          &creep_fit_from));
   bind_quality(creep);
-  creep.def("__repr__", [](const CreepFit& fit) {
-    return fmt::format("<breccia.CreepFit: {}; {}>", display_count(fit.compliance.terms().size(), "term"),
-                       quality_in_words(fit.quality, "s"));
-  });
+}
+
+/// The numbers of a caller as a list.
+std::vector<double> list_from(std::span<const double> numbers) {
+  return {numbers.begin(), numbers.end()};
 }
 
 void bind_functions(py::module_& module) {
@@ -128,8 +161,9 @@ void bind_functions(py::module_& module) {
       [](const ContiguousNumbers& time, const ContiguousNumbers& modulus, double ramp, double times_per_decade) {
         require_equal_lengths("time", time, "modulus", modulus);
         const auto times = numbers_of("time", time), moduli = numbers_of("modulus", modulus);
-        const auto options = options_of(ramp, times_per_decade);
-        return without_lock([&] { return fit_relaxation(times, moduli, options); });
+        const auto options = fit_options(ramp, times_per_decade);
+        return MeasuredFit<RelaxationFit>{without_lock([&] { return fit_relaxation(times, moduli, options); }), false,
+                                          list_from(times), list_from(moduli)};
       },
       py::arg("time"), py::arg("modulus"), py::kw_only(), py::arg("ramp") = 0.0, py::arg("times_per_decade") = 10.0,
       "Fits a Prony series to relaxation moduli [Pa] at rising times [s].\n\n"
@@ -139,8 +173,9 @@ void bind_functions(py::module_& module) {
       [](const ContiguousNumbers& time, const ContiguousNumbers& compliance, double ramp, double times_per_decade) {
         require_equal_lengths("time", time, "compliance", compliance);
         const auto times = numbers_of("time", time), compliances = numbers_of("compliance", compliance);
-        const auto options = options_of(ramp, times_per_decade);
-        return without_lock([&] { return fit_creep(times, compliances, options); });
+        const auto options = fit_options(ramp, times_per_decade);
+        return MeasuredFit<CreepFit>{without_lock([&] { return fit_creep(times, compliances, options); }), false,
+                                     list_from(times), list_from(compliances)};
       },
       py::arg("time"), py::arg("compliance"), py::kw_only(), py::arg("ramp") = 0.0, py::arg("times_per_decade") = 10.0,
       "Fits a creep compliance [1/Pa] at rising times [s]; see fit().");
@@ -152,103 +187,45 @@ void bind_functions(py::module_& module) {
         require_equal_lengths("angular_frequency", frequency, "loss", loss);
         const auto frequencies = numbers_of("angular_frequency", frequency), stored = numbers_of("storage", storage),
                    lost = numbers_of("loss", loss);
-        const auto options = options_of(0.0, times_per_decade);
-        return without_lock([&] { return fit_dynamic(frequencies, stored, lost, options); });
+        const auto options = fit_options(0.0, times_per_decade);
+        return dynamic_fit(without_lock([&] { return fit_dynamic(frequencies, stored, lost, options); }),
+                           list_from(frequencies), list_from(stored), list_from(lost));
       },
       py::arg("angular_frequency"), py::arg("storage"), py::arg("loss"), py::kw_only(),
       py::arg("times_per_decade") = 10.0,
       "Fits a Prony series to storage and loss moduli [Pa] at rising angular frequencies [rad/s].");
 }
 
-/// A sweep of a caller: (temperature [K], angular frequencies, storage moduli, loss moduli).
-FrequencySweep sweep_of(const py::tuple& sweep) {
-  if (sweep.size() != 4) {
-    throw InputError("sweeps: expected (temperature [K], angular frequencies [rad/s], storage, loss [Pa]) for each");
-  }
-  return {.temperature = sweep[0].cast<double>(),
-          .frequencies = sweep[1].cast<std::vector<double>>(),
-          .storage = sweep[2].cast<std::vector<double>>(),
-          .loss = sweep[3].cast<std::vector<double>>()};
-}
-
-void bind_master_curve(py::module_& module) {
-  py::class_<WilliamsLandelFerryFit>(module, "WilliamsLandelFerry",
-                                     "log10 a_T = -c1 (T - T_ref) / (c2 + T - T_ref), fitted to shift factors.")
-      .def_property_readonly(
-          "c1", [](const WilliamsLandelFerryFit& self) { return self.law.c1; }, "[-]")
-      .def_property_readonly(
-          "c2", [](const WilliamsLandelFerryFit& self) { return self.law.c2; }, "[K]")
-      .def_property_readonly(
-          "reference_temperature", [](const WilliamsLandelFerryFit& self) { return self.law.reference_temperature; },
-          "[K]")
-      .def_readonly("c1_error", &WilliamsLandelFerryFit::c1_error, "Standard error of c1 [-].")
-      .def_readonly("c2_error", &WilliamsLandelFerryFit::c2_error, "Standard error of c2 [K].")
-      .def(
-          "shift_factor",
-          [](const WilliamsLandelFerryFit& self, double temperature) {
-            require({"temperature", "K", Range::not_negative()}, temperature);
-            return self.law.shift_factor(temperature);
-          },
-          py::arg("temperature"), "a_T [-] at a temperature [K].")
-      .def("__repr__", [](const WilliamsLandelFerryFit& self) {
-        return fmt::format("<breccia.WilliamsLandelFerry: c1 = {:.4g}, c2 = {:.4g} K at {:.6g} K>", self.law.c1,
-                           self.law.c2, self.law.reference_temperature);
-      });
-  const auto list = [](const std::vector<double> MasterCurve::*member) {
-    return [member](const py::object& self) {
-      const auto& numbers = self.cast<const MasterCurve&>().*member;
-      return view_of(numbers.data(), {static_cast<py::ssize_t>(numbers.size())}, self);
-    };
-  };
-  py::class_<MasterCurve>(module, "MasterCurve", "Frequency sweeps shifted to one temperature.")
-      .def_readonly("reference_temperature", &MasterCurve::reference_temperature, "[K]")
-      .def_property_readonly("angular_frequency", list(&MasterCurve::frequencies),
-                             "Reduced angular frequencies [rad/s], rising.")
-      .def_property_readonly("storage", list(&MasterCurve::storage), "Storage moduli there [Pa].")
-      .def_property_readonly("loss", list(&MasterCurve::loss), "Loss moduli there [Pa].")
-      .def_property_readonly(
-          "series", [](const MasterCurve& self) { return self.fit.series; },
-          "Relaxation modulus at the reference temperature, a PronySeries.")
-      .def_readonly("fit", &MasterCurve::fit, "The same with its deviations from the data.")
-      .def_property_readonly(
-          "shift_factors",
-          [](const MasterCurve& self) {
-            const auto count = static_cast<py::ssize_t>(self.shift_factors.size());
-            static_assert(sizeof(ShiftFactor) == 3 * sizeof(double));
-            return py::array_t<double>({count, py::ssize_t{3}}, &self.shift_factors.front().temperature);
-          },
-          "n x 3 array: temperature [K], log10 a_T [-] and its standard error.")
-      .def(
-          "williams_landel_ferry",
-          [](const MasterCurve& self) {
-            return fit_williams_landel_ferry(self.shift_factors, self.reference_temperature);
-          },
-          "The law of Williams, Landel and Ferry through the shift factors; None where they follow none.")
-      .def("__repr__", [](const MasterCurve& self) {
-        return fmt::format("<breccia.MasterCurve at {:.6g} K: {} frequencies from {:.3g} to {:.3g} rad/s>",
-                           self.reference_temperature, self.frequencies.size(), self.frequencies.front(),
-                           self.frequencies.back());
-      });
-  module.def(
-      "master_curve",
-      [](const std::vector<py::tuple>& sweeps, double reference_temperature, double times_per_decade) {
-        std::vector<FrequencySweep> read;
-        for (const auto& sweep : sweeps) read.push_back(sweep_of(sweep));
-        const auto options = options_of(0.0, times_per_decade);
-        return without_lock([&] { return master_curve(std::move(read), reference_temperature, options); });
-      },
-      py::arg("sweeps"), py::arg("reference_temperature"), py::kw_only(), py::arg("times_per_decade") = 10.0,
-      "Shifts frequency sweeps, (temperature [K], angular frequencies [rad/s], storage, loss [Pa]) each, to one of "
-      "their "
-      "temperatures [K].");
-}
-
 }  // namespace
+
+MeasuredFit<RelaxationFit> dynamic_fit(RelaxationFit fit, std::vector<double> frequencies, std::vector<double> storage,
+                                       const std::vector<double>& loss) {
+  auto measured = std::move(storage);
+  measured.insert(measured.end(), loss.begin(), loss.end());
+  return {std::move(fit), true, std::move(frequencies), std::move(measured)};
+}
+
+py::tuple state_of(const MeasuredFit<RelaxationFit>& fit) {
+  return py::make_tuple(state_of(fit.fit.series), state_of_quality(fit.fit.quality), fit.is_dynamic, array_of(fit.at),
+                        array_of(fit.measured));
+}
+
+MeasuredFit<RelaxationFit> relaxation_fit_from(const py::tuple& state) {
+  return {{series_from(state[0].cast<py::tuple>()), quality_from(state[1].cast<py::tuple>())},
+          state[2].cast<bool>(),
+          state[3].cast<std::vector<double>>(),
+          state[4].cast<std::vector<double>>()};
+}
+
+FitOptions fit_options(double ramp, double times_per_decade) {
+  if (!(times_per_decade > 0.0)) throw InputError("times_per_decade: expected a positive number");
+  if (!(ramp >= 0.0)) throw InputError("ramp: expected a duration [s] that is not negative");
+  return {.times_per_decade = times_per_decade, .ramp = ramp};
+}
 
 void bind_fits(py::module_& module) {
   bind_results(module);
   bind_functions(module);
-  bind_master_curve(module);
 }
 
 }  // namespace breccia::python

@@ -1,6 +1,7 @@
 #include "materials.hpp"
 
 #include <complex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,19 +28,25 @@ namespace {
 namespace py = pybind11;
 
 constexpr Expected any_time = {"time", "s", Range::not_negative()};
-constexpr Expected frequencies = {"angular_frequency", "rad/s", Range::not_negative()};
+constexpr Expected any_frequency = {"angular_frequency", "rad/s", Range::not_negative()};
 constexpr Expected factors = {"factor", "", Range::positive()};
 
-/// The two numbers of each term, by the columns of an n x 2 array.
-template <class Term>
-std::vector<Term> terms_of(const py::array_t<double, py::array::c_style | py::array::forcecast>& terms,
-                           const char* expected) {
-  if (terms.size() == 0) return {};
-  if (terms.ndim() != 2 || terms.shape(1) != 2) throw InputError(expected);
-  std::vector<Term> pairs;
-  const auto rows = terms.template unchecked<2>();
-  for (py::ssize_t i = 0; i < rows.shape(0); ++i) pairs.push_back({rows(i, 0), rows(i, 1)});
-  return pairs;
+std::vector<MaxwellTerm> maxwell_terms_of(const py::object& terms) {
+  std::vector<MaxwellTerm> read;
+  for (const auto& [time, modulus] :
+       pairs_of("terms", "pairs of a relaxation time and a modulus", terms, &modulus_of)) {
+    read.push_back({time, modulus});
+  }
+  return read;
+}
+
+std::vector<RetardationTerm> retardation_terms_of(const py::object& terms) {
+  std::vector<RetardationTerm> read;
+  for (const auto& [time, compliance] :
+       pairs_of("terms", "pairs of a retardation time and a compliance", terms, &plain_number_of)) {
+    read.push_back({time, compliance});
+  }
+  return read;
 }
 
 std::string in_words(const PronySeries& series) {
@@ -51,16 +58,15 @@ std::string in_words(const PronySeries& series) {
 }
 
 void bind_series(py::module_& module) {
-  using Numbers = py::array_t<double, py::array::forcecast>;
   py::class_<PronySeries>(module, "PronySeries",
                           "Relaxation modulus M(t) = M_inf + sum_k M_k exp(-t / tau_k) [Pa].\n\n"
-                          "terms: n x 2 array of relaxation times [s] and moduli [Pa]; equilibrium: M_inf [Pa].")
-      .def(
-          py::init([](const py::array_t<double, py::array::c_style | py::array::forcecast>& terms, double equilibrium) {
-            return PronySeries(
-                equilibrium, terms_of<MaxwellTerm>(terms, "terms: expected pairs of a relaxation time and a modulus"));
-          }),
-          py::arg("terms") = py::array_t<double>(0), py::arg("equilibrium") = 0.0)
+                          "terms: a pair for each term, or an n x 2 array: its relaxation time [s] and its modulus "
+                          "[Pa], numbers or text with a unit, as in [(\"1 ms\", \"2 MPa\"), (1.0, 5e5)]; two lists "
+                          "become pairs by zip(times, moduli); equilibrium: M_inf [Pa].")
+      .def(py::init([](const py::object& terms, const py::object& equilibrium) {
+             return PronySeries(modulus_of("equilibrium", equilibrium), maxwell_terms_of(terms));
+           }),
+           py::arg("terms") = py::tuple(), py::arg("equilibrium") = 0.0)
       .def_property_readonly("equilibrium", &PronySeries::equilibrium, "Modulus at infinite time [Pa].")
       .def_property_readonly("unrelaxed", &PronySeries::unrelaxed, "Modulus at t = 0 [Pa].")
       .def_property_readonly("is_elastic", &PronySeries::is_elastic, "Whether nothing relaxes.")
@@ -87,19 +93,19 @@ void bind_series(py::module_& module) {
           "Moduli of the terms [Pa].")
       .def(
           "at",
-          [](const PronySeries& series, const Numbers& time) {
-            require_each(any_time, time);
-            return py::vectorize([&series](double t) { return series.at(t); })(time);
+          [](const PronySeries& series, const py::object& time) {
+            return py::vectorize([&series](double t) { return series.at(t); })(numbers_of(any_time, time, &time_of));
           },
-          py::arg("time"), "Relaxation modulus [Pa] at times [s], a number or an array.")
+          py::arg("time"), "Relaxation modulus [Pa] at times [s], a number, an array or text such as \"1 ms\".")
       .def(
           "complex_modulus",
-          [](const PronySeries& series, const Numbers& frequency) {
-            require_each(frequencies, frequency);
-            return py::vectorize([&series](double omega) { return series.complex_modulus(omega); })(frequency);
+          [](const PronySeries& series, const py::object& frequency) {
+            return py::vectorize([&series](double omega) { return series.complex_modulus(omega); })(
+                numbers_of(any_frequency, frequency, &angular_frequency_of));
           },
           py::arg("angular_frequency"),
-          "Complex modulus M' + i M'' [Pa] at angular frequencies [rad/s], a number or an array.")
+          "Complex modulus M' + i M'' [Pa] at angular frequencies [rad/s], a number, an array or text such as \"10 "
+          "rad/s\" or \"1 Hz\".")
       .def(
           "shifted",
           [](const PronySeries& series, double factor) {
@@ -123,19 +129,14 @@ void bind_series(py::module_& module) {
 }
 
 void bind_compliance(py::module_& module) {
-  using Numbers = py::array_t<double, py::array::forcecast>;
   py::class_<CreepCompliance>(module, "CreepCompliance",
                               "Creep compliance J(t) = J_0 + sum_k J_k (1 - exp(-t / lambda_k)) + phi t [1/Pa].\n\n"
-                              "terms: n x 2 array of retardation times [s] and compliances [1/Pa]; fluidity: phi "
-                              "[1/(Pa s)].")
-      .def(py::init([](double instantaneous,
-                       const py::array_t<double, py::array::c_style | py::array::forcecast>& terms, double fluidity) {
-             return CreepCompliance(
-                 instantaneous,
-                 terms_of<RetardationTerm>(terms, "terms: expected pairs of a retardation time and a compliance"),
-                 fluidity);
+                              "terms: a pair for each term, or an n x 2 array: its retardation time [s] and its "
+                              "compliance [1/Pa]; fluidity: phi [1/(Pa s)].")
+      .def(py::init([](double instantaneous, const py::object& terms, double fluidity) {
+             return CreepCompliance(instantaneous, retardation_terms_of(terms), fluidity);
            }),
-           py::arg("instantaneous"), py::arg("terms") = py::array_t<double>(0), py::arg("fluidity") = 0.0)
+           py::arg("instantaneous"), py::arg("terms") = py::tuple(), py::arg("fluidity") = 0.0)
       .def_property_readonly("instantaneous", &CreepCompliance::instantaneous, "Compliance at t = 0 [1/Pa].")
       .def_property_readonly("fluidity", &CreepCompliance::fluidity,
                              "Rate of steady flow under unit stress [1/(Pa s)].")
@@ -150,19 +151,19 @@ void bind_compliance(py::module_& module) {
           "n x 2 array: retardation times [s], falling, and compliances [1/Pa].")
       .def(
           "at",
-          [](const CreepCompliance& compliance, const Numbers& time) {
-            require_each(any_time, time);
-            return py::vectorize([&compliance](double t) { return compliance.at(t); })(time);
+          [](const CreepCompliance& compliance, const py::object& time) {
+            return py::vectorize([&compliance](double t) { return compliance.at(t); })(
+                numbers_of(any_time, time, &time_of));
           },
-          py::arg("time"), "Creep compliance [1/Pa] at times [s], a number or an array.")
+          py::arg("time"), "Creep compliance [1/Pa] at times [s], a number, an array or text such as \"1 ms\".")
       .def(
           "complex_compliance",
-          [](const CreepCompliance& compliance, const Numbers& frequency) {
-            require_each({"angular_frequency", "rad/s", Range::positive()}, frequency);
+          [](const CreepCompliance& compliance, const py::object& frequency) {
             return py::vectorize([&compliance](double omega) { return compliance.complex_compliance(omega); })(
-                frequency);
+                numbers_of({"angular_frequency", "rad/s", Range::positive()}, frequency, &angular_frequency_of));
           },
-          py::arg("angular_frequency"), "Complex compliance J' - i J'' [1/Pa] at angular frequencies [rad/s].")
+          py::arg("angular_frequency"),
+          "Complex compliance J' - i J'' [1/Pa] at angular frequencies [rad/s], as above.")
       .def(
           "relaxation_modulus", [](const CreepCompliance& compliance) { return relaxation_modulus(compliance); },
           "The relaxation modulus of a solid with this compliance, by exact interconversion.")
@@ -172,21 +173,7 @@ void bind_compliance(py::module_& module) {
              return fmt::format("<breccia.CreepCompliance: {}, {:.4g} 1/Pa at t = 0>",
                                 display_count(compliance.terms().size(), "term"), compliance.instantaneous());
            })
-      .def(py::pickle(
-          [](const CreepCompliance& compliance) {
-            std::vector<double> times, compliances;
-            for (const auto& [time, value] : compliance.terms()) {
-              times.push_back(time);
-              compliances.push_back(value);
-            }
-            return py::make_tuple(compliance.instantaneous(), times, compliances, compliance.fluidity());
-          },
-          [](const py::tuple& state) {
-            std::vector<RetardationTerm> terms;
-            const auto times = state[1].cast<std::vector<double>>(), values = state[2].cast<std::vector<double>>();
-            for (std::size_t i = 0; i < times.size(); ++i) terms.push_back({times[i], values.at(i)});
-            return CreepCompliance(state[0].cast<double>(), std::move(terms), state[3].cast<double>());
-          }));
+      .def(py::pickle([](const CreepCompliance& compliance) { return state_of(compliance); }, &compliance_from));
 }
 
 void bind_solid(py::module_& module) {
@@ -207,8 +194,14 @@ void bind_solid(py::module_& module) {
                                 display(material.shear.unrelaxed(), "Pa"), display(material.bulk.unrelaxed(), "Pa"));
            })
       .def(py::pickle([](const Material& material) { return state_of(material); }, &material_from));
-  module.def("solid_from_text", &material_from_text, py::arg("text"), py::arg("name"), py::arg("directory"));
-  module.def("read_solid", &read_material_file, py::arg("file"));
+  py::class_<ShiftedMaterial>(module, "ShiftedSolid", "A solid with the law of its temperature shift, if it has one.")
+      .def(py::init([](Material solid) {
+             return ShiftedMaterial{std::move(solid), std::nullopt};
+           }),
+           py::arg("solid"))
+      .def_readonly("solid", &ShiftedMaterial::material);
+  module.def("shifted_from_text", &shifted_material_from_text, py::arg("text"), py::arg("name"), py::arg("directory"));
+  module.def("read_shifted", &read_shifted_material_file, py::arg("file"));
 }
 
 }  // namespace
@@ -232,6 +225,22 @@ PronySeries series_from(const py::tuple& state) {
   }
   PronySeries whole(state[0].cast<double>(), std::move(positive));
   return negative.empty() ? whole : PronySeries::difference(whole, PronySeries(0.0, std::move(negative)));
+}
+
+py::tuple state_of(const CreepCompliance& compliance) {
+  std::vector<double> times, compliances;
+  for (const auto& [time, value] : compliance.terms()) {
+    times.push_back(time);
+    compliances.push_back(value);
+  }
+  return py::make_tuple(compliance.instantaneous(), times, compliances, compliance.fluidity());
+}
+
+CreepCompliance compliance_from(const py::tuple& state) {
+  std::vector<RetardationTerm> terms;
+  const auto times = state[1].cast<std::vector<double>>(), values = state[2].cast<std::vector<double>>();
+  for (std::size_t i = 0; i < times.size(); ++i) terms.push_back({times[i], values.at(i)});
+  return {state[0].cast<double>(), std::move(terms), state[3].cast<double>()};
 }
 
 py::tuple state_of(const Material& material) {

@@ -2,6 +2,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
@@ -13,6 +14,9 @@ void bind_materials(pybind11::module_& module);
 // The content of a series for pickle: (equilibrium modulus, relaxation times, moduli).
 pybind11::tuple state_of(const PronySeries& series);
 PronySeries series_from(const pybind11::tuple& state);
+// The content of a creep compliance for pickle: (instantaneous compliance, retardation times, compliances, fluidity).
+pybind11::tuple state_of(const CreepCompliance& compliance);
+CreepCompliance compliance_from(const pybind11::tuple& state);
 // The content of a material for pickle.
 pybind11::tuple state_of(const Material& material);
 Material material_from(const pybind11::tuple& state);

@@ -5,11 +5,14 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "breccia/deck/column_words.hpp"
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/measured_table_reader.hpp"
@@ -23,14 +26,25 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr std::array plain_quantities = {std::pair("time", Quantity::time),
-                                         std::pair("temperature", Quantity::temperature),
-                                         std::pair("angular_frequency", Quantity::angular_frequency)};
+constexpr std::array plain_quantities = {
+    std::pair("time", Quantity::time), std::pair("temperature", Quantity::temperature),
+    std::pair("angular_frequency", Quantity::angular_frequency), std::pair("phase_angle", Quantity::phase_angle),
+    std::pair("loss_tangent", Quantity::loss_tangent)};
 
 /// Those that are of a kind of modulus.
 constexpr std::array quantities_of_kinds = {
     std::pair("modulus", Quantity::modulus), std::pair("compliance", Quantity::compliance),
-    std::pair("storage_modulus", Quantity::storage_modulus), std::pair("loss_modulus", Quantity::loss_modulus)};
+    std::pair("storage_modulus", Quantity::storage_modulus), std::pair("loss_modulus", Quantity::loss_modulus),
+    std::pair("absolute_modulus", Quantity::absolute_modulus)};
+
+/// Columns by the words for their quantities.
+using Columns = std::vector<std::pair<std::string, std::string>>;
+
+MeasuredTable table_in(const std::filesystem::path& file, const Columns& columns) {
+  std::vector<NamedColumn> named;
+  for (const auto& [word, name] : columns) named.push_back({word, name});
+  return read_measured_table(file, column_choices(named, "columns"));
+}
 
 ModulusKind kind_named(const std::string& word) {
   const auto kind = kind_of_word(word);
@@ -38,8 +52,8 @@ ModulusKind kind_named(const std::string& word) {
   throw InputError(fmt::format(R"(kind: expected "shear", "young" or "bulk", got "{}")", word));
 }
 
-py::dict read(const std::filesystem::path& file, const py::object& kind) {
-  const auto table = read_measured_table(file);
+py::dict read(const std::filesystem::path& file, const py::object& kind, const Columns& chosen) {
+  const auto table = table_in(file, chosen);
   const auto wanted = kind.is_none() ? ModulusKind::unspecified : kind_named(kind.cast<std::string>());
   py::dict columns;
   for (const auto& [key, quantity] : plain_quantities) {
@@ -52,9 +66,9 @@ py::dict read(const std::filesystem::path& file, const py::object& kind) {
 }
 
 /// The frequency sweeps in a file as tuples of temperature, angular frequencies, storage and loss moduli.
-py::list sweeps_in(const std::filesystem::path& file, const py::object& kind) {
+py::list sweeps_in(const std::filesystem::path& file, const py::object& kind, const Columns& columns) {
   const auto given = kind.is_none() ? ModulusKind::unspecified : kind_named(kind.cast<std::string>());
-  const auto input = fit_data_in(read_measured_table(file), given);
+  const auto input = fit_data_in(table_in(file, columns), given);
   const auto* const data = std::get_if<DynamicData>(&input.data);
   if (data == nullptr) {
     throw InputError(fmt::format("{}: expected storage and loss moduli against the frequency", file.string()));
@@ -69,13 +83,8 @@ py::list sweeps_in(const std::filesystem::path& file, const py::object& kind) {
 }  // namespace
 
 void bind_measured(py::module_& module) {
-  module.def("read_sweeps", &sweeps_in, py::arg("file"), py::arg("kind"));
-  module.def(
-      "read_measured", &read, py::arg("file"), py::arg("kind") = py::none(),
-      "The columns of a table of measured data that are known by their names, in SI units, whatever those of the "
-      "file: time [s], temperature [K], angular_frequency [rad/s], modulus, storage_modulus, loss_modulus [Pa], "
-      "compliance [1/Pa].\n\n"
-      "kind: \"shear\", \"young\" or \"bulk\": refuses columns of another kind.");
+  module.def("read_sweeps", &sweeps_in, py::arg("file"), py::arg("kind"), py::arg("columns"));
+  module.def("read_measured", &read, py::arg("file"), py::arg("kind"), py::arg("columns"));
 }
 
 }  // namespace breccia::python

@@ -1,9 +1,11 @@
 #include <pybind11/pybind11.h>
 
 #include "calculations.hpp"
+#include "engineering.hpp"
 #include "errors.hpp"
 #include "exports.hpp"
 #include "fits.hpp"
+#include "master_curves.hpp"
 #include "materials.hpp"
 #include "measured.hpp"
 #include "quantities.hpp"
@@ -19,8 +21,10 @@ PYBIND11_MODULE(_native, module) {
   python::bind_quantities(module);
   python::bind_materials(module);
   python::bind_fits(module);
+  python::bind_master_curves(module);
   python::bind_measured(module);
   python::bind_studies(module);
+  python::bind_engineering(module);
   python::bind_results(module);
   python::bind_calculations(module);
   python::bind_exports(module);

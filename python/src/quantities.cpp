@@ -28,8 +28,12 @@ Dimension dimension_named(const std::string& wanted) {
 void bind_quantities(pybind11::module_& module) {
   module.def(
       "quantity",
-      [](const std::string& text, const std::string& dimension) {
-        return parse_quantity(text, dimension_named(dimension));
+      [](const pybind11::object& text, const std::string& dimension) {
+        if (pybind11::isinstance<pybind11::str>(text)) {
+          return parse_quantity(text.cast<std::string>(), dimension_named(dimension));
+        }
+        throw InputError(fmt::format("text: expected a number with its unit in quotes, got {}",
+                                     pybind11::repr(text).cast<std::string>()));
       },
       pybind11::arg("text"), pybind11::arg("dimension"),
       "The SI value of a number with its unit: quantity(\"0.5 um\", \"length\") is 5e-07 [m].");

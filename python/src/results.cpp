@@ -19,6 +19,7 @@
 #include "breccia/io/display.hpp"
 #include "breccia/io/nearest_name.hpp"
 
+#include "engineering.hpp"
 #include "solution.hpp"
 #include "solution_state.hpp"
 #include "test_fields.hpp"
@@ -163,6 +164,10 @@ std::vector<Material> solids_of(const SolvedStage& stage) {
   return solids;
 }
 
+EngineeringCurves engineering_of_stage(const SolvedStage& stage, const std::optional<std::string>& boundary) {
+  return engineering_of(stage.result, boundary);
+}
+
 void bind_stage(py::module_& module) {
   const auto load = py::arg("load") = "shear";
   const auto boundary = py::arg("boundary") = py::none(), method = py::arg("method") = py::none(),
@@ -221,6 +226,10 @@ void bind_stage(py::module_& module) {
                                    view_of(test.compliance, &CreepSample::compliance, self));
            }),
            load, boundary, method, grid, of_compliance.c_str())
+      .def("engineering", &engineering_of_stage, boundary,
+           "Young's modulus and Poisson's ratio, EngineeringModuli, of a stage that was tested in shear and in bulk "
+           "under "
+           "this boundary condition, which is needed where there are several. Raises InputError with what is missing.")
       .def("__repr__",
            [](const SolvedStage& stage) {
              return fmt::format("<breccia.StageResult {}: {}>", stage.result.name,
@@ -229,20 +238,24 @@ void bind_stage(py::module_& module) {
       .def(py::pickle(&state_of_stage, &python::stage_from));
 }
 
-const SolvedStage& stage_of(const Solution& solution, const std::string& name) {
-  const auto found =
-      std::ranges::find(solution.stages, name, [](const SolvedStage& stage) { return stage.result.name; });
-  if (found != solution.stages.end()) return *found;
-  std::vector<std::string> names;
-  for (const auto& stage : solution.stages) names.push_back(stage.result.name);
-  throw py::key_error(
-      fmt::format("no stage \"{}\"{}; there is {}", name, suggestion(name, names), fmt::join(names, ", ")));
-}
-
 std::vector<std::string> names_of(const Solution& solution) {
   std::vector<std::string> names;
   for (const auto& stage : solution.stages) names.push_back(stage.result.name);
   return names;
+}
+
+const SolvedStage& stage_of(const Solution& solution, const py::object& named) {
+  if (!py::isinstance<py::str>(named)) {
+    throw InputError(
+        fmt::format("result[...]: expected the name of a stage, got {}; the stages in their order are result.stages",
+                    py::repr(named).cast<std::string>()));
+  }
+  const auto name = named.cast<std::string>();
+  const auto found =
+      std::ranges::find(solution.stages, name, [](const SolvedStage& stage) { return stage.result.name; });
+  if (found != solution.stages.end()) return *found;
+  const auto names = names_of(solution);
+  throw py::key_error(fmt::format("no stage \"{}\"{}", name, suggestion(name, names)));
 }
 
 void bind_solution(py::module_& module) {

@@ -38,6 +38,7 @@ def test_cards_are_those_of_the_command_line(result, directory, command, format)
     for results in (result, breccia.read_results(directory)):
         card = breccia.export(results, format, boundary="traction", bulk="5 GPa", units="mm-t-s", tolerance=0.02)
         assert card == printed.stdout
+        assert card == breccia.export(results, format, boundary="traction", bulk=5e9, units="mm-t-s", tolerance="2 %")
 
 
 def test_a_table_follows_the_results_within_its_tolerance(result, tmp_path):
@@ -102,6 +103,30 @@ def test_exports_follow_the_temperature_of_a_response(result):
         breccia.isochrone(other, boundary="traction")
 
 
+def test_exports_follow_the_shift_of_a_new_binder(result):
+    """A response to the binder of the study, at another temperature in its own table, is that to the temperature."""
+    own = dict(density="1.0 g/cm^3", bulk="3 GPa", shear=breccia.PronySeries([(1e-4, 80e6), (1e-2, 10e6), (1.0, 2e6)], 1e6))
+    binder = breccia.Material("other", **own, temperature_shift={**LAW, "temperature": "30 degC"})
+    other, warm = breccia.respond(result, binder), breccia.respond(result, temperature="30 degC")
+    assert other.binder == warm.binder == result.binder == "binder"
+    asked = dict(temperatures=("20 degC", "30 degC"), step=10.0, boundary="traction")
+    there, here = breccia.isochrone(other, "1 Hz", **asked), breccia.isochrone(warm, "1 Hz", **asked)
+    assert np.array_equal(there.shear, here.shear) and np.array_equal(there.log10_shift_factor, here.log10_shift_factor)
+    again = breccia.respond(other, temperature="20 degC")
+    back, first = again["composite"].curve(boundary="traction")[1], result["composite"].curve(boundary="traction")[1]
+    assert back == pytest.approx(first, rel=1e-9)
+    assert breccia.isochrone(again, "1 Hz", **asked).shear == pytest.approx(
+        breccia.isochrone(result, "1 Hz", **asked).shear, rel=1e-9)
+    # A file has its shift, too, and a response that was pickled answers as well.
+    copy = pickle.loads(pickle.dumps(other))
+    assert np.array_equal(breccia.isochrone(copy, "1 Hz", **asked).shear, there.shear)
+    assert np.array_equal(breccia.respond(copy, temperature="25 degC")["composite"].curve(boundary="traction"),
+                          breccia.respond(other, temperature="25 degC")["composite"].curve(boundary="traction"))
+    unshifted = breccia.respond(result, breccia.Material("other", **own))
+    with pytest.raises(breccia.InputError, match="shift"):
+        breccia.isochrone(unshifted, boundary="traction")
+
+
 def test_all_mistakes_of_an_export_are_named(result, tmp_path):
     taken = tmp_path / "taken"
     taken.write_text("mine")
@@ -117,11 +142,14 @@ def test_all_mistakes_of_an_export_are_named(result, tmp_path):
             ({"format": "csv", "boundary": "traction", "bulk": "5 m"}, "bulk: expected a pressure"),
             ({"format": "csv", "boundary": "traction", "bulk": 5e9, "poisson": 0.4}, "expected one of them"),
             ({"format": "csv", "boundary": "traction", "bulk": 5e9, "tolerance": 2.0}, "tolerance"),
+            ({"format": "csv", "boundary": "traction", "bulk": 5e9, "tolerance": "fine"}, "tolerance: expected a number or"),
             ({"format": "csv", "boundary": "traction", "bulk": 5e9, "times": "1 s"}, "times: expected the first and"),
             ({"format": "csv", "boundary": "traction", "bulk": 5e9, "stage": "composit"}, "did you mean"),
             ({"format": "dma", "boundary": "traction", "tolerance": 0.01}, "tolerance: the format dma has none"),
             ({"format": "dma", "boundary": "traction", "frequency": -1.0}, "frequency: expected a positive number in Hz"),
-            ({"format": "dma", "boundary": "traction", "temperatures": ("300 degC", "310 degC")}, "temperature")):
+            ({"format": "dma", "boundary": "traction", "frequency": [1, 2]}, "frequency: expected a frequency, as text"),
+            ({"format": "dma", "boundary": "traction", "temperatures": (20, 30)},
+             r"temperatures: .* cover .* degC, got -253.15 to -243.15 degC .20 to 30 K.")):
         with pytest.raises(breccia.InputError, match=message):
             breccia.export(result, **arguments)
     breccia.export(result, "csv", taken, boundary="traction", bulk=5e9, overwrite=True)

@@ -44,7 +44,16 @@ def test_fits_find_the_series_of_their_data():
     assert creep.compliance.at(0.1) == pytest.approx(SERIES.creep_compliance().at(0.1), rel=0.02)
     again = pickle.loads(pickle.dumps(fit))
     assert again.series == fit.series and np.array_equal(again.fitted, fit.fitted)
-    assert "deviation" in repr(fit) and "deviation" in repr(creep)
+    assert repr(fit).endswith(" s>") and repr(creep).endswith(" s>") and repr(dynamic).endswith(" rad/s>")
+    assert np.array_equal(fit.time, time) and len(fit.angular_frequency) == 0 and np.array_equal(
+        fit.measured, SERIES.at(time))
+    assert np.array_equal(dynamic.angular_frequency, frequency) and len(dynamic.time) == 0
+    assert len(dynamic.measured) == len(dynamic.fitted) == 160
+    copied = pickle.loads(pickle.dumps(creep))
+    assert copied.compliance == creep.compliance and np.array_equal(copied.measured, creep.measured)
+    assert repr(copied) == repr(creep) and repr(pickle.loads(pickle.dumps(dynamic))) == repr(dynamic)
+    for one, marks in ((fit, 80), (creep, 80), (dynamic, 160)):
+        assert one._repr_html_().count("<circle") == marks + one._repr_html_().count("measured</text>")
 
 
 def test_master_curve_finds_the_shift_law():
@@ -108,7 +117,61 @@ def test_sweeps_of_an_instrument_become_a_master_curve():
     binder = breccia.Material("binder", density=1480.0, bulk="3.6 GPa", shear=curve.series, temperature_shift=law)
     study = breccia.Study(breccia.Stage("box", matrix=binder, box="1 mm", cells=4), breccia.Tests(times=(1e-3, 1.0)))
     assert study.materials[0].shear.terms == pytest.approx(curve.series.terms, rel=1e-14)
+    again = pickle.loads(pickle.dumps(curve))
+    assert again.series == curve.series and np.array_equal(again.shift_factors, curve.shift_factors)
+    for name in ("angular_frequency", "storage", "loss", "reference_temperature"):
+        assert np.array_equal(getattr(again, name), getattr(curve, name))
+    assert repr(again.fit) == repr(curve.fit) and repr(curve.fit).endswith("rad/s>")
+    same = pickle.loads(pickle.dumps(law))
+    assert (same.c1, same.c2, same.c1_error, same.c2_error) == (law.c1, law.c2, law.c1_error, law.c2_error)
+    assert law.shift_factor("30 degC") == law.shift_factor(303.15) == same.shift_factor(303.15)
+    in_words = [(f"{kelvin} K", *columns) for kelvin, *columns in sweeps]
+    assert breccia.master_curve(in_words, "19 degC").series == curve.series
     with pytest.raises(breccia.InputError, match="reference_temperature: expected a temperature"):
         breccia.master_curve(sweeps, "19 m")
     with pytest.raises(breccia.InputError, match="expected storage and loss moduli"):
         breccia.read_sweeps(ROOT / "data" / "pbx9501_binder_prony.csv")
+
+
+@pytest.mark.parametrize("sweeps, message", [
+    ([(293.0, [1, 2], [1, 2])], r"sweeps\[0\]: expected \(temperature"),
+    ({"a": 1}, "sweeps: expected a list of sweeps"),
+    ([(293.0, [1, 2], ["x", 2], [1, 2])], r"sweeps\[0\]: storage: expected a list of numbers"),
+    ([("20 m", [1, 2], [1, 2], [1, 2])], r"sweeps\[0\]: temperature: expected a temperature"),
+])
+def test_sweeps_that_are_none_are_refused(sweeps, message):
+    with pytest.raises(breccia.InputError, match=message):
+        breccia.master_curve(sweeps, "20 degC")
+
+
+def test_columns_are_chosen_by_words(tmp_path):
+    file = tmp_path / "instrument.csv"
+    frequency = np.array([1.0, 2.0, 5.0, 10.0])
+    file.write_text("f [Hz],E1 [MPa],E2 [MPa]\n" + "".join(f"{f!r},{10 + f!r},{f!r}\n" for f in frequency.tolist()))
+    columns = {"frequency": "f [Hz]", "storage": "E1 [MPa]", "loss": "E2 [MPa]"}
+    (_, omega, storage, loss), = breccia.read_sweeps(file, kind="young", columns=columns)
+    assert omega == pytest.approx(2.0 * np.pi * frequency)
+    assert storage == pytest.approx((10.0 + frequency) * 1e6) and loss == pytest.approx(frequency * 1e6)
+    measured = breccia.read_measured(file, columns=columns)
+    assert np.array_equal(measured["storage_modulus"], storage) and set(measured) == {
+        "angular_frequency", "storage_modulus", "loss_modulus"}
+    with pytest.raises(breccia.InputError, match='columns: unknown quantity "storrage", did you mean "storage"'):
+        breccia.read_measured(file, columns={"storrage": "E1 [MPa]"})
+    with pytest.raises(breccia.InputError, match="columns: expected names by quantities"):
+        breccia.read_sweeps(file, columns="storage=E1")
+    german = tmp_path / "german.csv"
+    german.write_text("Frequenz [Hz],Speicher [MPa]\n1,2\n2,3\n")
+    with pytest.raises(breccia.InputError) as error:
+        breccia.read_sweeps(german)
+    assert 'columns={"storage": NAME, "loss": NAME} tells' in str(error.value) and "--columns" not in str(error.value)
+
+
+def test_moduli_by_absolute_value_and_phase_angle_are_read(tmp_path):
+    file = tmp_path / "asphalt.csv"
+    file.write_text("frequency_Hz,|G*| [MPa],phase_angle_deg\n1,10,45\n10,20,30\n")
+    measured = breccia.read_measured(file)
+    assert measured["absolute_modulus"] == pytest.approx([10e6, 20e6])
+    assert measured["phase_angle"] == pytest.approx(np.radians([45.0, 30.0]))
+    file.write_text("frequency_Hz,storage_modulus_MPa,tan_delta\n1,10,1\n10,20,0.57735\n")
+    measured = breccia.read_measured(file)
+    assert measured["loss_tangent"] == pytest.approx([1.0, 0.57735])

@@ -133,6 +133,11 @@ def test_a_test_is_found_by_words(model):
         stage.curve(boundary="traction", grid="fine")
     with pytest.raises(KeyError, match="did you mean"):
         model["modle"]
+    with pytest.raises(KeyError) as error:
+        model["elsewhere"]
+    assert str(error.value).count("model") == 1
+    with pytest.raises(breccia.InputError, match=r"expected the name of a stage, got 0; .*result.stages"):
+        model[0]
     assert stage.test(boundary="traction", grid=24).grid == 24
     assert "model" in model and len(model) == 1 and [test.load for test in stage.tests] == ["shear", "shear"]
 
@@ -160,7 +165,86 @@ def test_responses_to_other_materials(model, binder, tmp_path):
         breccia.respond(model, materials={"no_such": binder})
     with pytest.raises(breccia.InputError, match="two rising times"):
         breccia.respond(model, binder, times=(1.0, 1e-3))
+    with pytest.raises(breccia.InputError, match="particle does not vary: .* built in Python has this table as Tests"):
+        breccia.respond(model, materials={"particle": binder})
+    with pytest.raises(breccia.InputError, match="binder: expected a Material, .* got 3000000.0"):
+        breccia.respond(model, 3e6)
+    with pytest.raises(breccia.InputError, match="temperature: expected a temperature, as text .* got .300, 310."):
+        breccia.respond(model, temperature=[300, 310])
+    with pytest.raises(breccia.InputError, match="materials: expected materials by the names"):
+        breccia.respond(model, materials=binder)
     assert again["model"].microstructure is None
+
+
+def test_responses_answer_again(model, binder):
+    softer = breccia.PronySeries([(0.01, 0.4e6)])
+    first = breccia.respond(model, softer, times=("2 ms", "20 ms"))
+    assert first.binder == model.binder == "binder" and first.materials[0].shear == softer
+    back = breccia.respond(first, binder)
+    assert back["model"].curve(boundary="traction")[0][[0, -1]] == pytest.approx([2e-3, 20e-3])
+    known = breccia.respond(model, binder, times=("2 ms", "20 ms"))
+    for boundary in ("displacement", "traction"):
+        assert np.array_equal(back["model"].curve(boundary=boundary), known["model"].curve(boundary=boundary))
+
+
+def test_responses_keep_other_materials(binder, particle):
+    """A filler that varies keeps its new moduli where the binder is replaced afterwards."""
+    stage = breccia.Stage("model", matrix=binder, box="6 mm", cells=12, fillers=breccia.Filler(particle, diameter=2e-3),
+                          packing=breccia.Packing("regular", columns=2, rows=2))
+    varied = {"vary": {"particle": {"shear": [10e6, 30e6], "bulk": [20e6, 80e6]}}}
+    tests = breccia.Tests(times=("1 ms", "50 ms"), boundaries="traction", quasistatic=varied)
+    result = breccia.solve(breccia.Study(stage, tests))
+    stiffer = breccia.Material("particle", density="1.5 g/cm^3", bulk=60e6, shear=25e6)
+    softer = breccia.PronySeries([(0.01, 0.4e6)])
+    both = breccia.respond(result, softer, materials={"particle": stiffer})
+    one = breccia.respond(breccia.respond(result, materials={"particle": stiffer}), softer)
+    assert one["model"].curve()[1] == pytest.approx(both["model"].curve()[1], rel=1e-12)
+
+
+def test_engineering_moduli_are_those_of_the_files(binder, particle, tmp_path):
+    stage = breccia.Stage("model", matrix=binder, box="6 mm", cells=12, fillers=breccia.Filler(particle, diameter=2e-3),
+                          packing=breccia.Packing("regular", columns=2, rows=2))
+    tests = breccia.Tests(times=("1 ms", "50 ms"), loads=["shear", "bulk"], boundaries=["displacement", "traction"])
+    result = breccia.run(breccia.Study(stage, tests), tmp_path / "run")
+    columns = {"time_s": "time", "shear_modulus_Pa": "shear", "bulk_modulus_Pa": "bulk", "youngs_modulus_Pa": "young",
+               "poisson_ratio": "poisson"}
+    with open(tmp_path / "run" / "engineering.csv") as file:
+        in_time = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    with open(tmp_path / "run" / "engineering_dynamic.csv") as file:
+        in_frequency = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    stored = breccia.read_results(tmp_path / "run")["model"]
+    for boundary in ("displacement", "traction"):
+        rows = [row for row in in_time if row["boundary"] == boundary]
+        moduli = result["model"].engineering(boundary)
+        for column, name in columns.items():
+            written = [float(row[column]) for row in rows]
+            assert written == getattr(moduli, name).tolist() == getattr(stored.engineering(boundary), name).tolist()
+        rows = [row for row in in_frequency if row["boundary"] == boundary]
+        assert [float(row["angular_frequency_rad_per_s"]) for row in rows] == moduli.angular_frequency.tolist()
+        for column, name in (("shear", "shear"), ("bulk", "bulk"), ("youngs", "young")):
+            written = [complex(float(row[f"{column}_storage_modulus_Pa"]), float(row[f"{column}_loss_modulus_Pa"]))
+                       for row in rows]
+            assert written == getattr(moduli, f"complex_{name}").tolist()
+        assert [complex(float(row["poisson_ratio_real"]), float(row["poisson_ratio_imaginary"]))
+                for row in rows] == moduli.complex_poisson.tolist()
+        # E = 9 K G / (3 K + G) of the complex moduli.
+        shear, bulk = moduli.complex_shear, moduli.complex_bulk
+        assert moduli.complex_young == pytest.approx(9.0 * bulk * shear / (3.0 * bulk + shear))
+        copy = pickle.loads(pickle.dumps(moduli))
+        assert np.array_equal(copy.young, moduli.young) and np.array_equal(copy.complex_young, moduli.complex_young)
+    assert not moduli.young.flags.writeable and repr(moduli).startswith("<breccia.EngineeringModuli: shear, traction")
+    assert "<svg" in moduli._repr_html_() and "Poisson's ratio" in moduli._repr_html_().replace("&#x27;", "'")
+    with pytest.raises(breccia.InputError, match='expected boundary="displacement" or boundary="traction"'):
+        result["model"].engineering()
+    with pytest.raises(breccia.InputError, match="was not tested in shear and in bulk under the boundary condition periodic"):
+        result["model"].engineering("periodic")
+
+
+def test_engineering_moduli_take_tests_in_shear_and_in_bulk(model):
+    with pytest.raises(breccia.InputError, match="stage model: it was not tested in bulk under .* traction; .*loads="):
+        model["model"].engineering("traction")
+    with pytest.raises(breccia.InputError, match="boundary: expected .*got \"upper\""):
+        model["model"].engineering("upper")
 
 
 def test_temperature_shifts_the_curve(binder, composite):
@@ -185,6 +269,10 @@ def test_what_notebooks_show(model):
     assert "<svg" in series._repr_html_()
     assert "<svg" not in breccia.PronySeries(equilibrium=1e6)._repr_html_()
     assert "<svg" in model["model"].microstructure._repr_html_()
+    assert "lower bound" in model["model"].test(boundary="traction")._repr_html_()
+    # Within one decade the labels are 1, 2 and 5 times its power of ten.
+    narrow = breccia.PronySeries([(1.0, 17e6)], equilibrium=2e6)._repr_html_()
+    assert all(f">{label} MPa</text>" in narrow for label in (2, 5, 10))
     assert repr(model).startswith("<breccia.Result Model composite: stage model, in ")
     assert repr(model["model"]) == "<breccia.StageResult model: 2 tests>"
     assert repr(model["model"].microstructure) == "<breccia.Microstructure: 4 discs, 34.91 % of a box of 6 mm>"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import breccia
-from conftest import MODEL, OVERRIDES
+from conftest import MODEL, OVERRIDES, ROOT
 
 
 def test_study_built_in_python_has_the_bits_of_its_deck(model, composite):
@@ -105,6 +105,20 @@ def test_particles_and_images_are_given_as_arrays(binder, particle):
     assert np.array_equal(box.labels()[0], labels)
 
 
+def test_images_and_labels_of_a_cube(binder, particle):
+    """The planes of an image have their top rows first, those of labels their bottom rows; z rises in both."""
+    voxels = np.zeros((4, 4, 4), int)
+    voxels[0, 1, 3] = voxels[2, 3, 0] = 1
+    scan = breccia.Stage("scan", matrix=binder, packing=breccia.Image(voxels, pixel=1e-4, materials=[binder, particle]))
+    box = breccia.pack(breccia.Study(scan, breccia.Tests(times=(1e-3, 1e-2)), dimensions=3))["scan"].microstructure
+    labels = box.labels()[0]
+    assert np.array_equal(labels[..., ::-1, :], voxels)
+    again = breccia.Stage("scan", matrix=binder, packing=breccia.Image(
+        labels[..., ::-1, :], pixel=1e-4, materials={0: binder, 1: particle}))
+    box = breccia.pack(breccia.Study(again, breccia.Tests(times=(1e-3, 1e-2)), dimensions=3))["scan"].microstructure
+    assert np.array_equal(box.labels()[0], labels)
+
+
 def test_a_chain_of_stages(binder, particle):
     filler = breccia.Filler(particle, diameter="20 um")
     array = breccia.Packing("regular", columns=1, rows=1)
@@ -126,6 +140,14 @@ def test_a_study_describes_itself(composite):
     assert [solid.name for solid in study.materials] == ["binder", "particle"]
     assert "[materials.binder]" in study.deck
     assert "matrix=" in repr(composite) and "breccia.Filler" in repr(composite.fillers)
+
+
+def test_the_study_of_the_documentation_has_no_warnings():
+    text = (ROOT / "docs" / "python.md").read_text()
+    code = next(part for part in text.split("```python\n")[1:] if part.startswith("rubber = "))
+    names = {"breccia": breccia}
+    exec(code.partition("```")[0], names)  # pylint: disable=exec-used
+    assert breccia.solve(names["study"]).warnings == []
 
 
 def test_studies_can_be_pickled(binder, particle, tmp_path):

@@ -1,12 +1,13 @@
 """The reference of Python is made of the docstrings of the module that was built; what it shows are public names."""
 
 import os
+import re
 import sys
 
 
 def public_names(app, what, name, obj, options, signature, returns):
     def public(text):
-        return text and text.replace("breccia._native.", "breccia.").replace("breccia._study.", "breccia.")
+        return text and re.sub(r"\bbreccia\._[a-z]+\.", "breccia.", text)
 
     return public(signature), public(returns)
 

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "breccia/deck/column_words.hpp"
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/measured_table_reader.hpp"
-#include "breccia/io/nearest_name.hpp"
 #include "breccia/io/table_description.hpp"
 #include "breccia/io/units.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
@@ -31,18 +31,6 @@ const std::map<std::string, CurveKind> kinds = {
 const std::map<std::string, ModulusKind> modulus_kinds = {
     {"shear", ModulusKind::shear}, {"young", ModulusKind::young}, {"bulk", ModulusKind::bulk}};
 
-/// The words for the quantities of `--columns`.
-const std::map<std::string, Quantity> quantities_of_columns = {{"time", Quantity::time},
-                                                               {"frequency", Quantity::angular_frequency},
-                                                               {"temperature", Quantity::temperature},
-                                                               {"storage", Quantity::storage_modulus},
-                                                               {"loss", Quantity::loss_modulus},
-                                                               {"absolute", Quantity::absolute_modulus},
-                                                               {"phase", Quantity::phase_angle},
-                                                               {"tangent", Quantity::loss_tangent},
-                                                               {"modulus", Quantity::modulus},
-                                                               {"compliance", Quantity::compliance}};
-
 struct FitArguments {
   std::filesystem::path file;
   std::vector<std::string> columns;  ///< QUANTITY=NAME
@@ -57,26 +45,23 @@ struct FitArguments {
 };
 
 /// The columns that the user has chosen. Throws InputError with every choice that is none.
-std::vector<ColumnChoice> column_choices(const FitArguments& arguments) {
-  std::vector<std::string> words;
-  words.reserve(quantities_of_columns.size());
-  for (const auto& [word, quantity] : quantities_of_columns) words.push_back(word);
-  std::vector<ColumnChoice> choices;
+std::vector<ColumnChoice> columns_of(const FitArguments& arguments) {
+  std::vector<NamedColumn> columns;
   std::vector<std::string> mistakes;
   for (const auto& text : arguments.columns) {
     const auto sign = text.find('=');
-    const auto word = text.substr(0, sign);
-    const auto known = quantities_of_columns.find(word);
     if (sign == std::string::npos || sign + 1 == text.size()) {
       mistakes.push_back(
           fmt::format(R"(--columns: expected QUANTITY=NAME, such as storage="E1 [MPa]", got "{}")", text));
-    } else if (known == quantities_of_columns.end()) {
-      mistakes.push_back(fmt::format("--columns: unknown quantity \"{}\"{}", word, suggestion(word, words)));
-    } else if (std::ranges::find(choices, known->second, &ColumnChoice::quantity) != choices.end()) {
-      mistakes.push_back(fmt::format("--columns: {} is given twice", word));
     } else {
-      choices.push_back({known->second, text.substr(sign + 1)});
+      columns.push_back({text.substr(0, sign), text.substr(sign + 1)});
     }
+  }
+  std::vector<ColumnChoice> choices;
+  try {
+    choices = column_choices(columns, "--columns");
+  } catch (const InputError& error) {
+    mistakes.emplace_back(error.what());
   }
   if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
   return choices;
@@ -301,7 +286,7 @@ void fit(const FitArguments& arguments) {
   warn_of_missing_plots("");
   const auto given = arguments.modulus.empty() ? ModulusKind::unspecified : modulus_kinds.at(arguments.modulus);
   const Fitter fitter(arguments);
-  const auto table_of_data = read_measured_table(arguments.file, column_choices(arguments));
+  const auto table_of_data = read_measured_table(arguments.file, columns_of(arguments));
   const auto [data, modulus_kind] = fit_data_in(table_of_data, given);
   if (!arguments.quiet) {
     const auto unit =

@@ -12,15 +12,15 @@
 namespace breccia {
 namespace {
 
-Material material_of(const Deck& document, const std::string& name) {
-  auto material = read_material(document.root(), name);
+ShiftedMaterial material_of(const Deck& document, const std::string& name) {
+  auto material = read_shifted_material(document.root(), name);
   document.finish();
   return material;
 }
 
 }  // namespace
 
-Material read_material_file(const std::filesystem::path& file) {
+ShiftedMaterial read_shifted_material_file(const std::filesystem::path& file) {
   std::error_code is_no_name_of_a_file;  // too long, for example
   if (!std::filesystem::exists(file, is_no_name_of_a_file)) {
     throw InputError(fmt::format("{}: no such file", file.string()));
@@ -28,7 +28,12 @@ Material read_material_file(const std::filesystem::path& file) {
   return material_of(Deck(file), file.stem().string());
 }
 
-Material material_from_text(const std::string& text, const std::string& name, const std::filesystem::path& directory) {
+Material read_material_file(const std::filesystem::path& file) {
+  return read_shifted_material_file(file).material;
+}
+
+ShiftedMaterial shifted_material_from_text(const std::string& text, const std::string& name,
+                                           const std::filesystem::path& directory) {
   return material_of(Deck::from_text(text, name, directory), name);
 }
 

@@ -15,10 +15,7 @@
 
 namespace breccia {
 
-namespace {
-
-/// A material at the temperature in its table, with the temperature shift, if it has one.
-std::pair<Material, std::optional<TemperatureShift>> read_shifted(const Section& section, const std::string& name) {
+ShiftedMaterial read_shifted_material(const Section& section, const std::string& name) {
   Material reference = {name, section.quantity("density", Dimension::density, Range::positive()), {}, {}};
   auto moduli = read_moduli(section);
   reference.bulk = std::move(moduli.bulk);
@@ -27,20 +24,14 @@ std::pair<Material, std::optional<TemperatureShift>> read_shifted(const Section&
   return {shift ? shifted(reference, shift_factor(shift->law, shift->temperature)) : reference, shift};
 }
 
-}  // namespace
-
-Material read_material(const Section& section, const std::string& name) {
-  return read_shifted(section, name).first;
-}
-
 DeckMaterials read_materials(const Section& deck) {
   const auto section = deck.section("materials");
   DeckMaterials read;
   for (const auto& name : section.keys()) {
     if (!is_printable(name)) section.report(name, "expected a name without line breaks and other control characters");
     const auto material = section.section(name);
-    auto [shifted_material, shift] = read_shifted(material, name);
-    read.materials.push_back(std::move(shifted_material));
+    auto [shifted, shift] = read_shifted_material(material, name);
+    read.materials.push_back(std::move(shifted));
     if (shift) read.temperature_shifts.emplace(name, *shift);
   }
   return read;

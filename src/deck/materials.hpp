@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "breccia/deck/material_file.hpp"
 #include "breccia/io/deck.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
@@ -19,8 +20,8 @@ struct DeckMaterials {
 /// Reads [materials]: each table is a material, named by its key.
 DeckMaterials read_materials(const Section& deck);
 
-/// Reads one material, at the temperature in its table.
-Material read_material(const Section& section, const std::string& name);
+/// Reads one material.
+ShiftedMaterial read_shifted_material(const Section& section, const std::string& name);
 
 /// The material that a key names; a material without a name after a mistake was reported.
 Material read_material_reference(const Section& section, const std::string& key,

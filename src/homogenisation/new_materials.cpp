@@ -72,9 +72,12 @@ std::map<std::string, Material> by_replaced_material(const std::vector<NewMateri
   const auto known = materials_by_name(stored);
   std::map<std::string, Material> replacements;
   std::vector<std::string> mistakes;
+  bool is_elastic = false;  // a material that no other moduli were sampled of
   for (const auto& [name, material] : new_materials) {
     const auto found = known.find(name);
     if (found == known.end()) {
+      is_elastic = is_elastic || name == name_of_filler_phase ||
+                   std::ranges::find(of_study, name, &Material::name) != of_study.end();
       mistakes.push_back(mistake_of_unknown(name, known, of_study));
     } else if (found->second.size() > 1) {
       mistakes.push_back(fmt::format("{} stands for several materials of the stages, {}; give the name of one", name,
@@ -84,8 +87,10 @@ std::map<std::string, Material> by_replaced_material(const std::vector<NewMateri
           fmt::format("{} is given twice{}", replaced, name == replaced ? "" : fmt::format(" (also as {})", name)));
     }
   }
-  if (!mistakes.empty()) throw InputError(fmt::format("{}", fmt::join(mistakes, "\n")));
-  return replacements;
+  if (mistakes.empty()) return replacements;
+  const auto message = fmt::format("{}", fmt::join(mistakes, "\n"));
+  if (is_elastic) throw NotVaried(message);
+  throw InputError(message);
 }
 
 }  // namespace breccia

@@ -12,7 +12,7 @@
 
 #include "best_tests.hpp"
 #include "dynamic_curves.hpp"
-#include "engineering_curves.hpp"
+#include "engineering_tables.hpp"
 #include "test_columns.hpp"
 
 namespace breccia {
@@ -131,7 +131,7 @@ void write_curves(const std::filesystem::path& directory, const StudyResult& res
   write_extrapolations(directory / "extrapolation.csv", result);
   write_series(directory / "prony.csv", result);
   write_dynamic_curves(directory / "dynamic.csv", result);
-  write_engineering_curves(directory, result);
+  write_engineering_tables(directory, result);
   write_quality(directory / "quality.csv", result);
 }
 

@@ -1,16 +1,10 @@
-#include "engineering_curves.hpp"
+#include "breccia/results/engineering_curves.hpp"
 
 #include <algorithm>
-#include <complex>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/viscoelasticity/engineering_moduli.hpp"
 
 #include "best_tests.hpp"
-#include "test_columns.hpp"
 
 namespace breccia {
 namespace {
@@ -44,71 +38,30 @@ std::vector<TestPair> pairs_of(const StageResult& stage) {
   return pairs;
 }
 
-/// A table whose columns of numbers are filled by name.
-class EngineeringTable {
- public:
-  void begin_row(const std::string& stage, const TestId& test) { tests_.add(stage, test); }
-  void add(const std::string& column, double value) {
-    const auto known = std::ranges::find(columns_, column, &std::pair<std::string, std::vector<double>>::first);
-    if (known == columns_.end()) {
-      columns_.emplace_back(column, std::vector<double>{value});
-    } else {
-      known->second.push_back(value);
-    }
+EngineeringCurves curves_of(const TestPair& pair, int dimensions) {
+  const auto& shear = pair.shear->series;
+  const auto bulk = pair.bulk_modulus(dimensions);
+  const EngineeringModuli moduli(shear, bulk);
+  EngineeringCurves curves{pair.shear->id, {}, {}};
+  for (const auto& [time, modulus] : pair.shear->modulus) {
+    curves.in_time.push_back(
+        {time, shear.at(time), bulk.at(time), moduli.youngs_modulus(time), moduli.poisson_ratio(time)});
   }
-  void write(const std::filesystem::path& file) const {
-    if (columns_.empty()) return;
-    std::vector<CsvColumn> table = {
-        {"stage", tests_.stages}, {"boundary", tests_.boundaries}, {"method", tests_.methods}, {"cells", tests_.cells}};
-    for (const auto& [name, values] : columns_) table.push_back({name, values});
-    write_csv(file, table);
+  const Curve by_frequency(pair.shear->modulus.rbegin(), pair.shear->modulus.rend());
+  for (const auto& sample : by_frequency) {
+    const double frequency = 1.0 / sample.time;
+    curves.in_frequency.push_back({frequency, shear.complex_modulus(frequency), bulk.complex_modulus(frequency),
+                                   moduli.complex_youngs_modulus(frequency), moduli.complex_poisson_ratio(frequency)});
   }
-
- private:
-  TestColumns tests_;
-  std::vector<std::pair<std::string, std::vector<double>>> columns_;
-};
-
-void add_complex(EngineeringTable& table, const std::string& kind, std::complex<double> modulus) {
-  table.add(kind + "_storage_modulus_Pa", modulus.real());
-  table.add(kind + "_loss_modulus_Pa", modulus.imag());
+  return curves;
 }
 
 }  // namespace
 
-void write_engineering_curves(const std::filesystem::path& directory, const StudyResult& result) {
-  EngineeringTable in_time, in_frequency;
-  for (const auto& stage : result.stages) {
-    for (const auto& pair : pairs_of(stage)) {
-      const auto bulk = pair.bulk_modulus(stage.dimensions);
-      const auto& shear = pair.shear->series;
-      const EngineeringModuli moduli(shear, bulk);
-      for (const auto& sample : pair.shear->modulus) {
-        in_time.begin_row(stage.name, pair.shear->id);
-        in_time.add("time_s", sample.time);
-        in_time.add("shear_modulus_Pa", shear.at(sample.time));
-        in_time.add("bulk_modulus_Pa", bulk.at(sample.time));
-        in_time.add("youngs_modulus_Pa", moduli.youngs_modulus(sample.time));
-        in_time.add("poisson_ratio", moduli.poisson_ratio(sample.time));
-      }
-      const Curve by_frequency(pair.shear->modulus.rbegin(), pair.shear->modulus.rend());
-      for (const auto& sample : by_frequency) {
-        const double frequency = 1.0 / sample.time;
-        const auto young = moduli.complex_youngs_modulus(frequency);
-        const auto poisson = moduli.complex_poisson_ratio(frequency);
-        in_frequency.begin_row(stage.name, pair.shear->id);
-        in_frequency.add("angular_frequency_rad_per_s", frequency);
-        add_complex(in_frequency, "shear", shear.complex_modulus(frequency));
-        add_complex(in_frequency, "bulk", bulk.complex_modulus(frequency));
-        add_complex(in_frequency, "youngs", young);
-        in_frequency.add("youngs_loss_tangent", young.imag() / young.real());
-        in_frequency.add("poisson_ratio_real", poisson.real());
-        in_frequency.add("poisson_ratio_imaginary", poisson.imag());
-      }
-    }
-  }
-  in_time.write(directory / "engineering.csv");
-  in_frequency.write(directory / "engineering_dynamic.csv");
+std::vector<EngineeringCurves> engineering_curves(const StageResult& stage) {
+  std::vector<EngineeringCurves> all;
+  for (const auto& pair : pairs_of(stage)) all.push_back(curves_of(pair, stage.dimensions));
+  return all;
 }
 
 }  // namespace breccia

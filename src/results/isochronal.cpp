@@ -70,8 +70,9 @@ std::vector<IsochronalSample> isochronal_curve(const Composite& composite, doubl
   if (temperatures && (temperatures->begin < covered.begin - rounding || temperatures->end > covered.end + rounding)) {
     throw InputError(fmt::format(
         "temperatures: at {:.4g} Hz the times of the study, {:.3g} to {:.3g} s, and the shift factors of its binder "
-        "cover {:.4g} to {:.4g} degC",
-        hertz(omega), composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end)));
+        "cover {:.4g} to {:.4g} degC, got {:.6g} to {:.6g} degC ({:.6g} to {:.6g} K)",
+        hertz(omega), composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end),
+        celsius(temperatures->begin), celsius(temperatures->end), temperatures->begin, temperatures->end));
   }
   const auto range = temperatures.value_or(
       TemperatureRange{zero_celsius + step * std::ceil(celsius(covered.begin) / step), covered.end});

@@ -10,6 +10,6 @@ namespace breccia {
 /// the same boundary condition and by the same method: `engineering.csv` against time and `engineering_dynamic.csv`
 /// against angular frequency, at the times of the curves and 1/t of them. No files where there is no such stage. Throws
 /// FileError.
-void write_engineering_curves(const std::filesystem::path& directory, const StudyResult& result);
+void write_engineering_tables(const std::filesystem::path& directory, const StudyResult& result);
 
 }  // namespace breccia

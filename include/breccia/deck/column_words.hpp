@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "breccia/io/column_choice.hpp"
+
+namespace breccia {
+
+/// A column of measured data that a user chooses: a word for the quantity (time, frequency, temperature, storage, loss,
+/// absolute, phase, tangent, modulus or compliance), and the name of the column.
+struct NamedColumn {
+  std::string quantity;
+  std::string name;
+};
+
+/// The columns that are meant. Throws InputError with a line for each word that is unknown or given twice; it begins
+/// with `argument`, by which the columns are given.
+std::vector<ColumnChoice> column_choices(const std::vector<NamedColumn>& columns, const std::string& argument);
+
+}  // namespace breccia

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/study/test_id.hpp"
+
+namespace breccia {
+
+/// The moduli of a stage at a time, with those of a uniaxial test (theory, Eqs. 23a and 23b).
+struct EngineeringSample {
+  double time = 0.0;     ///< [s]
+  double shear = 0.0;    ///< G(t) [Pa]
+  double bulk = 0.0;     ///< K(t) [Pa]
+  double young = 0.0;    ///< E(t) [Pa]
+  double poisson = 0.0;  ///< nu(t) [-]
+};
+
+/// The complex moduli of a stage at an angular frequency.
+struct ComplexEngineeringSample {
+  double angular_frequency = 0.0;     ///< [rad/s]
+  std::complex<double> shear = {};    ///< G' + i G'' [Pa]
+  std::complex<double> bulk = {};     ///< K' + i K'' [Pa]
+  std::complex<double> young = {};    ///< E' + i E'' [Pa]
+  std::complex<double> poisson = {};  ///< nu' + i nu'' [-]
+};
+
+/// The moduli of a stage under one boundary condition.
+struct EngineeringCurves {
+  TestId test;                                         ///< in shear
+  std::vector<EngineeringSample> in_time;              ///< at the times of this test
+  std::vector<ComplexEngineeringSample> in_frequency;  ///< at 1/t of them, rising
+};
+
+/// The curves of each boundary condition under which a stage was tested in shear and in bulk by the same method on the
+/// same grid, from its preferred tests (is_preferred): from the load `shear`, or else from the first load of shear.
+std::vector<EngineeringCurves> engineering_curves(const StageResult& stage);
+
+}  // namespace breccia

@@ -1,0 +1,136 @@
+#include "engineering.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <pybind11/complex.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "breccia/error.hpp"
+#include "breccia/viscoelasticity/prony_series.hpp"
+
+#include "views.hpp"
+#include "words.hpp"
+
+namespace breccia::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A member of each sample as a read-only array, a view of the curves.
+template <class Number, class Sample>
+auto column(std::vector<Sample> EngineeringCurves::*samples, Number Sample::*member) {
+  return [samples, member](const py::object& self) {
+    const auto& list = self.cast<const EngineeringCurves&>().*samples;
+    const Number* const first = list.empty() ? nullptr : &(list.front().*member);
+    return read_only(py::array_t<Number>({static_cast<py::ssize_t>(list.size())},
+                                         {static_cast<py::ssize_t>(sizeof(Sample))}, first, self));
+  };
+}
+
+/// What is missing under a boundary condition for Young's modulus.
+std::string lacking(const StageResult& stage, const std::optional<std::string>& boundary) {
+  bool has_shear = false, has_bulk = false;
+  for (const auto& test : stage.tests) {
+    if (boundary && *boundary != name_of(test.id.boundary)) continue;
+    (test.id.load == Load::bulk ? has_bulk : has_shear) = true;
+  }
+  const auto where = boundary ? fmt::format(" under the boundary condition {}", *boundary) : std::string();
+  if (has_shear && has_bulk) {
+    return fmt::format("the tests in shear and in bulk{} are not by one method on one grid", where);
+  }
+  const auto* const what = has_shear ? "bulk" : has_bulk ? "shear" : "shear and in bulk";
+  return fmt::format(R"(it was not tested in {}{}; a study takes loads=["shear", "bulk"])", what, where);
+}
+
+template <class Sample>
+py::list rows_of(const std::vector<Sample>& samples) {
+  py::list rows;
+  for (const auto& [at, shear, bulk, young, poisson] : samples) {
+    rows.append(py::make_tuple(at, shear, bulk, young, poisson));
+  }
+  return rows;
+}
+
+template <class Sample, class Number>
+std::vector<Sample> samples_from(const py::handle& rows) {
+  std::vector<Sample> samples;
+  for (const auto& one : rows) {
+    const auto row = one.cast<py::tuple>();
+    samples.push_back({row[0].cast<double>(), row[1].cast<Number>(), row[2].cast<Number>(), row[3].cast<Number>(),
+                       row[4].cast<Number>()});
+  }
+  return samples;
+}
+
+py::tuple state_of(const EngineeringCurves& curves) {
+  const auto& test = curves.test;
+  return py::make_tuple(name_of(test.load), name_of(test.boundary), name_of(test.method), name_of(test.grid),
+                        rows_of(curves.in_time), rows_of(curves.in_frequency));
+}
+
+EngineeringCurves curves_from(const py::tuple& state) {
+  const auto grid = grid_named(state[3].cast<std::string>());
+  if (!grid) throw InputError("pickle: not a result of Breccia");
+  return {{value_of<Load>("load", state[0].cast<std::string>()),
+           value_of<Boundary>("boundary", state[1].cast<std::string>()),
+           value_of<Method>("method", state[2].cast<std::string>()), *grid},
+          samples_from<EngineeringSample, double>(state[4]),
+          samples_from<ComplexEngineeringSample, std::complex<double>>(state[5])};
+}
+
+}  // namespace
+
+EngineeringCurves engineering_of(const StageResult& stage, const std::optional<std::string>& boundary) {
+  if (boundary) static_cast<void>(value_of<Boundary>("boundary", *boundary));
+  auto all = engineering_curves(stage);
+  if (boundary) std::erase_if(all, [&](const auto& one) { return name_of(one.test.boundary) != *boundary; });
+  if (all.empty()) throw InputError(fmt::format("stage {}: {}", stage.name, lacking(stage, boundary)));
+  if (all.size() > 1) {
+    std::vector<std::string> choices;
+    choices.reserve(all.size());
+    for (const auto& one : all) choices.push_back(fmt::format("boundary=\"{}\"", name_of(one.test.boundary)));
+    throw InputError(fmt::format("stage {}: expected {}", stage.name, fmt::join(choices, " or ")));
+  }
+  return std::move(all.front());
+}
+
+void bind_engineering(py::module_& module) {
+  using Curves = EngineeringCurves;
+  using Timed = EngineeringSample;
+  using Complex = ComplexEngineeringSample;
+  const auto in_time = &Curves::in_time;
+  const auto in_frequency = &Curves::in_frequency;
+  py::class_<Curves>(module, "EngineeringModuli",
+                     "Shear, bulk and Young's modulus and Poisson's ratio of a stage, over time and over angular "
+                     "frequency: the numbers of engineering.csv and engineering_dynamic.csv. Arrays are views.")
+      .def_property_readonly(
+          "load", [](const Curves& self) { return name_of(self.test.load); }, "That of the shear modulus.")
+      .def_property_readonly("boundary", [](const Curves& self) { return name_of(self.test.boundary); })
+      .def_property_readonly("method", [](const Curves& self) { return name_of(self.test.method); })
+      .def_property_readonly("time", column(in_time, &Timed::time), "Times of the curves [s].")
+      .def_property_readonly("shear", column(in_time, &Timed::shear), "Shear modulus G(t) [Pa].")
+      .def_property_readonly("bulk", column(in_time, &Timed::bulk), "Bulk modulus K(t) [Pa].")
+      .def_property_readonly("young", column(in_time, &Timed::young), "Young's modulus E(t) [Pa].")
+      .def_property_readonly("poisson", column(in_time, &Timed::poisson), "Poisson's ratio nu(t) [-].")
+      .def_property_readonly("angular_frequency", column(in_frequency, &Complex::angular_frequency),
+                             "Angular frequencies of the complex moduli, one over the times [rad/s], rising.")
+      .def_property_readonly("complex_shear", column(in_frequency, &Complex::shear), "G' + i G'' [Pa].")
+      .def_property_readonly("complex_bulk", column(in_frequency, &Complex::bulk), "K' + i K'' [Pa].")
+      .def_property_readonly("complex_young", column(in_frequency, &Complex::young), "E' + i E'' [Pa].")
+      .def_property_readonly("complex_poisson", column(in_frequency, &Complex::poisson),
+                             "nu' + i nu'' [-]; the imaginary part is negative where the contraction lags behind.")
+      .def("__repr__",
+           [](const Curves& self) {
+             return fmt::format("<breccia.EngineeringModuli: {}, {}, {}; {} times>", name_of(self.test.load),
+                                name_of(self.test.boundary), name_of(self.test.method), self.in_time.size());
+           })
+      .def(py::pickle([](const Curves& self) { return state_of(self); }, &curves_from));
+}
+
+}  // namespace breccia::python

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <pybind11/pybind11.h>
+
+#include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/engineering_curves.hpp"
+
+namespace breccia::python {
+
+/// The curves of a stage under a boundary condition, or under the only one. Throws InputError where the stage was not
+/// tested in shear and in bulk under it, with what is missing.
+EngineeringCurves engineering_of(const StageResult& stage, const std::optional<std::string>& boundary);
+
+/// Adds Young's modulus and Poisson's ratio of stages to the module.
+void bind_engineering(pybind11::module_& module);
+
+}  // namespace breccia::python
