@@ -29,8 +29,8 @@ std::string_view what_is(std::string_view file) {
 
 /// The tables of a run for its reader, those that it has written: dynamic.csv and the engineering moduli not always.
 std::vector<std::string> tables_in(const std::filesystem::path& directory) {
-  std::vector<std::string> tables = {"curves.csv",      "prony.csv", "study.json", "dynamic.csv", "engineering.csv",
-                                     "engineering_dynamic.csv"};
+  std::vector<std::string> tables = {"curves.csv",  "prony.csv",       "study.json",
+                                     "dynamic.csv", "engineering.csv", "engineering_dynamic.csv"};
   std::erase_if(tables, [&](const std::string& table) { return !std::filesystem::exists(directory / table); });
   return tables;
 }

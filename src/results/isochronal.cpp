@@ -112,8 +112,8 @@ std::string table_of(const std::vector<IsochronalSample>& samples, const Composi
   auto text = fmt::format(
       "# {}, stage {}: {}, load {}, at {:.6g} Hz; by breccia {}\n"
       "# From the moduli at {} K by the shift of the binder, without a vertical shift\n",
-      composite.title, composite.stage, boundary_in_words(composite.boundary), name_of(composite.shear_load), omega / (2.0 * std::numbers::pi), BRECCIA_VERSION,
-      composite.shift ? composite.shift->temperature : 0.0);
+      composite.title, composite.stage, boundary_in_words(composite.boundary), name_of(composite.shear_load),
+      omega / (2.0 * std::numbers::pi), BRECCIA_VERSION, composite.shift ? composite.shift->temperature : 0.0);
   text +=
       "temperature_K,temperature_degC,log10_shift_factor,shear_storage_modulus_Pa,shear_loss_modulus_Pa,shear_loss_"
       "tangent";

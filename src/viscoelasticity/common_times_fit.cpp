@@ -82,8 +82,8 @@ Eigen::MatrixXd CommonTimesFit::projected_derivatives(const Eigen::VectorXd& rel
   const auto terms = relaxation_times.size();
   const auto columns = decays(relaxation_times);
   const auto of_terms = strengths(relaxation_times);
-  const Eigen::MatrixXd by_logarithm = columns.leftCols(terms).cwiseProduct(samples_.times *
-                                                                           relaxation_times.cwiseInverse().transpose());
+  const Eigen::MatrixXd by_logarithm =
+      columns.leftCols(terms).cwiseProduct(samples_.times * relaxation_times.cwiseInverse().transpose());
   Eigen::MatrixXd jacobian(deviations_count(), terms);
   for (std::size_t i = 0; i < samples_.moduli.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -107,8 +107,7 @@ void CommonTimesFit::move(Eigen::VectorXd& logarithms, double least, double most
         f = deviations(times, strengths(times)).cwiseProduct(roots_of_weights_);
       },
       [&](const Eigen::VectorXd& x, Eigen::MatrixXd& jacobian) { jacobian = projected_derivatives(times_of(x)); }};
-  const SearchLimits limits = {
-      .relative_step = 1e-8, .relative_decrease = 1e-8, .most_evaluations = most_evaluations};
+  const SearchLimits limits = {.relative_step = 1e-8, .relative_decrease = 1e-8, .most_evaluations = most_evaluations};
   static_cast<void>(search_least_squares(problem, limits, logarithms));
   logarithms = logarithms.cwiseMax(least).cwiseMin(most);
 }

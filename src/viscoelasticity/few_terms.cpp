@@ -133,7 +133,8 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
 
   Best best(options);
   consider_as_given(moduli, best);
-  // Those that are elastic for this tolerance are searched with, too, as for a narrower one, lest that find fewer terms.
+  // Those that are elastic for this tolerance are searched with, too, as for a narrower one, lest that find fewer
+  // terms.
   const auto relaxing = static_cast<std::size_t>(std::ranges::find_if(by_change, is_elastic) - by_change.begin());
   for (auto searched = relaxing; searched <= by_change.size(); ++searched) {
     if (searched > relaxing && moduli[by_change[searched - 1]].series.is_elastic()) break;

@@ -116,12 +116,12 @@ TEST(FewTerms, StayAsTheyAreRatherThanDeviate) {
 }
 
 TEST(FewTerms, AreNeverMoreForAWiderTolerance) {
-  // Three moduli that become elastic one after the other.
+  // Three moduli that become elastic one after the other; the last one has a negative term, but falls.
   const std::vector<PronySeries> given = {
       binder, PronySeries(5e9, {{1e-7, 3e8}, {3e-5, 1e8}, {1e-2, 5e7}}),
-      PronySeries::difference(PronySeries(8e9, {{1e-6, 2e8}, {1e-2, 2e8}}), PronySeries(0.0, {{1e-4, 5e7}}))};
+      PronySeries::difference(PronySeries(8e9, {{1e-6, 2e8}, {1e-2, 2e8}}), PronySeries(0.0, {{1e-3, 1e7}}))};
   std::size_t fewer = 1000;
-  for (const double tolerance : {2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.04, 0.08, 0.15, 0.2}) {
+  for (const double tolerance : {5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.04, 0.08, 0.15, 0.2}) {
     const auto few = with_few_terms(given, {1e-8, 1e-2}, {.tolerance = tolerance});
     EXPECT_LE(few.worst_deviation(), tolerance);
     EXPECT_LE(few.relaxation_times(), fewer) << tolerance;
