@@ -1,5 +1,6 @@
 #include "common_times_fit.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "least_squares.hpp"
@@ -8,14 +9,27 @@
 namespace breccia {
 namespace {
 
-/// Non-negative least squares that first tries the solution without that condition, which is far quicker and is the
-/// one sought wherever it has no negative component.
+/// Non-negative least squares, first by leaving out components as long as some are negative, which takes a few
+/// solutions where the active set is built up in one for each component. The result is the one sought where no
+/// component that is left out would gain by being positive.
 Eigen::VectorXd non_negative_solution(const Eigen::MatrixXd& columns, const Eigen::VectorXd& right) {
   const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd scaled = columns * scale.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd free = least_squares(scaled, right);
-  if (free.allFinite() && free.minCoeff() >= 0.0) return free.cwiseQuotient(scale);
-  return non_negative_least_squares(columns, right);
+  std::vector<Eigen::Index> used(static_cast<std::size_t>(columns.cols()));
+  std::iota(used.begin(), used.end(), Eigen::Index{0});
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(columns.cols());
+  while (!used.empty()) {
+    const Eigen::VectorXd some = least_squares(scaled(Eigen::all, used), right);
+    solution.setZero();
+    solution(used) = some;
+    if (some.allFinite() && some.minCoeff() >= 0.0) break;
+    std::erase_if(used, [&](Eigen::Index k) { return !(solution[k] >= 0.0); });
+  }
+  constexpr double rounding = 1e-12;
+  const Eigen::VectorXd gain = scaled.transpose() * (right - scaled * solution);
+  const bool is_least = used.size() == static_cast<std::size_t>(columns.cols()) ||
+                        (!used.empty() && gain.maxCoeff() <= rounding * right.norm());
+  return is_least ? solution.cwiseQuotient(scale) : non_negative_least_squares(columns, right);
 }
 
 std::vector<Eigen::Index> positive_components(const Eigen::VectorXd& strengths) {

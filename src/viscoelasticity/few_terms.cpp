@@ -66,7 +66,8 @@ struct RelaxingModulus {
 
 /// Tells of series with different numbers of relaxation times, until the fewest that follow the moduli within the
 /// tolerance are found: 0, 4, 8, 16, ..., and then by halves between those that do not and those that do. A number that
-/// suffices for one tolerance suffices for a wider one, so a wider one never takes more.
+/// suffices for one tolerance suffices for a wider one, so a wider one never takes more. Where even a dense fit is far
+/// off, as from a modulus that rises, only the most terms are tried.
 void search_fewest(const FewTimes& times, const FewTermsOptions& options,
                    const std::function<void(FewTerms)>& consider) {
   const auto follows = [&](std::size_t count) {
@@ -77,6 +78,12 @@ void search_fewest(const FewTimes& times, const FewTermsOptions& options,
   };
   const auto most = std::min(times.most(), options.most_terms);
   constexpr std::size_t first = 4;
+  constexpr double hopeless = 3.0;  // least squares are at most about three times as far off as what is possible
+  if (times.dense().worst_deviation() > hopeless * options.tolerance) {
+    consider(times.nearest());
+    if (options.most_terms < times.most()) follows(most);
+    return;
+  }
   std::size_t too_few = 0, enough = std::min(first, most);
   if (follows(0)) return;
   while (!follows(enough)) {

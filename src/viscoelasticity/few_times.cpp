@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "merged_times.hpp"
@@ -69,19 +70,21 @@ Eigen::VectorXd offered_times(const std::vector<PronySeries>& moduli, const Time
   return as_vector(times);
 }
 
-/// Lists of relaxation times, by their number, of a fit with those offered: weighted by the strengths over the moduli.
-std::vector<Eigen::VectorXd> merged_times_of(const CommonTimesFit& fit, const std::vector<PronySeries>& moduli,
-                                             const TimeWindow& window) {
-  const auto offered = offered_times(moduli, window);
-  const auto strengths = fit.strengths(offered);
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(offered.size());
-  for (Eigen::Index k = 0; k < offered.size(); ++k) {
-    for (std::size_t i = 0; i < moduli.size(); ++i) {
-      const double modulus = moduli[i].at(std::clamp(offered[k], window.begin, window.end));
-      weights[k] += strengths(k, static_cast<Eigen::Index>(i)) / modulus;
+/// Lists of relaxation times, by their number, from those of series, weighted by the strengths over the moduli.
+std::vector<Eigen::VectorXd> merged_times_of(const std::vector<PronySeries>& series,
+                                             const std::vector<PronySeries>& moduli, const TimeWindow& window) {
+  std::map<double, double> weights;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    for (const auto& [time, strength] : series[i].terms()) {
+      weights[time] += strength / moduli[i].at(std::clamp(time, window.begin, window.end));
     }
   }
-  return merged_times(offered, weights);
+  std::vector<double> times, of_times;
+  for (const auto& [time, weight] : weights) {
+    times.push_back(time);
+    of_times.push_back(weight);
+  }
+  return merged_times(as_vector(times), as_vector(of_times));
 }
 
 /// Relaxation times in the middle of equal parts of a window, on a logarithmic axis [s].
@@ -106,8 +109,10 @@ FewTimes::FewTimes(std::vector<PronySeries> moduli, const TimeWindow& window)
       window_(window),
       checked_(checked_times(window)),
       fit_(fit_of(moduli_, window)),
-      merged_(merged_times_of(fit_, moduli_, window)) {
+      offered_(offered_times(moduli_, window)) {
   for (const auto& one : moduli_) checked_moduli_.push_back(moduli_at(one, checked_));
+  dense_ = measured(fit_, offered_);
+  merged_ = merged_times_of(dense_.series, moduli_, window);
 }
 
 std::vector<Eigen::VectorXd> FewTimes::starts(Eigen::Index count) const {
@@ -127,29 +132,40 @@ FewTerms FewTimes::measured(const CommonTimesFit& fit, const Eigen::VectorXd& re
   return found;
 }
 
-/// The best of the series on the way from the least squares with these relaxation times, to that with others, to the
-/// least largest deviation, by Lawson's weights: they grow with the deviations that are left.
-FewTerms FewTimes::moved(const Eigen::VectorXd& start) const {
-  const double least = std::log(window_.begin / beyond_begin), most = std::log(window_.end * beyond_end);
-  constexpr int evaluations = 40, evaluations_each = 6, rounds = 12;
+/// The best of the series on the way from least squares to the least largest deviation, by Lawson's weights: they grow
+/// with the deviations that are left. In each round the relaxation times are moved.
+FewTerms FewTimes::evened(Eigen::VectorXd relaxation_times, const Mover& move) const {
+  constexpr int rounds = 12;
+  constexpr double floor = 0.1;  // of the largest: a sample between two deviations of opposite sign keeps a weight
   auto fit = fit_;
-  auto best = measured(fit, start);
-  Eigen::VectorXd logarithms = start.array().log();
+  auto best = measured(fit, relaxation_times);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(fit.deviations_count());
   for (int round = 0; round <= rounds; ++round) {
-    fit.move(logarithms, least, most, round == 0 ? evaluations : evaluations_each);
-    const Eigen::VectorXd times = logarithms.array().exp();
-    auto found = measured(fit, times);
+    move(fit, relaxation_times, round);
+    auto found = measured(fit, relaxation_times);
     if (found.worst_deviation() < best.worst_deviation()) best = std::move(found);
-    const Eigen::VectorXd deviations = fit.deviations(times, fit.strengths(times)).cwiseAbs();
+    const Eigen::VectorXd deviations = fit.deviations(relaxation_times, fit.strengths(relaxation_times)).cwiseAbs();
     const double largest = deviations.maxCoeff();
     if (!(largest > 0.0)) break;
-    constexpr double floor = 0.1;  // of the largest: a sample between two deviations of opposite sign keeps a weight
     weights = weights.cwiseProduct((deviations / largest).cwiseMax(floor));
     weights /= weights.mean();
     fit.set_weights(weights);
   }
   return best;
+}
+
+FewTerms FewTimes::nearest() const {
+  return evened(offered_, [](const CommonTimesFit&, Eigen::VectorXd&, int) {});
+}
+
+FewTerms FewTimes::moved(const Eigen::VectorXd& start) const {
+  const double least = std::log(window_.begin / beyond_begin), most = std::log(window_.end * beyond_end);
+  return evened(start, [&](const CommonTimesFit& fit, Eigen::VectorXd& relaxation_times, int round) {
+    constexpr int evaluations = 40, evaluations_each = 6;
+    Eigen::VectorXd logarithms = relaxation_times.array().log();
+    fit.move(logarithms, least, most, round == 0 ? evaluations : evaluations_each);
+    relaxation_times = logarithms.array().exp();
+  });
 }
 
 FewTerms FewTimes::with(std::size_t count) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,6 +26,10 @@ class FewTimes {
 
   /// More relaxation times than this are of no use: a fit with all that are offered, densely, takes so many.
   [[nodiscard]] std::size_t most() const { return merged_.size() - 1; }
+  /// Series with all the relaxation times that are offered, densely, by least squares.
+  [[nodiscard]] const FewTerms& dense() const { return dense_; }
+  /// The same with the least largest deviation found: hardly any others are nearer.
+  [[nodiscard]] FewTerms nearest() const;
   /// The best series found with so many relaxation times, or fewer where some get no strength. The same for every
   /// tolerance.
   [[nodiscard]] FewTerms with(std::size_t count) const;
@@ -32,6 +37,8 @@ class FewTimes {
  private:
   [[nodiscard]] std::vector<Eigen::VectorXd> starts(Eigen::Index count) const;
   [[nodiscard]] FewTerms measured(const CommonTimesFit& fit, const Eigen::VectorXd& relaxation_times) const;
+  using Mover = std::function<void(const CommonTimesFit& fit, Eigen::VectorXd& relaxation_times, int round)>;
+  [[nodiscard]] FewTerms evened(Eigen::VectorXd relaxation_times, const Mover& move) const;
   [[nodiscard]] FewTerms moved(const Eigen::VectorXd& start) const;
 
   std::vector<PronySeries> moduli_;
@@ -39,6 +46,8 @@ class FewTimes {
   std::vector<double> checked_;                      ///< times of the check [s]
   std::vector<std::vector<double>> checked_moduli_;  ///< the moduli there [Pa]
   CommonTimesFit fit_;
+  Eigen::VectorXd offered_;  ///< relaxation times [s]
+  FewTerms dense_;
   std::vector<Eigen::VectorXd> merged_;  ///< lists of relaxation times of a dense fit, by their number
 };
 
