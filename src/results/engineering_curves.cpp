@@ -76,7 +76,8 @@ void add_complex(EngineeringTable& table, const std::string& kind, std::complex<
 
 }  // namespace
 
-void write_engineering_curves(const std::filesystem::path& directory, const StudyResult& result) {
+void write_engineering_curves(const std::filesystem::path& directory, const StudyResult& result,
+                              const FrequencyRows& rows) {
   EngineeringTable in_time, in_frequency;
   for (const auto& stage : result.stages) {
     for (const auto& pair : pairs_of(stage)) {
@@ -91,9 +92,7 @@ void write_engineering_curves(const std::filesystem::path& directory, const Stud
         in_time.add("youngs_modulus_Pa", moduli.youngs_modulus(sample.time));
         in_time.add("poisson_ratio", moduli.poisson_ratio(sample.time));
       }
-      const Curve by_frequency(pair.shear->modulus.rbegin(), pair.shear->modulus.rend());
-      for (const auto& sample : by_frequency) {
-        const double frequency = 1.0 / sample.time;
+      for (const double frequency : rows.of(pair.shear->modulus)) {
         const auto young = moduli.complex_youngs_modulus(frequency);
         const auto poisson = moduli.complex_poisson_ratio(frequency);
         in_frequency.begin_row(stage.name, pair.shear->id);

@@ -140,9 +140,13 @@ FewTerms FewTimes::evened(Eigen::VectorXd relaxation_times, const Mover& move) c
   auto fit = fit_;
   auto best = measured(fit, relaxation_times);
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(fit.deviations_count());
-  for (int round = 0; round <= rounds; ++round) {
+  constexpr int most_in_vain = 3;
+  int in_vain = 0;
+  for (int round = 0; round <= rounds && in_vain < most_in_vain; ++round) {
     move(fit, relaxation_times, round);
     auto found = measured(fit, relaxation_times);
+    constexpr double gain = 0.01;  // relative
+    in_vain = found.worst_deviation() < (1.0 - gain) * best.worst_deviation() ? 0 : in_vain + 1;
     if (found.worst_deviation() < best.worst_deviation()) best = std::move(found);
     const Eigen::VectorXd deviations = fit.deviations(relaxation_times, fit.strengths(relaxation_times)).cwiseAbs();
     const double largest = deviations.maxCoeff();
