@@ -78,9 +78,10 @@ void search_fewest(const FewTimes& times, const FewTermsOptions& options,
   };
   const auto most = std::min(times.most(), options.most_terms);
   constexpr std::size_t first = 4;
-  constexpr double hopeless = 3.0;  // least squares are at most about three times as far off as what is possible
-  if (times.dense().worst_deviation() > hopeless * options.tolerance) {
-    consider(times.nearest());
+  constexpr double rest = 1.05;  // moving the times of a dense fit gains hardly more
+  const auto nearest = times.nearest(options.tolerance);
+  consider(nearest);
+  if (nearest.worst_deviation() > rest * options.tolerance) {
     if (options.most_terms < times.most()) follows(most);
     return;
   }

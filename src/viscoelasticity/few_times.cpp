@@ -158,7 +158,8 @@ FewTerms FewTimes::evened(Eigen::VectorXd relaxation_times, const Mover& move) c
   return best;
 }
 
-FewTerms FewTimes::nearest() const {
+FewTerms FewTimes::nearest(double tolerance) const {
+  if (dense_.worst_deviation() <= tolerance) return dense_;
   return evened(offered_, [](const CommonTimesFit&, Eigen::VectorXd&, int) {});
 }
 

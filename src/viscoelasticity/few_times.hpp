@@ -26,10 +26,9 @@ class FewTimes {
 
   /// More relaxation times than this are of no use: a fit with all that are offered, densely, takes so many.
   [[nodiscard]] std::size_t most() const { return merged_.size() - 1; }
-  /// Series with all the relaxation times that are offered, densely, by least squares.
-  [[nodiscard]] const FewTerms& dense() const { return dense_; }
-  /// The same with the least largest deviation found: hardly any others are nearer.
-  [[nodiscard]] FewTerms nearest() const;
+  /// Series with all the relaxation times that are offered, densely: by least squares, or, if these deviate by more
+  /// than a tolerance, with the least largest deviation found. Hardly any others are nearer.
+  [[nodiscard]] FewTerms nearest(double tolerance) const;
   /// The best series found with so many relaxation times, or fewer where some get no strength. The same for every
   /// tolerance.
   [[nodiscard]] FewTerms with(std::size_t count) const;
