@@ -88,7 +88,7 @@ EngineeringCurves curves_from(const py::tuple& state) {
 
 EngineeringCurves engineering_of(const StageResult& stage, const std::optional<std::string>& boundary) {
   if (boundary) static_cast<void>(value_of<Boundary>("boundary", *boundary));
-  auto all = engineering_curves(stage);
+  auto all = engineering_curves(stage, FrequencyRows{});
   if (boundary) std::erase_if(all, [&](const auto& one) { return name_of(one.test.boundary) != *boundary; });
   if (all.empty()) throw InputError(fmt::format("stage {}: {}", stage.name, lacking(stage, boundary)));
   if (all.size() > 1) {

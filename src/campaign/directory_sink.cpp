@@ -62,7 +62,7 @@ void DirectorySink::stage_adopted(const Stage& stage, const StudyResult& result)
     write_responses(directory, responses_of(study_, stage, done));
     write_histories(directory, study_, stage, done.tests);
     copy_fields(known.directory, directory, known.record);
-    write_curves(directory_, result);
+    write_curves(directory_, result, FrequencyRows::of(study_.tests));
     write_finished_stage(stage, result);
   });
 }
@@ -118,7 +118,7 @@ void DirectorySink::fields_taken_before(const Stage& stage, const TestId& test, 
 
 void DirectorySink::tested(const Stage& /*stage*/, const StudyResult& result) {
   write_once([&] {
-    write_curves(directory_, result);
+    write_curves(directory_, result, FrequencyRows::of(study_.tests));
     write_record(result);
   });
 }

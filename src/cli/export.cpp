@@ -4,12 +4,14 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
+#include "breccia/homogenisation/respond.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/io/percentage.hpp"
 #include "breccia/io/text_file.hpp"
@@ -18,7 +20,9 @@
 #include "breccia/results/material_card.hpp"
 #include "breccia/results/stored_composite.hpp"
 
+#include "asked_temperature.hpp"
 #include "command.hpp"
+#include "stored_stages.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -33,11 +37,12 @@ struct ExportArguments {
   std::string load;      ///< empty: shear, or the only one of shear
   std::string tolerance = "1 %";
   std::vector<std::string> times;
-  std::string bulk;     ///< empty: from the bulk test
-  std::string poisson;  ///< empty: from the bulk test
+  std::string temperature;  ///< of the moduli; empty: that of the run
+  std::string bulk;         ///< empty: from the bulk test
+  std::string poisson;      ///< empty: from the bulk test
   std::string units = "m-kg-s";
   std::string frequency = "1 Hz";         ///< of the format `dma`
-  std::vector<std::string> temperatures;  ///< of the format `dma`; empty: all that are covered
+  std::vector<std::string> temperatures;  ///< of the format `dma`; empty: those near that of the run that are covered
   std::string step = "2 K";               ///< between the temperatures
   fs::path output;                        ///< empty: standard output
   bool overwrite = false;
@@ -109,13 +114,14 @@ std::vector<std::string> options_of_isochronal_format() {
 }
 
 std::vector<std::string> options_of_cards() {
-  return {"--tolerance", "--times", "--bulk", "--poisson", "--units"};
+  return {"--tolerance", "--times", "--temperature", "--bulk", "--poisson", "--units"};
 }
 
 struct ExportRequest {
   CompositeChoice choice;
   CardSettings settings;
-  double angular_frequency = 0.0;  ///< [rad/s]
+  std::optional<AskedTemperature> temperature = {};  ///< of a card
+  double angular_frequency = 0.0;                    ///< [rad/s]
   std::optional<TemperatureRange> temperatures = {};
   double temperature_step = 0.0;  ///< [K]
 };
@@ -166,6 +172,14 @@ ExportRequest read_request(const ExportArguments& arguments) {
         fmt::format("--times: expected two rising times, got {} and {}", arguments.times[0], arguments.times[1]));
   });
   options.read([&] {
+    if (arguments.temperature.empty()) return;
+    try {
+      request.temperature = read_temperature(arguments.temperature);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("--temperature: {}", error.what()));
+    }
+  });
+  options.read([&] {
     if (arguments.bulk.empty()) return;
     settings.bulk = option_quantity("--bulk", arguments.bulk, Dimension::pressure, Range::positive());
   });
@@ -195,15 +209,39 @@ std::string in_words(const MaterialCard& card) {
   return fmt::format("{}, from {} to {}", text, display_time(card.times.begin), display_time(card.times.end));
 }
 
-/// Text of what was asked for, and a line about it.
+/// The composite at another temperature than that of the run, at the same times, by the reduced responses that the run
+/// has left. Throws InputError where there are none, or the law of a material does not reach that temperature.
+Composite composite_at(const AskedTemperature& temperature, const fs::path& results, const CompositeChoice& choice) {
+  const auto stored = responses_of_chain(results, choice.stage);
+  const auto materials = materials_at(materials_of_study(results, stored), stored, temperature);
+  std::vector<StageSeries> series;
+  for (const auto& stage : respond(stored, materials)) {
+    for (auto& one : series_of(stage)) series.push_back(std::move(one));
+  }
+  auto content = read_stored_content(results);
+  content.title += " at " + temperature.name;
+  for (auto& [material, shift] : content.materials) {
+    if (shift) shift->temperature = temperature.kelvin;
+  }
+  return composite_of(content, series, choice, results.string());
+}
+
+Composite composite_for(const ExportRequest& request, const fs::path& results) {
+  require_stored_study(results);
+  return request.temperature ? composite_at(*request.temperature, results, request.choice)
+                             : read_stored_composite(results, request.choice);
+}
+
+/// Text of what was asked for, and lines about it.
 struct ExportedText {
   std::string text;
   std::string summary;
+  std::vector<std::string> warnings = {};
 };
 
 ExportedText exported(const ExportArguments& arguments) {
   const auto request = read_request(arguments);
-  const auto composite = read_stored_composite(arguments.results, request.choice);
+  const auto composite = composite_for(request, arguments.results);
   if (arguments.format == isochronal_format) {
     const auto samples =
         isochronal_curve(composite, request.angular_frequency, request.temperatures, request.temperature_step);
@@ -212,11 +250,12 @@ ExportedText exported(const ExportArguments& arguments) {
                         arguments.frequency)};
   }
   const auto card = material_card(composite, request.settings);
-  return {text_of(card, request.settings), in_words(card)};
+  return {text_of(card, request.settings), in_words(card), card.warnings};
 }
 
 void write_exported(const ExportArguments& arguments) {
-  const auto [text, summary] = exported(arguments);
+  const auto [text, summary, warnings] = exported(arguments);
+  for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
   if (arguments.output.empty()) {
     fmt::print("{}", text);
     return;
@@ -262,10 +301,15 @@ void add_export(CLI::App& application) {
       ->expected(2)
       ->type_name("BEGIN END");
   command
+      ->add_option("--temperature", arguments->temperature,
+                   R"(of the moduli of a card, such as "60 degC" (default: that of the run))")
+      ->type_name("TEMPERATURE");
+  command
       ->add_option("--bulk", arguments->bulk,
                    "an elastic bulk modulus, such as \"8 GPa\", in place of that of the bulk test")
       ->type_name("MODULUS");
-  command->add_option("--poisson", arguments->poisson, "a constant Poisson's ratio, the same")->type_name("NUMBER");
+  command->add_option("--poisson", arguments->poisson, "a constant Poisson's ratio, in place of the bulk test")
+      ->type_name("NUMBER");
   command->add_option("--units", arguments->units, "units of the card (default: m-kg-s)")
       ->check(CLI::IsMember(names_of_words<CardUnits>()).description(""))
       ->type_name(fmt::format("{}", fmt::join(names_of_words<CardUnits>(), "|")));
@@ -274,7 +318,7 @@ void add_export(CLI::App& application) {
   command
       ->add_option(
           "--temperatures", arguments->temperatures,
-          R"(first and last temperature of the format dma, such as "-40 degC" "60 degC" (default: all that the times of the run cover))")
+          R"(first and last temperature of the format dma, such as "-40 degC" "60 degC" (default: those within 100 K of that of the run that its times cover))")
       ->expected(2)
       ->type_name("BEGIN END");
   command->add_option("--step", arguments->step, "between the temperatures (default: \"2 K\")")

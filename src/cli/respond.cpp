@@ -1,7 +1,6 @@
 #include "breccia/homogenisation/respond.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -16,11 +15,11 @@
 #include "breccia/deck/material_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/homogenisation/new_materials.hpp"
-#include "breccia/io/units.hpp"
 #include "breccia/results/response_curves.hpp"
 #include "breccia/results/stored_materials.hpp"
 
 #include "advice.hpp"
+#include "asked_temperature.hpp"
 #include "command.hpp"
 #include "stored_stages.hpp"
 #include "tables.hpp"
@@ -61,22 +60,6 @@ std::optional<TimeWindow> window_of(const std::vector<std::string>& times) {
   throw InputError(fmt::format("--times: expected two rising times, got {} and {}", times[0], times[1]));
 }
 
-/// A requested temperature.
-struct AskedTemperature {
-  double kelvin;
-  std::string name;       ///< "-40 degC"
-  std::string directory;  ///< "respond-minus40degC"
-};
-
-AskedTemperature read_temperature(const std::string& text) {
-  constexpr double zero_celsius = 273.15, smallest = 1e-6;
-  const double kelvin = parse_quantity(text, Dimension::temperature);
-  if (kelvin < 0.0) throw InputError(fmt::format("expected a temperature above absolute zero, got \"{}\"", text));
-  const double celsius = std::round((kelvin - zero_celsius) / smallest) * smallest;
-  return {kelvin, fmt::format("{:.6g} degC", celsius),
-          fmt::format("respond-{}{:.6g}degC", celsius < 0.0 ? "minus" : "", std::abs(celsius))};
-}
-
 /// Does what may throw InputError, and keeps the message, with the options of the command that help.
 template <class Action>
 void collect(std::vector<std::string>& mistakes, const std::string& prefix, const CLI::App& command,
@@ -106,21 +89,6 @@ std::vector<AskedTemperature> read_temperatures(const std::vector<std::string>& 
   }
   refuse(mistakes);
   return temperatures;
-}
-
-/// The varying materials of the stages at one temperature, by their names.
-std::map<std::string, Material> materials_at(const std::vector<StoredMaterial>& materials,
-                                             const std::vector<StoredResponses>& stored,
-                                             const AskedTemperature& temperature) {
-  std::map<std::string, Material> shifted;
-  for (const auto& name : varying_materials(stored)) {
-    const auto found = std::ranges::find(materials, name, [](const auto& each) { return each.material.name; });
-    if (found == materials.end()) throw InputError(fmt::format("study.json has no material \"{}\"", name));
-    auto material = at_temperature(*found, temperature.kelvin);
-    material.name = fmt::format("{} at {}", name, temperature.name);
-    shifted.insert_or_assign(name, std::move(material));
-  }
-  return shifted;
 }
 
 /// A warning on each matrix that is the same at all temperatures.

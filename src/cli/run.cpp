@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -25,6 +27,14 @@ std::string_view what_is(std::string_view file) {
   return file == "response.h5" ? "response" : "point fields";
 }
 
+/// The tables of a run for its reader, those that it has written: dynamic.csv and the engineering moduli not always.
+std::vector<std::string> tables_in(const std::filesystem::path& directory) {
+  std::vector<std::string> tables = {"curves.csv",  "prony.csv",       "study.json",
+                                     "dynamic.csv", "engineering.csv", "engineering_dynamic.csv"};
+  std::erase_if(tables, [&](const std::string& table) { return !std::filesystem::exists(directory / table); });
+  return tables;
+}
+
 void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
   const auto directory = arguments.results();
   if (arguments.resume && take_over_complete_run(study, directory)) {
@@ -33,7 +43,7 @@ void run_single(const Study& study, const RunArguments& arguments, const RunOpti
   }
   const auto result = run_study(study, directory, options, narrate(progress));
   progress.print(closing_tables(study, result));
-  progress.print(fmt::format("Results are in {}: curves.csv, prony.csv, study.json", directory.string()));
+  progress.print(fmt::format("Results are in {}: {}", directory.string(), fmt::join(tables_in(directory), ", ")));
   progress.print(fmt::format("  report          {}", (directory / "report.html").string()));
   for (const auto& stage : result.stages) {
     const auto of_stage = directory / stage.name;

@@ -161,6 +161,7 @@ Tests read_tests(const Section& deck, const std::vector<Stage>& stages, Model mo
   }
   if (section.has("method")) tests.methods = read_methods(section);
   const auto times = read_times_or_frequencies(section);
+  tests.by_frequency = section.has("frequencies");
   if (times) {
     tests.first_time = times->begin;
     tests.last_time = times->end;

@@ -158,6 +158,11 @@ std::optional<PronySeries> Composite::bulk() const {
   return PronySeries::difference(*dilatational, shear.scaled(1.0 / 3.0));
 }
 
+std::string boundary_in_words(Boundary boundary) {
+  if (boundary == Boundary::periodic) return "periodic boundary";
+  return fmt::format("{} boundary ({})", name_of(boundary), bound_of(boundary));
+}
+
 StudyContent study_content(const Study& study, const StudyResult& result) {
   StudyContent content{.title = study.title, .times = {study.tests.first_time, study.tests.last_time}};
   for (const auto& material : study.materials) {

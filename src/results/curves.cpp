@@ -121,7 +121,7 @@ void write_quality(const std::filesystem::path& file, const StudyResult& result)
 
 }  // namespace
 
-void write_curves(const std::filesystem::path& directory, const StudyResult& result) {
+void write_curves(const std::filesystem::path& directory, const StudyResult& result, const FrequencyRows& rows) {
   write_samples(
       directory / "curves.csv", result, [](const TestResult& test) { return test.modulus; }, "modulus_Pa",
       [](const Sample& sample) { return sample.modulus; });
@@ -130,8 +130,8 @@ void write_curves(const std::filesystem::path& directory, const StudyResult& res
       "compliance_1_per_Pa", [](const CreepSample& sample) { return sample.compliance; });
   write_extrapolations(directory / "extrapolation.csv", result);
   write_series(directory / "prony.csv", result);
-  write_dynamic_curves(directory / "dynamic.csv", result);
-  write_engineering_tables(directory, result);
+  write_dynamic_curves(directory / "dynamic.csv", result, rows);
+  write_engineering_tables(directory, result, rows);
   write_quality(directory / "quality.csv", result);
 }
 

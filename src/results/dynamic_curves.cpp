@@ -9,15 +9,13 @@
 
 namespace breccia {
 
-void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& result) {
+void write_dynamic_curves(const std::filesystem::path& file, const StudyResult& result, const FrequencyRows& rows) {
   TestColumns tests;
   std::vector<double> frequencies, storage, loss, loss_tangents;
   for (const auto& stage : result.stages) {
     for (const auto* test : best_tests(stage)) {
       if (!(test->series.unrelaxed() > 0.0)) continue;
-      const Curve by_frequency(test->modulus.rbegin(), test->modulus.rend());
-      for (const auto& sample : by_frequency) {
-        const double frequency = 1.0 / sample.time;
+      for (const double frequency : rows.of(test->modulus)) {
         const auto modulus = test->series.complex_modulus(frequency);
         tests.add(stage.name, test->id);
         frequencies.push_back(frequency);

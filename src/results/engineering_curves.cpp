@@ -38,7 +38,7 @@ std::vector<TestPair> pairs_of(const StageResult& stage) {
   return pairs;
 }
 
-EngineeringCurves curves_of(const TestPair& pair, int dimensions) {
+EngineeringCurves curves_of(const TestPair& pair, int dimensions, const FrequencyRows& rows) {
   const auto& shear = pair.shear->series;
   const auto bulk = pair.bulk_modulus(dimensions);
   const EngineeringModuli moduli(shear, bulk);
@@ -47,9 +47,7 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions) {
     curves.in_time.push_back(
         {time, shear.at(time), bulk.at(time), moduli.youngs_modulus(time), moduli.poisson_ratio(time)});
   }
-  const Curve by_frequency(pair.shear->modulus.rbegin(), pair.shear->modulus.rend());
-  for (const auto& sample : by_frequency) {
-    const double frequency = 1.0 / sample.time;
+  for (const double frequency : rows.of(pair.shear->modulus)) {
     curves.in_frequency.push_back({frequency, shear.complex_modulus(frequency), bulk.complex_modulus(frequency),
                                    moduli.complex_youngs_modulus(frequency), moduli.complex_poisson_ratio(frequency)});
   }
@@ -58,9 +56,9 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions) {
 
 }  // namespace
 
-std::vector<EngineeringCurves> engineering_curves(const StageResult& stage) {
+std::vector<EngineeringCurves> engineering_curves(const StageResult& stage, const FrequencyRows& rows) {
   std::vector<EngineeringCurves> all;
-  for (const auto& pair : pairs_of(stage)) all.push_back(curves_of(pair, stage.dimensions));
+  for (const auto& pair : pairs_of(stage)) all.push_back(curves_of(pair, stage.dimensions, rows));
   return all;
 }
 

@@ -46,10 +46,11 @@ void add_complex(EngineeringTable& table, const std::string& kind, std::complex<
 
 }  // namespace
 
-void write_engineering_tables(const std::filesystem::path& directory, const StudyResult& result) {
+void write_engineering_tables(const std::filesystem::path& directory, const StudyResult& result,
+                              const FrequencyRows& rows) {
   EngineeringTable in_time, in_frequency;
   for (const auto& stage : result.stages) {
-    for (const auto& curves : engineering_curves(stage)) {
+    for (const auto& curves : engineering_curves(stage, rows)) {
       for (const auto& [time, shear, bulk, young, poisson] : curves.in_time) {
         in_time.begin_row(stage.name, curves.test);
         in_time.add("time_s", time);

@@ -37,6 +37,16 @@ double celsius(double kelvin) {
   return kelvin - zero_celsius;
 }
 
+/// Those covered that are within 100 K of the temperature of the study, from a multiple of the step in degrees Celsius.
+/// Where all that are covered are further away, all of them.
+TemperatureRange default_temperatures(const Composite& composite, const TemperatureRange& covered, double step) {
+  constexpr double near = 100.0;  // [K]; a law of shift is measured over less
+  TemperatureRange range = {std::max(covered.begin, composite.shift->temperature - near),
+                            std::min(covered.end, composite.shift->temperature + near)};
+  if (range.begin >= range.end) range = covered;
+  return {zero_celsius + step * std::ceil(celsius(range.begin) / step), range.end};
+}
+
 double hertz(double omega) {
   return omega / (2.0 * std::numbers::pi);
 }
@@ -74,8 +84,7 @@ std::vector<IsochronalSample> isochronal_curve(const Composite& composite, doubl
         hertz(omega), composite.times.begin, composite.times.end, celsius(covered.begin), celsius(covered.end),
         celsius(temperatures->begin), celsius(temperatures->end), temperatures->begin, temperatures->end));
   }
-  const auto range = temperatures.value_or(
-      TemperatureRange{zero_celsius + step * std::ceil(celsius(covered.begin) / step), covered.end});
+  const auto range = temperatures.value_or(default_temperatures(composite, covered, step));
   if (range.begin > range.end + rounding) {
     throw InputError(fmt::format(
         "step: at {:.4g} Hz the times of the study, {:.3g} to {:.3g} s, cover {:.4g} to {:.4g} degC only, without a "
@@ -102,11 +111,10 @@ std::vector<IsochronalSample> isochronal_curve(const Composite& composite, doubl
 
 std::string table_of(const std::vector<IsochronalSample>& samples, const Composite& composite, double omega) {
   auto text = fmt::format(
-      "# {}, stage {}: {} boundary ({}), load {}, at {:.6g} Hz; by breccia {}\n"
+      "# {}, stage {}: {}, load {}, at {:.6g} Hz; by breccia {}\n"
       "# From the moduli at {} K by the shift of the binder, without a vertical shift\n",
-      composite.title, composite.stage, name_of(composite.boundary), bound_of(composite.boundary),
-      name_of(composite.shear_load), omega / (2.0 * std::numbers::pi), BRECCIA_VERSION,
-      composite.shift ? composite.shift->temperature : 0.0);
+      composite.title, composite.stage, boundary_in_words(composite.boundary), name_of(composite.shear_load),
+      omega / (2.0 * std::numbers::pi), BRECCIA_VERSION, composite.shift ? composite.shift->temperature : 0.0);
   text +=
       "temperature_K,temperature_degC,log10_shift_factor,shear_storage_modulus_Pa,shear_loss_modulus_Pa,shear_loss_"
       "tangent";

@@ -13,6 +13,7 @@
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
 #include "breccia/viscoelasticity/few_terms.hpp"
+#include "breccia/viscoelasticity/poisson_ratio.hpp"
 #include "breccia/viscoelasticity/reference_temperature.hpp"
 
 #include "cards/abaqus_card.hpp"
@@ -145,7 +146,8 @@ void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSetti
   }
   if (most_terms(settings.format) == std::numeric_limits<std::size_t>::max()) {
     throw InputError(
-        fmt::format("G(t) and K(t): series of ten terms a decade follow them within {}, not {}: allow that",
+        fmt::format("G(t) and K(t): the best series found without negative terms follow them within {}, not {}: allow "
+                    "that",
                     percent(worst), percent(settings.tolerance)));
   }
   throw InputError(
@@ -168,11 +170,9 @@ void append_shift_table(const ShiftTable& shift, double temperature, std::vector
 std::vector<std::string> origin_of(const Composite& composite, const CardSettings& settings, const MaterialCard& card,
                                    const BulkOfCard& bulk) {
   const auto units = settings.units == CardUnits::m_kg_s ? "m, kg, s, Pa, K" : "mm, t, s, MPa, K";
-  const bool is_bound = composite.boundary != Boundary::periodic;
-  const auto bound = is_bound ? fmt::format(" ({})", bound_of(composite.boundary)) : "";
   std::vector<std::string> lines = {
-      fmt::format("{}, stage {}: {} boundary{}, load {}; by breccia {}", composite.title, composite.stage,
-                  name_of(composite.boundary), bound, name_of(composite.shear_load), BRECCIA_VERSION),
+      fmt::format("{}, stage {}: {}, load {}; by breccia {}", composite.title, composite.stage,
+                  boundary_in_words(composite.boundary), name_of(composite.shear_load), BRECCIA_VERSION),
       fmt::format("Units: {}", units),
       fmt::format("From {} to {} s: G(t) within {} of the results, by {}", card.times.begin, card.times.end,
                   percent(card.shear_deviation), terms_in_words(card.shear))};
@@ -188,7 +188,7 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
     return lines;
   }
   if (!card.shift) {
-    lines.emplace_back("Without a shift with the temperature: the moduli are those at the temperature of the study");
+    lines.emplace_back("Without a shift with the temperature: the moduli hold at this temperature alone");
     return lines;
   }
   lines.push_back(fmt::format("At {} K; log10 a_T = -{} (T - {}) / ({} + T - {})", card.shift->reference_temperature,
@@ -198,6 +198,21 @@ std::vector<std::string> origin_of(const Composite& composite, const CardSetting
     lines.push_back(fmt::format("The shift is not part of the card for {}", program_of(settings.format)));
   }
   return lines;
+}
+
+/// What is hardly meant by the one who gives a bulk modulus or Poisson's ratio.
+std::vector<std::string> warnings_on(const MaterialCard& card) {
+  std::vector<std::string> warnings;
+  const auto check = [&](double bulk, double shear, const char* when) {
+    if (poisson_ratio(bulk, shear) >= 0.0) return;
+    warnings.push_back(
+        fmt::format("{}: Poisson's ratio of the card is {:.3g} {} (K = {}, G = {}); expected one from 0 to below 0.5, "
+                    "are the units right?",
+                    card.name, poisson_ratio(bulk, shear), when, display(bulk, "Pa"), display(shear, "Pa")));
+  };
+  check(card.bulk.unrelaxed(), card.shear.unrelaxed(), "at t = 0");
+  check(card.bulk.equilibrium(), card.shear.equilibrium(), "at infinite time");
+  return warnings;
 }
 
 /// The card in other units.
@@ -247,6 +262,8 @@ MaterialCard material_card(const Composite& composite, const CardSettings& setti
   card.shear_deviation = few.deviations[0];
   if (bulk.is_computed) card.bulk_deviation = few.deviations[1];
   card.origin = origin_of(composite, settings, card, bulk);
+  card.warnings = warnings_on(card);
+  for (const auto& warning : card.warnings) card.origin.push_back("Warning: " + warning);
   return card;
 }
 

@@ -1,92 +1,112 @@
 #include "breccia/viscoelasticity/few_terms.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <functional>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
-#include <Eigen/Core>
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
 
-#include "non_negative_least_squares.hpp"
+#include "few_times.hpp"
 
 namespace breccia {
 namespace {
-
-/// Times in a window, equally spaced in their logarithms, both ends included.
-std::vector<double> sampled_times(const TimeWindow& window, int per_decade) {
-  const double decades = std::log10(window.end / window.begin);
-  const auto count = std::max(8, static_cast<int>(std::ceil(per_decade * decades)));
-  std::vector<double> times;
-  for (int i = 0; i < count; ++i) times.push_back(window.begin * std::pow(10.0, decades * i / count));
-  times.push_back(window.end);
-  return times;
-}
-
-std::vector<double> moduli_at(const PronySeries& series, const std::vector<double>& times) {
-  std::vector<double> moduli(times.size());
-  std::ranges::transform(times, moduli.begin(), [&](double time) { return series.at(time); });
-  return moduli;
-}
-
-double largest_deviation(const PronySeries& series, const std::vector<double>& times,
-                         const std::vector<double>& expected) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    largest = std::max(largest, std::abs(series.at(times[i]) / expected[i] - 1.0));
-  }
-  return largest;
-}
-
-/// Relaxation times at a spacing [1/decade], from a third of the first to three times the last time of a window. An
-/// offset between 0 and 1 moves them by that share of the spacing.
-std::vector<double> relaxation_times_at(const TimeWindow& window, double per_decade, double offset) {
-  constexpr double beyond = 3.0;
-  const double first = std::log10(window.begin / beyond), last = std::log10(window.end * beyond);
-  std::vector<double> times;
-  for (int i = 0; first + (i + offset) / per_decade <= last; ++i) {
-    times.push_back(std::pow(10.0, first + (i + offset) / per_decade));
-  }
-  return times;
-}
-
-/// The non-negative series of these relaxation times with the least squares of the relative deviations (theory, Eq.
-/// 24).
-PronySeries fitted_series(const std::vector<double>& relaxation_times, const std::vector<double>& times,
-                          const std::vector<double>& moduli) {
-  const auto rows = static_cast<Eigen::Index>(times.size());
-  const auto terms = static_cast<Eigen::Index>(relaxation_times.size());
-  Eigen::MatrixXd relative(rows, terms + 1);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    for (Eigen::Index k = 0; k < terms; ++k) {
-      relative(i, k) = std::exp(-times[at] / relaxation_times[static_cast<std::size_t>(k)]) / moduli[at];
-    }
-    relative(i, terms) = 1.0 / moduli[at];
-  }
-  const Eigen::VectorXd strengths = non_negative_least_squares(relative, Eigen::VectorXd::Ones(rows));
-  std::vector<MaxwellTerm> used;
-  for (Eigen::Index k = 0; k < terms; ++k) {
-    if (strengths[k] > 0.0) used.push_back({relaxation_times[static_cast<std::size_t>(k)], strengths[k]});
-  }
-  return {strengths[terms], std::move(used)};
-}
-
-/// The constant in the middle of moduli that change by less than a tolerance; nothing for others.
-std::optional<PronySeries> as_elastic(const std::vector<double>& moduli, double tolerance) {
-  const auto [least, most] = std::ranges::minmax(moduli);
-  if (most / least - 1.0 > 0.5 * tolerance) return std::nullopt;
-  return PronySeries(std::sqrt(least * most));
-}
 
 /// By how much the deviations of all series exceed the tolerance.
 double excess_of(const FewTerms& terms, double tolerance) {
   double excess = 0.0;
   for (const double deviation : terms.deviations) excess += std::max(0.0, deviation - tolerance);
   return excess;
+}
+
+/// Keeps the best of several choices: the nearest to the tolerance, of those within it that of fewest terms, and of
+/// these that of the least deviation.
+class Best {
+ public:
+  explicit Best(const FewTermsOptions& options) : options_(options) {}
+
+  void consider(FewTerms found) {
+    if (found.relaxation_times() > options_.most_terms) return;
+    if (found_.series.empty() || rank(found) < rank(found_)) found_ = std::move(found);
+  }
+  [[nodiscard]] const FewTerms& found() const { return found_; }
+
+ private:
+  [[nodiscard]] std::tuple<double, std::size_t, double> rank(const FewTerms& terms) const {
+    return {excess_of(terms, options_.tolerance), terms.relaxation_times(), terms.worst_deviation()};
+  }
+
+  FewTermsOptions options_;
+  FewTerms found_;
+};
+
+/// A modulus, and between which values it changes in a window of time.
+struct RelaxingModulus {
+  PronySeries series;
+  double least;  ///< [Pa]
+  double most;   ///< [Pa]
+
+  RelaxingModulus(const PronySeries& modulus, const std::vector<double>& times) : series(modulus) {
+    std::vector<double> values(times.size());
+    std::ranges::transform(times, values.begin(), [&](double time) { return modulus.at(time); });
+    const auto [smallest, largest] = std::ranges::minmax_element(values);
+    least = *smallest;
+    most = *largest;
+    if (!(least > 0.0)) throw InputError(fmt::format("terms: expected a positive modulus, got {} Pa", least));
+  }
+
+  [[nodiscard]] double change() const { return most / least - 1.0; }
+  [[nodiscard]] PronySeries middle() const { return PronySeries(std::sqrt(least * most)); }
+  [[nodiscard]] double deviation_of_middle() const { return std::sqrt(most / least) - 1.0; }
+};
+
+/// Tells of series with different numbers of relaxation times, until the fewest that follow the moduli within the
+/// tolerance are found: 0, 4, 8, 16, ..., and then by halves between those that do not and those that do. A number that
+/// suffices for one tolerance suffices for a wider one, so a wider one never takes more. Where even a dense fit is far
+/// off, as from a modulus that rises, only the most terms are tried.
+void search_fewest(const FewTimes& times, const FewTermsOptions& options,
+                   const std::function<void(FewTerms)>& consider) {
+  const auto follows = [&](std::size_t count) {
+    auto found = times.with(count);
+    const bool is_within = found.worst_deviation() <= options.tolerance;
+    consider(std::move(found));
+    return is_within;
+  };
+  const auto most = std::min(times.most(), options.most_terms);
+  constexpr std::size_t first = 4;
+  constexpr double rest = 1.05;  // moving the times of a dense fit gains hardly more
+  const auto nearest = times.nearest(options.tolerance);
+  consider(nearest);
+  if (nearest.worst_deviation() > rest * options.tolerance) {
+    if (options.most_terms < times.most()) follows(most);
+    return;
+  }
+  std::size_t too_few = 0, enough = std::min(first, most);
+  if (follows(0)) return;
+  while (!follows(enough)) {
+    if (enough == most) return;
+    too_few = enough;
+    enough = std::min(2 * enough, most);
+  }
+  while (enough - too_few > 1) {
+    const auto middle = (enough + too_few) / 2;
+    (follows(middle) ? enough : too_few) = middle;
+  }
+}
+
+/// The series as they are, unless one has a negative term.
+void consider_as_given(const std::vector<RelaxingModulus>& moduli, Best& best) {
+  FewTerms given;
+  for (const auto& [series, least, most] : moduli) {
+    if (std::ranges::any_of(series.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) return;
+    given.series.push_back(series);
+    given.deviations.push_back(0.0);
+  }
+  best.consider(std::move(given));
 }
 
 }  // namespace
@@ -111,37 +131,34 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
   if (!(options.tolerance > 0.0)) {
     throw InputError(fmt::format("terms: expected a tolerance above zero, got {}", options.tolerance));
   }
-  constexpr int fitted_per_decade = 20, checked_per_decade = 40;
-  const auto fitted = sampled_times(window, fitted_per_decade), checked = sampled_times(window, checked_per_decade);
-  std::vector<std::vector<double>> at_fitted, at_checked;
-  for (const auto& one : series) {
-    at_fitted.push_back(moduli_at(one, fitted));
-    at_checked.push_back(moduli_at(one, checked));
-    const double least = *std::ranges::min_element(at_checked.back());
-    if (!(least > 0.0)) throw InputError(fmt::format("terms: expected a positive modulus, got {} Pa", least));
-  }
+  const auto times = checked_times(window);
+  std::vector<RelaxingModulus> moduli;
+  for (const auto& one : series) moduli.emplace_back(one, times);
+  std::vector<std::size_t> by_change(moduli.size());
+  std::iota(by_change.begin(), by_change.end(), std::size_t{0});
+  std::ranges::stable_sort(by_change, std::greater<>(), [&](std::size_t i) { return moduli[i].change(); });
+  const auto is_elastic = [&](std::size_t i) { return moduli[i].change() <= 0.5 * options.tolerance; };
 
-  constexpr std::array times_per_decade = {0.3,  0.4, 0.5,  0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2,
-                                           1.35, 1.5, 1.75, 2.0, 2.5, 3.0, 4.0, 6.0, 10.0};
-  constexpr std::array offsets = {0.0, 0.25, 0.5, 0.75};
-  FewTerms best;
-  for (const double density : times_per_decade) {
-    for (const double offset : offsets) {
-      const auto relaxation_times = relaxation_times_at(window, density, offset);
-      FewTerms found;
-      for (std::size_t i = 0; i < series.size(); ++i) {
-        const auto elastic = as_elastic(at_checked[i], options.tolerance);
-        found.series.push_back(elastic ? *elastic : fitted_series(relaxation_times, fitted, at_fitted[i]));
-        found.deviations.push_back(largest_deviation(found.series.back(), checked, at_checked[i]));
+  Best best(options);
+  consider_as_given(moduli, best);
+  // Those that are elastic for this tolerance are searched with, too, as for a narrower one, lest that find fewer
+  // terms.
+  const auto relaxing = static_cast<std::size_t>(std::ranges::find_if(by_change, is_elastic) - by_change.begin());
+  for (auto searched = relaxing; searched <= by_change.size(); ++searched) {
+    if (searched > relaxing && moduli[by_change[searched - 1]].series.is_elastic()) break;
+    std::vector<PronySeries> together;
+    for (std::size_t i = 0; i < searched; ++i) together.push_back(moduli[by_change[i]].series);
+    search_fewest(FewTimes(together, window), options, [&](const FewTerms& found) {
+      FewTerms all{std::vector<PronySeries>(moduli.size()), std::vector<double>(moduli.size())};
+      for (std::size_t i = 0; i < by_change.size(); ++i) {
+        const auto at = by_change[i];
+        all.series[at] = i < relaxing ? found.series[i] : moduli[at].middle();
+        all.deviations[at] = i < relaxing ? found.deviations[i] : moduli[at].deviation_of_middle();
       }
-      const bool is_first = best.series.empty();
-      const bool is_few = found.relaxation_times() <= options.most_terms;
-      const bool is_better = is_first || excess_of(found, options.tolerance) < excess_of(best, options.tolerance);
-      if (is_better && (is_first || is_few)) best = std::move(found);
-    }
-    if (excess_of(best, options.tolerance) == 0.0) break;
+      best.consider(std::move(all));
+    });
   }
-  return best;
+  return best.found();
 }
 
 }  // namespace breccia

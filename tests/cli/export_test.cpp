@@ -256,9 +256,76 @@ TEST_F(Export, RefusesUnknownFormatsAndDirectories) {
   EXPECT_THAT(without.errors, HasSubstr("--format"));
 }
 
+/// A typing error, MPa for GPa: the card is written, and the error stream says what is odd.
+TEST_F(Export, WarnsOfAnOddPoissonsRatio) {
+  const auto outcome = export_card("abaqus", {"--boundary", "displacement", "--bulk", "1 MPa"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: coarse: Poisson's ratio of the card is -0.9"));
+  EXPECT_THAT(outcome.errors, HasSubstr("K = 1 MPa"));
+  EXPECT_EQ(outcome.output.find("warning: "), std::string::npos);
+  EXPECT_EQ(export_card("abaqus", {"--boundary", "displacement", "--poisson", "0.3"}).errors, "");
+}
+
+/// The card at another temperature is that of a run there.
+TEST_F(Export, ComputesTheCardAtAnotherTemperature) {
+  const std::vector<std::string> options = {"--boundary", "traction", "--poisson", "0.3", "--tolerance", "0.1 %"};
+  auto at_temperature = options;
+  at_temperature.insert(at_temperature.end(), {"--temperature", "40 degC"});
+  const auto warm = export_card("csv", at_temperature);
+  ASSERT_EQ(warm.exit_code, 0) << warm.errors;
+  EXPECT_THAT(warm.output, HasSubstr("Composite at 40 degC, stage coarse"));
+  EXPECT_THAT(warm.output, HasSubstr("At 313.15 K"));
+  const StudyDirectory there(composite_deck);
+  const auto run = there.breccia("run", {"--set", "materials.binder.temperature_shift.temperature=40 degC"});
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  auto arguments = options;
+  arguments.insert(arguments.begin(), {"export", "out", "--format", "csv"});
+  const auto expected = run_breccia(there.path(), arguments);
+  ASSERT_EQ(expected.exit_code, 0) << expected.errors;
+  const auto card = parse_card("csv", warm.output), card_there = parse_card("csv", expected.output);
+  const auto at_run = parse_card("csv", export_card("csv", options).output);
+  EXPECT_GT(at_run.shear.at(1e-3) / card_there.shear.at(1e-3), 1.1) << "the temperature makes a difference";
+  for (const double time : {1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0}) {
+    // Twice the tolerance of the cards, and that of two reduced bases.
+    EXPECT_NEAR(card.shear.at(time) / card_there.shear.at(time), 1.0, 2e-3 + 1e-3) << time;
+  }
+  EXPECT_NEAR(card.density, card_there.density, 1e-6);
+}
+
+TEST_F(Export, RefusesTemperaturesWithoutALaw) {
+  const auto unit = export_card("csv", {"--boundary", "traction", "--poisson", "0.3", "--temperature", "40 m"});
+  EXPECT_EQ(unit.exit_code, 2);
+  EXPECT_THAT(unit.errors, HasSubstr("--temperature: "));
+  const auto cold = export_card("csv", {"--boundary", "traction", "--poisson", "0.3", "--temperature", "-150 degC"});
+  EXPECT_EQ(cold.exit_code, 2);
+  const auto table = export_card("dma", {"--boundary", "traction", "--temperature", "40 degC"});
+  EXPECT_EQ(table.exit_code, 2);
+  EXPECT_THAT(table.errors, HasSubstr("--temperature: the format dma has none"));
+}
+
+TEST_F(Export, SaysWhereTheCardOfOtherCurvesIsFrom) {
+  const auto respond = run_breccia(study->path(), {"respond", "out", "--temperature", "40 degC", "--out", "warm"});
+  ASSERT_EQ(respond.exit_code, 0) << respond.errors;
+  const auto outcome = run_breccia(study->path(), {"export", "warm", "--format", "csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("warm: curves of `breccia respond`"));
+  EXPECT_THAT(outcome.errors, HasSubstr("--temperature"));
+}
+
+/// The times of the run cover more than 100 K on one side of its temperature.
+TEST_F(Export, TakesTemperaturesNearThatOfTheRun) {
+  const auto outcome = export_card(
+      "dma", {"--boundary", "displacement", "--frequency", "0.1 Hz", "--step", "5 K", "--output", "near.csv"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const auto table = read_csv(study->path() / "near.csv");
+  EXPECT_GE(table.numbers("temperature_K").front(), 303.15 - 100.0);
+  EXPECT_LE(table.numbers("temperature_K").back(), 303.15 + 100.0 + 1e-6);
+  EXPECT_LE(table.rows(), 41U);
+}
+
 TEST_F(Export, RefusesMoreTermsThanLsDynaTakes) {
   const auto outcome =
-      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.0001 %"});
+      export_card("ls-dyna", {"--boundary", "displacement", "--poisson", "0.3", "--tolerance", "0.000001 %"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.errors, HasSubstr("LS-DYNA takes at most 17 terms"));
 }

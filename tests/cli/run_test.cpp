@@ -1,5 +1,7 @@
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -53,6 +55,37 @@ TEST(Run, ModelCompositeAgreesWithTheQuasiStaticLimit) {
   EXPECT_THAT(run.output, HasSubstr("A: 4 particles fill 34.91 % of the box"));
   EXPECT_THAT(run.output, HasSubstr("Results are in out: curves.csv, prony.csv, study.json"));
   expect_quasi_static(read_curve(study.result("curves.csv"), "A", "shear"), known_standard_24, 0.015);
+}
+
+TEST(Run, TablesOfFrequenciesHaveTheirDecades) {
+  const StudyDirectory study(R"([materials.binder]
+density = "1 g/cm^3"
+bulk    = "3 GPa"
+shear   = { terms = [{ time = "100 ms", modulus = "80 MPa" }], equilibrium = "1 MPa" }
+[[stages]]
+name = "A"
+matrix = "binder"
+box = "1 m"
+cells = 2
+[tests]
+loads = ["shear", "bulk"]
+boundaries = ["displacement"]
+frequencies = ["0.1 Hz", "10 Hz"]
+)");
+  const auto run = study.breccia("run");
+  ASSERT_EQ(run.exit_code, 0) << run.errors;
+  EXPECT_THAT(run.output, HasSubstr("dynamic.csv, engineering.csv, engineering_dynamic.csv\n"));
+  const auto table = read_csv(study.result("engineering_dynamic.csv"), {"stage", "boundary", "method", "cells"});
+  const auto& omega = table.numbers("angular_frequency_rad_per_s");
+  ASSERT_EQ(omega.size(), 41U);  // twenty a decade
+  constexpr double per_cycle = 2.0 * std::numbers::pi;
+  EXPECT_NEAR(omega.front() / (0.1 * per_cycle), 1.0, 1e-14);
+  EXPECT_NEAR(omega[20] / per_cycle, 1.0, 1e-14);
+  EXPECT_NEAR(omega.back() / (10.0 * per_cycle), 1.0, 1e-14);
+  const std::complex<double> turn(0.0, 0.1 * per_cycle);  // of the term at 1 Hz
+  const std::complex<double> shear = 1e6 + 80e6 * turn / (1.0 + turn), young = 9.0 * 3e9 * shear / (9e9 + shear);
+  EXPECT_NEAR(table.numbers("youngs_storage_modulus_Pa")[20] / young.real(), 1.0, 1e-4);
+  EXPECT_NEAR(table.numbers("youngs_loss_modulus_Pa")[20] / young.imag(), 1.0, 1e-4);
 }
 
 TEST(Run, HomogeneousBoxRelaxesAsItsMaterialUnderBothLoads) {

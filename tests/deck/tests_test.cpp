@@ -182,6 +182,8 @@ TEST_F(DeckTests, FrequenciesStandForTimes) {
   const auto tests_of = tests("frequencies = [\"0.01 Hz\", \"1 kHz\"]");
   EXPECT_NEAR(tests_of.first_time / 1.5915494309189535e-4, 1.0, 1e-14);
   EXPECT_NEAR(tests_of.last_time / 15.915494309189535, 1.0, 1e-14);
+  EXPECT_TRUE(tests_of.by_frequency);
+  EXPECT_FALSE(tests(times).by_frequency);
 }
 
 TEST_F(DeckTests, CellsAreMixedUnlessPointsAreStandard) {

@@ -3,9 +3,11 @@
 #include "breccia/results/material_card.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -184,11 +186,58 @@ TEST_P(Card, OfAModulusThatRelaxesToNothingKeepsALittle) {
   EXPECT_LT(deviation_of(read.shear, composite.shear, composite.times), 0.0102);
 }
 
+/// Of a spectrum of twelve decades that is denser than the terms of LS-DYNA.
 TEST(MaterialCard, RefusesMoreTermsThanTheProgramTakes) {
-  const auto composite = composite_of_cards();
+  auto composite = composite_of_cards();
+  std::vector<MaxwellTerm> dense;
+  for (int k = -36; k < 12; ++k) dense.push_back({std::pow(10.0, k / 4.0), 5e7});
+  composite.shear = PronySeries(1.2e7, dense);
   const auto message = message_of<InputError>(
-      [&] { static_cast<void>(material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-6})); });
+      [&] { static_cast<void>(material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-8})); });
   EXPECT_THAT(message, HasSubstr("LS-DYNA takes at most 17 terms"));
+}
+
+/// 22 decades of a measured binder, of which the times of the card have nine.
+TEST(MaterialCard, OfABinderFitsLsDyna) {
+  auto composite = composite_of_cards();
+  std::vector<MaxwellTerm> terms;
+  constexpr std::array moduli = {4168.7,   7413.1,   15849.0,  38019.0,  67608.0,  89125.0,  1.1561e5, 1.4223e5,
+                                 1.6218e5, 2.2182e5, 4.7534e5, 2.6182e6, 1.2882e7, 5.2481e7, 2.2387e8, 4.3652e8,
+                                 4.5709e8, 3.4674e8, 2.5119e8, 1.7783e8, 1.1749e8, 7.5858e7};
+  for (std::size_t i = 0; i < moduli.size(); ++i) {
+    terms.push_back({1.5 * std::pow(10.0, 7.0 - static_cast<double>(i)), moduli.at(i)});
+  }
+  composite.shear = PronySeries(0.0, terms);
+  composite.dilatational = PronySeries(3.6e9);
+  composite.times = {1e-8, 10.0};
+  const CardSettings settings{.format = CardFormat::ls_dyna, .tolerance = 0.01};
+  const auto card = material_card(composite, settings);
+  EXPECT_LE(card.shear.terms().size(), 13U);  // those from 1.5e-10 to 150 s
+  const auto read = parse_card("ls-dyna", text_of(card, settings));
+  EXPECT_LT(deviation_of(read.shear, composite.shear, composite.times), 0.0101);
+}
+
+TEST(MaterialCard, IsNotRefusedWhereTheResultHasSoFewTerms) {
+  const auto composite = composite_of_cards();  // of twelve terms
+  const auto card = material_card(composite, {.format = CardFormat::ls_dyna, .tolerance = 1e-12});
+  EXPECT_LE(card.shear.terms().size(), 12U);
+  EXPECT_LE(card.shear_deviation, 1e-12);
+}
+
+TEST(MaterialCard, WarnsOfANegativePoissonsRatio) {
+  const auto composite = composite_of_cards();
+  const auto wrong_unit = material_card(composite, {.bulk = 1e6});
+  ASSERT_EQ(wrong_unit.warnings.size(), 2U);
+  const double shear = wrong_unit.shear.unrelaxed();
+  const double ratio = (3e6 - 2.0 * shear) / (6e6 + 2.0 * shear);
+  EXPECT_LT(ratio, -0.9);
+  EXPECT_THAT(wrong_unit.warnings[0], HasSubstr(fmt::format("Poisson's ratio of the card is {:.3g} at t = 0", ratio)));
+  EXPECT_THAT(wrong_unit.warnings[0], HasSubstr("(K = 1 MPa, G = "));
+  EXPECT_THAT(wrong_unit.warnings[0], HasSubstr("expected one from 0 to below 0.5"));
+  EXPECT_THAT(text_of(wrong_unit, {}), HasSubstr("Warning: HB_1: Poisson's ratio"));
+  EXPECT_EQ(material_card(composite, {.poisson = -0.2}).warnings.size(), 2U);
+  EXPECT_TRUE(material_card(composite, {.bulk = 7e9}).warnings.empty());
+  EXPECT_TRUE(material_card(composite, {}).warnings.empty());
 }
 
 TEST(MaterialCard, RefusesABulkModulusThatRises) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -79,6 +80,62 @@ TEST(FewTerms, KeepToTheirLimit) {
   EXPECT_LE(few.relaxation_times(), 10U);
   EXPECT_GT(few.worst_deviation(), 1e-6);
   EXPECT_LT(few.worst_deviation(), 0.2);  // the binder has 13 terms there, one a decade, on which its modulus ripples
+}
+
+/// A series of one term every so many decades from 1 ns, as that of a measured binder, and the window of its decades.
+std::pair<PronySeries, TimeWindow> lines(int terms, int decades_apart) {
+  std::vector<MaxwellTerm> all;
+  for (int i = 0; i < terms; ++i) {
+    const int decade = -9 + decades_apart * i;
+    all.push_back({std::pow(10.0, decade), 1.23456e6 * std::pow(10.0, -0.25 * decade)});
+  }
+  return {PronySeries(1.2345e3, all), {1e-9, std::pow(10.0, -9 + decades_apart * terms)}};
+}
+
+TEST(FewTerms, AreNoMoreThanThoseOfTheSeriesItself) {
+  for (const auto& [terms, decades_apart] : {std::pair{5, 1}, {5, 2}, {10, 1}, {13, 1}}) {
+    const auto [series, window] = lines(terms, decades_apart);
+    const std::vector<PronySeries> given = {series, PronySeries(2.1e9)};
+    std::size_t fewer = 0;
+    for (const double tolerance : {0.05, 0.01, 0.001, 1e-6}) {
+      const auto few = with_few_terms(given, window, {.tolerance = tolerance});
+      EXPECT_LE(few.relaxation_times(), static_cast<std::size_t>(terms)) << tolerance;
+      EXPECT_GE(few.relaxation_times(), fewer) << tolerance;
+      EXPECT_LE(few.worst_deviation(), tolerance);
+      fewer = few.relaxation_times();
+    }
+  }
+}
+
+TEST(FewTerms, StayAsTheyAreRatherThanDeviate) {
+  const auto [series, window] = lines(10, 1);
+  const std::vector<PronySeries> given = {series};
+  const auto few = with_few_terms(given, window, {.tolerance = 1e-13, .most_terms = 10});
+  EXPECT_EQ(few.series[0], series);
+  EXPECT_EQ(few.worst_deviation(), 0.0);
+}
+
+TEST(FewTerms, AreNeverMoreForAWiderTolerance) {
+  // Three moduli that become elastic one after the other; the last one has a negative term, but falls.
+  const std::vector<PronySeries> given = {
+      binder, PronySeries(5e9, {{1e-7, 3e8}, {3e-5, 1e8}, {1e-2, 5e7}}),
+      PronySeries::difference(PronySeries(8e9, {{1e-6, 2e8}, {1e-2, 2e8}}), PronySeries(0.0, {{1e-3, 1e7}}))};
+  std::size_t fewer = 1000;
+  for (const double tolerance : {5e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.04, 0.08, 0.15, 0.2}) {
+    const auto few = with_few_terms(given, {1e-8, 1e-2}, {.tolerance = tolerance});
+    EXPECT_LE(few.worst_deviation(), tolerance);
+    EXPECT_LE(few.relaxation_times(), fewer) << tolerance;
+    fewer = few.relaxation_times();
+  }
+  EXPECT_LE(fewer, 6U);
+}
+
+/// A term every decade makes the modulus ripple by less than one per cent about a smooth one, which takes fewer.
+TEST(FewTerms, OfABinderAreFewerThanItsOwn) {
+  const std::vector<PronySeries> given = {binder};
+  const auto few = with_few_terms(given, {1e-8, 1e-2});
+  EXPECT_LE(few.worst_deviation(), 0.01);
+  EXPECT_LE(few.relaxation_times(), 7U);  // from 1.5e-9 to 1.5e-2 s it has 8
 }
 
 TEST(FewTerms, RefuseNonsense) {

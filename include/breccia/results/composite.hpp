@@ -41,6 +41,9 @@ struct Composite {
   [[nodiscard]] std::optional<PronySeries> bulk() const;
 };
 
+/// "displacement boundary (upper bound)", "periodic boundary".
+std::string boundary_in_words(Boundary boundary);
+
 /// What a stage is made of.
 struct StageContent {
   std::string name;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "breccia/homogenisation/study_result.hpp"
+#include "breccia/results/frequency_rows.hpp"
 #include "breccia/study/test_id.hpp"
 
 namespace breccia {
@@ -30,11 +31,12 @@ struct ComplexEngineeringSample {
 struct EngineeringCurves {
   TestId test;                                         ///< in shear
   std::vector<EngineeringSample> in_time;              ///< at the times of this test
-  std::vector<ComplexEngineeringSample> in_frequency;  ///< at 1/t of them, rising
+  std::vector<ComplexEngineeringSample> in_frequency;  ///< at the frequencies that were asked for, rising
 };
 
 /// The curves of each boundary condition under which a stage was tested in shear and in bulk by the same method on the
-/// same grid, from its preferred tests (is_preferred): from the load `shear`, or else from the first load of shear.
-std::vector<EngineeringCurves> engineering_curves(const StageResult& stage);
+/// same grid, at the times of the curves and at the frequencies of `rows`, from its preferred tests (is_preferred):
+/// from the load `shear`, or else from the first load of shear.
+std::vector<EngineeringCurves> engineering_curves(const StageResult& stage, const FrequencyRows& rows);
 
 }  // namespace breccia

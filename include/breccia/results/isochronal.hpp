@@ -30,8 +30,9 @@ struct IsochronalSample {
 TemperatureRange temperatures_covered(const Composite& composite, double omega);
 
 /// The moduli at an angular frequency omega [rad/s] over the temperature, as an analyser (DMA) shows them: M*(omega, T)
-/// = M*(a_T omega, T_0), T_0 being the temperature of the study (theory, Eq. 28b). The samples are `step` [K] apart.
-/// Throws InputError with all mistakes, also for temperatures that are not covered.
+/// = M*(a_T omega, T_0), T_0 being the temperature of the study (theory, Eq. 28b). The samples are `step` [K] apart,
+/// by default at the temperatures covered that are within 100 K of T_0, or at all where none is. Throws InputError with
+/// all mistakes, also for temperatures that are not covered.
 std::vector<IsochronalSample> isochronal_curve(const Composite& composite, double omega,
                                                const std::optional<TemperatureRange>& temperatures, double step);
 

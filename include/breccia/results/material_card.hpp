@@ -57,6 +57,7 @@ struct MaterialCard {
   double shear_deviation = 0.0;                   ///< largest relative one of G(t) from the results [-]
   std::optional<double> bulk_deviation = {};      ///< of K(t); nothing where it was given
   std::vector<std::string> origin = {};           ///< lines that say where it is from and what it assumes
+  std::vector<std::string> warnings = {};         ///< on what is hardly meant, such as a wrong unit; in `origin`, too
 };
 
 /// The largest number of Maxwell terms of a card.

@@ -52,6 +52,7 @@ struct Tests {
   Mixing mixing = Mixing::series;        ///< of the cells that an interface crosses
   double first_time = 0.0;               ///< of the curves [s]
   double last_time = 0.0;                ///< of the curves [s]
+  bool by_frequency = false;             ///< whether a deck gives frequencies, of which the dynamic moduli then are
   int points_per_decade = 20;            ///< of the curves
   std::vector<double> field_times = {};  ///< rising times at which the fields of the first load are saved [s]
   bool lists_field_times = false;        ///< whether a deck lists these times; its results are the same without it
