@@ -33,8 +33,8 @@ def export(result: _native.Result, format: str, file: PathLike | None = None, *,
     temperature; file: where to write it, too; overwrite: whether an existing one may be replaced; stage: the last one
     by default; boundary: needed where several were tested; load: which shear gives G(t).
 
-    Of a card: tolerance: largest relative deviation of G(t) and K(t), 0.01 or "1 %", by default that; times: first and last time
-    at which it holds [s]; bulk: an elastic bulk modulus [Pa], or poisson: a constant Poisson's ratio, in place of the
+    Of a card: tolerance: largest relative deviation of G(t) and K(t), 0.01 or "1 %", by default that; times: first and
+    last time at which it holds [s]; bulk: an elastic bulk modulus [Pa], or poisson: a constant Poisson's ratio, in place of the
     bulk test; units: "m-kg-s" or "mm-t-s". Of the table: frequency [Hz], temperatures [K] and step [K] as of
     isochrone(). Raises InputError with every mistake, and FileError.
     """
@@ -85,8 +85,8 @@ def isochrone(result: _native.Result, frequency: Quantity = _FREQUENCY, *,
     """The complex moduli of a composite at one frequency over the temperature, as a dynamic mechanical analyser shows
     them.
 
-    frequency: [Hz]; temperatures: first and last one [K], by default all that the times of the study cover; step:
-    between them [K]; stage, boundary, load: as of export(). The binder needs a temperature_shift, and nothing else may
+    frequency: [Hz]; temperatures: first and last one [K], by default all within 100 K of that of the study at which
+    its times cover the frequency; step: between them [K]; stage, boundary, load: as of export(). The binder needs a temperature_shift, and nothing else may
     relax. Raises InputError.
     """
     composite = _native.composite(solved(result), name_of("stage", stage), boundary, load)

@@ -65,8 +65,8 @@ Eigen::VectorXd offered_times(const std::vector<PronySeries>& moduli, const Time
     }
   }
   std::ranges::sort(times);
-  const auto [first, last] = std::ranges::unique(times, [](double a, double b) { return b <= (1.0 + same) * a; });
-  times.erase(first, last);
+  const auto are_same = [](double a, double b) { return b <= (1.0 + same) * a; };
+  times.erase(std::unique(times.begin(), times.end(), are_same), times.end());
   return as_vector(times);
 }
 
