@@ -21,11 +21,11 @@ struct Course {
   double frequency = 0.0;
   std::vector<double> temperatures, log_storage, log_loss;
 
-  /// M' and M'' at a temperature within those of the course.
+  /// M' and M'' at a temperature within those of the course, or below them by rounding.
   [[nodiscard]] std::array<double, 2> at(double temperature) const {
     const auto above = std::ranges::lower_bound(temperatures, temperature);
     const auto i = static_cast<std::size_t>(above - temperatures.begin());
-    if (*above == temperature) return {std::exp(log_storage[i]), std::exp(log_loss[i])};
+    if (i == 0 || *above == temperature) return {std::exp(log_storage[i]), std::exp(log_loss[i])};
     const double share = (temperature - temperatures[i - 1]) / (temperatures[i] - temperatures[i - 1]);
     return {std::exp(std::lerp(log_storage[i - 1], log_storage[i], share)),
             std::exp(std::lerp(log_loss[i - 1], log_loss[i], share))};
