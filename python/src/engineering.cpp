@@ -108,7 +108,8 @@ void bind_engineering(py::module_& module) {
   const auto in_frequency = &Curves::in_frequency;
   py::class_<Curves>(module, "EngineeringModuli",
                      "Shear, bulk and Young's modulus and Poisson's ratio of a stage, over time and over angular "
-                     "frequency: the numbers of engineering.csv and engineering_dynamic.csv. Arrays are views.")
+                     "frequency: the numbers of engineering.csv and, but where a deck gives frequencies, of "
+                     "engineering_dynamic.csv. Arrays are views.")
       .def_property_readonly(
           "load", [](const Curves& self) { return name_of(self.test.load); }, "That of the shear modulus.")
       .def_property_readonly("boundary", [](const Curves& self) { return name_of(self.test.boundary); })

@@ -184,7 +184,11 @@ std::string shifts(const FitResult& result, std::string_view unit) {
         "\nWLF: c1 = {:.4g} +- {:.2g}, c2 = {:.4g} +- {:.2g} K at {}; log10 a_T deviates by {:.2g} at worst, at {}\n",
         law->law.c1, law->c1_error, law->law.c2, law->c2_error, temperature_in(unit, law->law.reference_temperature),
         law->worst_deviation, temperature_in(unit, law->worst_at));
-    if (!follows_law(result)) text += "The factors do not follow this law: take them as a table, as below\n";
+    if (law->c1_error == 0.0) {
+      text += "Any law meets two factors: take them as a table, as below\n";
+    } else if (!follows_law(result)) {
+      text += "The factors do not follow this law: take them as a table, as below\n";
+    }
   } else {
     text += "\nWLF: these shift factors do not determine a law\n";
   }

@@ -64,14 +64,25 @@ void refuse_several_curves(const MeasuredTable& table, std::vector<double> times
       table.path().string()));
 }
 
+/// Refuses several tables, one below the other, of what is one curve.
+void refuse_several_tables(const MeasuredTable& table) {
+  if (table.reading().tables == 1) return;
+  throw InputError(
+      fmt::format("{}: {} tables, one below the other: only dynamic moduli with a column of temperatures "
+                  "may have several; keep one of them",
+                  table.path().string(), table.reading().tables));
+}
+
 }  // namespace
 
 FitInput fit_data_in(const MeasuredTable& table, ModulusKind given) {
   using enum Quantity;
   const auto kind = kind_of(table, given);
-  if (table.has({relaxation_time, modulus})) return {series(table.path(), kind), kind};
   const auto pair = complex_modulus_columns(table);
-  if (pair && table.has({angular_frequency})) return {frequency_sweeps(table, *pair, kind), kind};
+  const bool is_dynamic = pair && table.has({angular_frequency});
+  if (!is_dynamic || !table.has({temperature})) refuse_several_tables(table);
+  if (table.has({relaxation_time, modulus})) return {series(table.path(), kind), kind};
+  if (is_dynamic) return {frequency_sweeps(table, *pair, kind), kind};
   const bool is_relaxation = table.has({time, modulus}), is_creep = table.has({time, compliance});
   if (is_relaxation == is_creep) refuse_columns(table);
   const auto& times = table.column(time);

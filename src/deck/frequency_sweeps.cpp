@@ -43,14 +43,22 @@ void refuse_repeated(const MeasuredTable& table, const MeasuredColumn& frequenci
   mistakes.refuse();
 }
 
-/// Whether the temperature rose through the measurement: sweeps would span kelvins, or all have one row.
-bool is_ramp(const std::vector<double>& temperatures, const std::vector<Rows>& sweeps) {
-  constexpr double longest = 2.0;
-  constexpr std::size_t fewest = 3;
-  return std::ranges::any_of(
-             sweeps,
-             [&](const Rows& rows) { return temperatures[rows.back()] - temperatures[rows.front()] > longest; }) ||
-         (sweeps.size() >= fewest && std::ranges::all_of(sweeps, [](const Rows& rows) { return rows.size() == 1; }));
+/// Whether the temperature changed steadily through the measurement: most rows are in groups that span kelvins, or that
+/// are of one or two rows and kelvins at most from the next.
+bool is_ramp(const std::vector<double>& temperatures, const std::vector<Rows>& groups) {
+  constexpr double kelvins = 2.0;
+  constexpr std::size_t few = 2;
+  std::size_t in_ramp = 0;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    const auto& rows = groups[i];
+    const auto gap = [&](std::size_t lower) {
+      return temperatures[groups[lower + 1].front()] - temperatures[groups[lower].back()];
+    };
+    const bool spans = temperatures[rows.back()] - temperatures[rows.front()] > kelvins;
+    const bool is_near = (i > 0 && gap(i - 1) <= kelvins) || (i + 1 < groups.size() && gap(i) <= kelvins);
+    if (spans || (rows.size() <= few && is_near)) in_ramp += rows.size();
+  }
+  return 2 * in_ramp > temperatures.size();
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace breccia {
 struct DeckModuli {
   PronySeries bulk = {};
   PronySeries shear = {};
-  std::optional<ShiftLaw> shift_law = {};  ///< that of measured moduli at several temperatures
+  std::optional<ShiftLaw> shift_law = {};  ///< that of a measured modulus at several temperatures; none of two
 };
 
 /// Reads the two of `bulk`, `shear`, `young` and `poisson` that a material has, and finds its bulk and its shear

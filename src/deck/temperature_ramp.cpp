@@ -16,6 +16,9 @@ namespace {
 
 constexpr double ice_point = 273.15;
 
+/// Between temperatures further apart nothing is interpolated [K].
+constexpr double widest_gap = 6.0;
+
 /// The moduli of one frequency by rising temperature.
 struct Course {
   double frequency = 0.0;
@@ -30,7 +33,41 @@ struct Course {
     return {std::exp(std::lerp(log_storage[i - 1], log_storage[i], share)),
             std::exp(std::lerp(log_loss[i - 1], log_loss[i], share))};
   }
+  /// The distance of the measured temperatures about one [K].
+  [[nodiscard]] double gap_at(double temperature) const {
+    const auto above = std::ranges::lower_bound(temperatures, temperature);
+    if (above == temperatures.begin() || *above == temperature) return 0.0;
+    return *above - *(above - 1);
+  }
 };
+
+/// The rows of each frequency, in the order of the file. Frequencies scatter by less than 2 %.
+std::vector<std::vector<std::size_t>> rows_by_frequency(std::span<const double> frequencies) {
+  std::vector<std::size_t> all(frequencies.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::ranges::stable_sort(all, {}, [&](std::size_t row) { return frequencies[row]; });
+  constexpr double scatter = 1.02;
+  std::vector<std::vector<std::size_t>> groups;
+  for (const auto row : all) {
+    if (groups.empty() || frequencies[row] > scatter * frequencies[groups.back().front()]) groups.emplace_back();
+    groups.back().push_back(row);
+  }
+  for (auto& rows : groups) std::ranges::sort(rows);
+  return groups;
+}
+
+/// Whether the temperature both rises and falls by kelvins through some rows.
+bool turns(std::span<const double> temperatures, const std::vector<std::size_t>& rows) {
+  constexpr double kelvins = 5.0;
+  double lowest = HUGE_VAL, highest = 0.0, rise = 0.0, fall = 0.0;
+  for (const auto row : rows) {
+    lowest = std::min(lowest, temperatures[row]);
+    highest = std::max(highest, temperatures[row]);
+    rise = std::max(rise, temperatures[row] - lowest);
+    fall = std::max(fall, highest - temperatures[row]);
+  }
+  return rise > kelvins && fall > kelvins;
+}
 
 /// Whole multiples of a step of 1, 2, 5, 10 or 20 degrees Celsius between two temperatures [K].
 std::vector<double> round_temperatures(double lowest, double highest) {
@@ -46,22 +83,18 @@ std::vector<double> round_temperatures(double lowest, double highest) {
   return temperatures;
 }
 
-/// The rows of each frequency, by rising temperature.
-std::vector<std::vector<std::size_t>> rows_by_frequency(std::span<const double> frequencies,
-                                                        std::span<const double> temperatures) {
-  std::vector<std::size_t> all(frequencies.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  std::ranges::stable_sort(all, {}, [&](std::size_t row) { return frequencies[row]; });
-  constexpr double rounding = 1.001;
-  std::vector<std::vector<std::size_t>> groups;
-  for (const auto row : all) {
-    if (groups.empty() || frequencies[row] > rounding * frequencies[groups.back().front()]) groups.emplace_back();
-    groups.back().push_back(row);
+/// The temperatures at which the moduli of all frequencies are interpolated.
+std::vector<double> common_temperatures(const std::vector<Course>& courses) {
+  double lowest = 0.0, highest = courses.empty() ? 0.0 : HUGE_VAL;
+  for (const auto& course : courses) {
+    lowest = std::max(lowest, course.temperatures.front());
+    highest = std::min(highest, course.temperatures.back());
   }
-  for (auto& rows : groups) {
-    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return temperatures[row]; });
-  }
-  return groups;
+  auto temperatures = round_temperatures(lowest, highest);
+  std::erase_if(temperatures, [&](double temperature) {
+    return std::ranges::any_of(courses, [&](const Course& one) { return one.gap_at(temperature) > widest_gap; });
+  });
+  return temperatures;
 }
 
 }  // namespace
@@ -69,10 +102,18 @@ std::vector<std::vector<std::size_t>> rows_by_frequency(std::span<const double> 
 DynamicData sweeps_of_ramp(const std::filesystem::path& path, std::span<const double> temperatures,
                            std::span<const double> frequencies, std::span<const double> storage,
                            std::span<const double> loss) {
+  constexpr std::size_t fewest = 2;
   std::vector<Course> courses;
-  for (const auto& rows : rows_by_frequency(frequencies, temperatures)) {
-    Course course{frequencies[rows.front()], {}, {}, {}};
+  for (auto& rows : rows_by_frequency(frequencies)) {
+    if (rows.size() < fewest) continue;
+    if (turns(temperatures, rows)) {
+      throw InputError(
+          fmt::format("{}: the temperature rises and falls: keep the rows of one direction", path.string()));
+    }
+    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return temperatures[row]; });
+    Course course;
     for (const auto row : rows) {
+      course.frequency += frequencies[row] / static_cast<double>(rows.size());
       if (!course.temperatures.empty() && temperatures[row] <= course.temperatures.back()) continue;
       course.temperatures.push_back(temperatures[row]);
       course.log_storage.push_back(std::log(storage[row]));
@@ -80,19 +121,12 @@ DynamicData sweeps_of_ramp(const std::filesystem::path& path, std::span<const do
     }
     courses.push_back(std::move(course));
   }
-  double lowest = 0.0, highest = HUGE_VAL;
-  for (const auto& course : courses) {
-    lowest = std::max(lowest, course.temperatures.front());
-    highest = std::min(highest, course.temperatures.back());
-  }
-  const auto common = round_temperatures(lowest, highest);
-  constexpr std::size_t fewest = 2;
+  const auto common = common_temperatures(courses);
   if (courses.size() < fewest || common.size() < fewest) {
     throw InputError(fmt::format(
-        "{}: the temperature changes through the measurement, so at least two frequencies at the same temperatures are "
-        "needed, got {} from {:.4g} to {:.4g} degC",
-        path.string(), courses.size() == 1 ? "one frequency" : fmt::format("{} frequencies", courses.size()),
-        lowest - ice_point, highest - ice_point));
+        "{}: the temperature changes through the measurement, so two frequencies are needed, both measured at least "
+        "every {:g} K over the same temperatures; got {} at more than one temperature, and {} common whole degrees",
+        path.string(), widest_gap, courses.size(), common.size()));
   }
   DynamicData data;
   data.is_of_ramp = true;

@@ -128,7 +128,7 @@ std::optional<ShiftLaw> read_law(const Section& section, const std::optional<Shi
     case LawName::measured:
       if (!measured) {
         section.report("law",
-                       "expected a modulus of this material from measured data at several temperatures "
+                       "expected one modulus of this material from measured data at several temperatures "
                        "({ measured = ... }), whose shift factors fall as the temperature rises");
       }
       return measured;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -53,19 +54,12 @@ class MeasuredTableReader {
     if (record && is_row_of_units(record->fields)) {
       table_.reading_.has_row_of_units = true;
       units = record->fields;
-      // Of columns that are aligned by blanks the first may have no unit.
-      if (layout_.is_aligned_by_blanks && units.size() < table_.names_.size()) {
-        units.insert(units.begin(), table_.names_.size() - units.size(), "");
-      }
       add_units(units);
       record = records.next();
     }
     make_columns();
     mistakes_.refuse();
-    std::vector<detail::CsvRecord> below;
-    for (; record; record = records.next()) below.push_back(std::move(*record));
-    auto tables = detail::repeated_tables(std::move(below), table_.names_, units,
-                                          [&](const auto& one) { return may_be_row(one.fields); });
+    auto tables = read_tables(records, std::move(record), units);
     table_.reading_.tables = tables.count;
     for (auto& row : tables.rows) read_row(std::move(row));
     mistakes_.refuse();
@@ -124,12 +118,14 @@ class MeasuredTableReader {
       return std::ranges::find(choices_, quantity, &ColumnChoice::quantity) != choices_.end();
     };
     const auto columns = detail::preferred_columns(has, is_chosen);
-    if (!columns) return;
+    const auto is_needed = [&](Quantity quantity) {
+      if (columns) return quantity == columns->modulus || quantity == columns->other;
+      return quantity == Quantity::storage_modulus || quantity == Quantity::loss_modulus || is_chosen(quantity);
+    };
     std::ranges::replace_if(
         meanings_,
         [&](const auto& meaning) {
-          return meaning && detail::is_part_of_complex_modulus(meaning->quantity) &&
-                 meaning->quantity != columns->modulus && meaning->quantity != columns->other;
+          return meaning && detail::is_part_of_complex_modulus(meaning->quantity) && !is_needed(meaning->quantity);
         },
         std::nullopt);
   }
@@ -164,7 +160,41 @@ class MeasuredTableReader {
     return tells_units;
   }
 
-  void add_units(const std::vector<std::string>& fields) {
+  /// The rows of all tables; reports those of other columns or units.
+  detail::RepeatedTables read_tables(detail::CsvRecords& records, std::optional<detail::CsvRecord> record,
+                                     const std::vector<std::string>& units) {
+    std::vector<detail::CsvRecord> below;
+    for (; record; record = records.next()) below.push_back(std::move(*record));
+    const std::function<bool(const detail::CsvRecord&)> is_row = [&](const auto& one) {
+      return may_be_row(one.fields);
+    };
+    const std::function<bool(const detail::CsvRecord&)> are_names = [&](const auto& one) {
+      return names_columns(one.fields);
+    };
+    auto tables = detail::repeated_tables(std::move(below), {table_.names_, units, is_row, are_names});
+    for (const auto line : tables.other_names) {
+      mistakes_.add(place(line), "another table begins here, with other columns: keep one of them in the file");
+    }
+    for (const auto line : tables.other_units) {
+      mistakes_.add(place(line), "expected the units of the first table, as it has the same names");
+    }
+    mistakes_.refuse();
+    return tables;
+  }
+
+  /// Whether a line has the names of two known columns and no number.
+  [[nodiscard]] bool names_columns(const std::vector<std::string>& fields) const {
+    constexpr std::ptrdiff_t fewest = 2;
+    return std::ranges::none_of(fields, [&](const auto& field) { return number_in(field).has_value(); }) &&
+           std::ranges::count_if(
+               fields, [&](const auto& field) { return detail::meaning_of(field, choices_).has_value(); }) >= fewest;
+  }
+
+  void add_units(std::vector<std::string> fields) {
+    // Of columns that are aligned by blanks the first may have no unit.
+    if (layout_.is_aligned_by_blanks && fields.size() < table_.names_.size()) {
+      fields.insert(fields.begin(), table_.names_.size() - fields.size(), "");
+    }
     for (std::size_t i = 0; i < std::min(fields.size(), meanings_.size()); ++i) {
       if (!meanings_[i] || !meanings_[i]->unit.empty()) continue;
       auto unit = std::string_view(fields[i]);
@@ -201,12 +231,13 @@ class MeasuredTableReader {
   /// Leaves out columns that repeat the values of an earlier one, such as a frequency in Hz beside one in rad/s, and
   /// reports those with other values.
   void leave_out_twins() {
-    constexpr double rounding = 1e-3;
+    constexpr double rounding = 1e-3, kelvins = 0.5;
     auto& columns = table_.columns_;
     for (const auto& [first, second] : twins_) {
       const auto& [one, other] = std::tie(columns[first], columns[second]);
-      const bool are_equal = std::ranges::equal(one.values, other.values, [](double a, double b) {
-        return a == b || std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+      const bool is_temperature = one.quantity == Quantity::temperature;
+      const bool are_equal = std::ranges::equal(one.values, other.values, [&](double a, double b) {
+        return a == b || std::abs(a - b) <= (is_temperature ? kelvins : rounding * std::max(std::abs(a), std::abs(b)));
       });
       if (are_equal) continue;
       mistakes_.add("", fmt::format("{} says the same as {}, with other values; leave one of them out, or choose it "

@@ -5,21 +5,24 @@
 
 namespace breccia::detail {
 
-RepeatedTables repeated_tables(std::vector<CsvRecord> records, const std::vector<std::string>& names,
-                               const std::vector<std::string>& units,
-                               const std::function<bool(const CsvRecord&)>& may_be_row) {
+RepeatedTables repeated_tables(std::vector<CsvRecord> records, const TableLines& lines) {
   RepeatedTables tables;
-  auto begin = records.begin();
-  for (auto next = begin; begin != records.end(); begin = next) {
-    const auto end = std::ranges::find(begin, records.end(), names, &CsvRecord::fields);
-    const bool is_last = end == records.end();
-    for (auto record = begin; record != end; ++record) {
-      if (is_last || may_be_row(*record)) tables.rows.push_back(std::move(*record));
+  const auto last = std::find_if(records.rbegin(), records.rend(), [&](const CsvRecord& record) {
+                      return record.fields == lines.names;
+                    }).base();
+  for (auto record = records.begin(); record != records.end(); ++record) {
+    const bool is_in_last = record >= last;
+    if (record->fields == lines.names) {
+      ++tables.count;
+      const auto next = record + 1;
+      if (next == records.end() || lines.may_be_row(*next)) continue;
+      if (next->fields != lines.units) tables.other_units.push_back(next->line);
+      record = next;
+    } else if (lines.names_columns(*record)) {
+      tables.other_names.push_back(record->line);
+    } else if (is_in_last || lines.may_be_row(*record)) {
+      tables.rows.push_back(std::move(*record));
     }
-    if (is_last) break;
-    ++tables.count;
-    next = end + 1;
-    if (next != records.end() && next->fields == units) ++next;
   }
   return tables;
 }

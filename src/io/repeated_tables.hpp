@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -13,14 +12,22 @@ namespace breccia::detail {
 /// The rows of a file that has tables of the same columns one below the other, as rheometers write one for each
 /// temperature.
 struct RepeatedTables {
-  std::vector<CsvRecord> rows;  ///< of all tables, without names and units
-  std::size_t count = 1;        ///< number of tables
+  std::vector<CsvRecord> rows;           ///< of all tables, without names and units
+  std::vector<std::size_t> other_names;  ///< lines with the names of a table of other columns
+  std::vector<std::size_t> other_units;  ///< lines with other units than those of the first table
+  std::size_t count = 1;                 ///< number of tables of these columns
 };
 
-/// Finds the tables in the records below the names, and the units if there are any, of the first one. A further table
-/// begins with the same names and units. Lines between two tables for which `may_be_row` is false are left out.
-RepeatedTables repeated_tables(std::vector<CsvRecord> records, const std::vector<std::string>& names,
-                               const std::vector<std::string>& units,
-                               const std::function<bool(const CsvRecord&)>& may_be_row);
+/// What tells the lines of a file apart.
+struct TableLines {
+  const std::vector<std::string>& names;                       ///< of the first table
+  const std::vector<std::string>& units;                       ///< in the row below them; empty if there is none
+  const std::function<bool(const CsvRecord&)>& may_be_row;     ///< whether a line may be a row, if not a whole one
+  const std::function<bool(const CsvRecord&)>& names_columns;  ///< whether a line names columns
+};
+
+/// Finds the tables in the records below the names and the units of the first one. A further table begins with the same
+/// names and units. Between two tables, lines that are neither rows nor names are left out.
+RepeatedTables repeated_tables(std::vector<CsvRecord> records, const TableLines& lines);
 
 }  // namespace breccia::detail

@@ -153,7 +153,7 @@ bool contains_one_of(std::string_view text, std::initializer_list<std::string_vi
 
 /// UDUNITS-2 takes a radian for the number 1, and rad/s for Hz.
 bool is_angle_per_time(std::string_view unit) {
-  return contains_one_of(unit, {"rad", "deg", "arc", "°"});
+  return contains_one_of(unit, {"rad", "deg", "arc", "°", "'", "\"", "sr"});
 }
 
 /// UDUNITS-2 takes a turn for the number 2 pi, and rpm for 0.105 Hz.

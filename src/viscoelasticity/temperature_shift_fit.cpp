@@ -102,7 +102,8 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
 
 bool follow(const WilliamsLandelFerryFit& fit) {
   constexpr double most_decades = 0.1;
-  return fit.worst_deviation <= most_decades && fit.c1_error < fit.law.c1;
+  const bool is_determined = fit.c1_error > 0.0 && fit.c1_error < fit.law.c1;
+  return is_determined && fit.worst_deviation <= most_decades;
 }
 
 std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve) {
@@ -110,11 +111,15 @@ std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve) {
   const bool do_fall = std::ranges::adjacent_find(factors, [](const ShiftFactor& one, const ShiftFactor& next) {
                          return next.log10_factor >= one.log10_factor;
                        }) == factors.end();
-  constexpr std::size_t fewest_of_law = 3, fewest = 2;
+  constexpr std::size_t fewest_of_law = 4, fewest = 2;
   if (!do_fall || factors.size() < fewest) return std::nullopt;
   if (factors.size() >= fewest_of_law) {
-    const auto fit = fit_williams_landel_ferry(factors, curve.reference_temperature);
-    if (fit && follow(*fit)) return fit->law;
+    try {
+      const auto fit = fit_williams_landel_ferry(factors, curve.reference_temperature);
+      if (fit && follow(*fit)) return fit->law;
+    } catch (const NumericalError&) {
+      // The factors do not determine a law; their table is what there is.
+    }
   }
   std::vector<double> temperatures, logarithms;
   for (const auto& factor : factors) {

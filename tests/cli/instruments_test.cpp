@@ -1,15 +1,18 @@
 // Files in the forms in which instruments and spreadsheets export them (tests/reference/instrument_files.py), of a
 // solid whose moduli are known; five of them are not sound.
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "breccia/deck/prony_file.hpp"
+#include "breccia/viscoelasticity/temperature_shift.hpp"
 
 #include "command.hpp"
 #include "temporary_directory.hpp"
@@ -144,8 +147,75 @@ TEST_F(Instruments, ARampOfTheTemperature) {
   directory.write("one.csv", "Temperature [degC],Frequency [Hz],G' [MPa],G'' [MPa]\n10,1,9,1\n12,1,8,1\n14,1,7,1\n");
   const auto one = run_breccia(directory.path(), {"fit", "one.csv", "--reference-temperature", "12 degC"});
   EXPECT_EQ(one.exit_code, 2);
-  EXPECT_THAT(one.errors, HasSubstr("the temperature changes through the measurement, so at least two frequencies at "
-                                    "the same temperatures are needed, got one frequency from 10 to 14 degC"));
+  EXPECT_THAT(one.errors, HasSubstr("the temperature changes through the measurement, so two frequencies are needed"));
+}
+
+/// A file of moduli of the known solid at 0.3, 3 and 30 Hz in turn, at temperatures that are given.
+std::string ramp_through(const std::vector<double>& temperatures, double scatter = 0.0) {
+  std::string text = "Temperature [degC],Frequency [Hz],G' [MPa],G'' [MPa]\n";
+  const PronySeries solid(1e6, {{1e-2, 4e7}, {1.0, 8e6}, {1e2, 2e6}});
+  const WilliamsLandelFerry law{10.0, 100.0, 293.15};
+  for (std::size_t i = 0; i < temperatures.size(); ++i) {
+    const double frequency =
+        std::array{0.3, 3.0, 30.0}.at(i % 3) * (1.0 + scatter * std::sin(7.0 * static_cast<double>(i)));
+    const double omega = 2.0 * std::numbers::pi * frequency * law.shift_factor(temperatures[i] + 273.15);
+    const auto modulus = solid.complex_modulus(omega);
+    text += fmt::format("{},{},{},{}\n", temperatures[i], frequency, modulus.real() / 1e6, modulus.imag() / 1e6);
+  }
+  return text;
+}
+
+TEST_F(Instruments, RampsThatFallOrAreUneven) {
+  std::vector<double> falling, uneven;
+  for (int i = 0; i <= 120; ++i) falling.push_back(41.0 - 0.3 * i);
+  double at = 5.0;
+  for (int i = 0; at < 41.0; ++i) {
+    uneven.push_back(at);
+    at += std::array{0.4, 0.7, 0.2, 0.6}.at(static_cast<std::size_t>(i) % 4);
+  }
+  directory.write("falling.csv", ramp_through(falling));
+  directory.write("uneven.csv", ramp_through(uneven, 0.003));
+  for (const auto* file : {"falling.csv", "uneven.csv"}) {
+    const auto outcome = run_breccia(
+        directory.path(), {"fit", file, "--reference-temperature", "20 degC", "--out", "out", "--overwrite"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("the temperature changes through the measurement")) << file;
+    expect_the_solid();
+  }
+  auto both = falling;
+  both.insert(both.end(), falling.rbegin(), falling.rend());
+  directory.write("both.csv", ramp_through(both));
+  EXPECT_THAT(run_breccia(directory.path(), {"fit", "both.csv"}).errors,
+              HasSubstr("both.csv: the temperature rises and falls: keep the rows of one direction"));
+}
+
+// One sweep of many drifts by 2.4 K: the others are not interpolated.
+TEST_F(Instruments, ASweepThatDriftsIsNoRamp) {
+  std::vector<double> temperatures;
+  for (int sweep = 0; sweep < 5; ++sweep) {
+    for (int i = 0; i < 9; ++i) temperatures.push_back(10.0 * sweep + (sweep == 0 ? 0.3 * i : 0.0));
+  }
+  std::string text = ramp_through(temperatures);
+  // Nine frequencies a sweep: three decades thrice would repeat each.
+  std::size_t line = 0;
+  std::string distinct;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const auto end = text.find('\n', begin);
+    if (line == 0 || (line - 1) % 9 < 3) distinct += text.substr(begin, end - begin + 1);
+    begin = end + 1;
+    ++line;
+  }
+  directory.write("drift.csv", distinct);
+  const auto outcome = run_breccia(directory.path(), {"fit", "drift.csv", "--reference-temperature", "20 degC"});
+  EXPECT_THAT(outcome.output, HasSubstr("5 sweeps at temperatures from 0.3 degC to 40 degC")) << outcome.errors;
+}
+
+TEST_F(Instruments, TablesOfRelaxationAreNotOneCurve) {
+  directory.write("two.csv", "time_s,modulus_Pa\n1,3\n2,2\n3,1\ntime_s,modulus_Pa\n1,6\n2,5\n");
+  const auto outcome = run_breccia(directory.path(), {"fit", "two.csv"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("two.csv: 2 tables, one below the other: only dynamic moduli with a column of "
+                                        "temperatures may have several; keep one of them"));
 }
 
 TEST_F(Instruments, FilesThatAreNotSoundAreRefusedWithWhatIsWrong) {

@@ -107,7 +107,7 @@ TEST_F(EngineeringMaterials, MeasuredModuliAtSeveralTemperaturesHaveTheirShiftLa
 TEST_F(EngineeringMaterials, AMeasuredShiftLawNeedsMeasuredModuli) {
   EXPECT_THAT(mistakes("bulk = \"3.6 GPa\"\nshear = \"1 GPa\"\n"
                        "temperature_shift = { law = \"measured\", temperature = \"40 degC\" }"),
-              HasSubstr("temperature_shift.law: expected a modulus of this material from measured data"));
+              HasSubstr("temperature_shift.law: expected one modulus of this material from measured data"));
 }
 
 TEST_F(EngineeringMaterials, RefusesWhatIsNoSolid) {

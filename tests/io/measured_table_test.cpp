@@ -116,7 +116,12 @@ TEST_F(MeasuredTableTest, RecognisesColumnsByTheirNames) {
       {"log10(a_T)", log10_shift_factor, 3.0},
   };
   for (const auto& [name, quantity, three, kind] : cases) {
-    const auto table = read(std::string(name) + ",something\n3,else\n");
+    // Of a complex modulus two columns are needed.
+    const bool is_angle = quantity == phase_angle || quantity == loss_tangent;
+    const auto table = read(fmt::format("{},something,{}\n3,else,1\n", name,
+                                        quantity == absolute_modulus ? "phase_angle_rad"
+                                        : is_angle                   ? "loss_modulus_Pa"
+                                                                     : "other"));
     ASSERT_TRUE(table.has({quantity})) << name;
     EXPECT_DOUBLE_EQ(table.column(quantity).values.at(0), three) << name;
     EXPECT_EQ(table.column(quantity).written.at(0), 3.0) << name;
@@ -164,6 +169,7 @@ TEST_F(MeasuredTableTest, TwoColumnsDetermineAComplexModulus) {
 }
 
 TEST_F(MeasuredTableTest, WhatFollowsFromTwoColumnsMayHoldAnything) {
+  EXPECT_TRUE(read("time_s,modulus_Pa,tan_delta,phase_angle_deg\n1,2,-,overload\n").has({modulus}));
   const auto table = read("loss_modulus_Pa,tan_delta,|G*| [Pa],storage_modulus_Pa,phase_angle_deg\n3,-,overload,4,\n");
   EXPECT_TRUE(table.has({storage_modulus, loss_modulus}));
   EXPECT_FALSE(table.has({loss_tangent}) || table.has({absolute_modulus}) || table.has({phase_angle}));
@@ -299,10 +305,16 @@ TEST_F(MeasuredTableTest, TablesBelowOneAnother) {
             "table.csv:3: expected 3 values (Time, Modulus, Note), got 2");
   EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,overload\nTime,Modulus\ns,Pa\n3,1\n"),
             "table.csv:3: Modulus: expected a number, got \"overload\"");
-  // Other units are not passed over.
-  EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,3\nTime,Modulus\ns,kPa\n3,1\n"),
-            "table.csv:5: Time: expected a number, got \"s\"\n"
-            "table.csv:5: Modulus: expected a number, got \"kPa\"");
+  // Other units and other columns are not passed over.
+  EXPECT_EQ(mistakes("Time,Modulus\ns,Pa\n1,3\nTime,Modulus\ns,kPa\n3,1\nTime,Modulus\ns,Pa\n4,1\n"),
+            "table.csv:5: expected the units of the first table, as it has the same names");
+  EXPECT_EQ(mistakes("Time [s],Modulus [Pa]\n1,3\nModulus [Pa],Time [s]\n3,1\nTime [s],Modulus [Pa]\n4,1\n"),
+            "table.csv:3: another table begins here, with other columns: keep one of them in the file");
+  EXPECT_EQ(read("  i      t    Temp.\n         s    °C\n 1   1.5   20\n  i      t    Temp.\n         s    °C\n 1   "
+                 "2.5   30\n")
+                .reading()
+                .tables,
+            2);
 }
 
 TEST_F(MeasuredTableTest, NumbersWithSignsThatPartThousands) {

@@ -25,7 +25,9 @@ struct CreepData {
 /// Frequency sweeps by rising temperature; a single one if the file has no temperatures.
 struct DynamicData {
   std::vector<FrequencySweep> sweeps;
-  bool is_of_ramp = false;  ///< the sweeps were interpolated between the temperatures of a ramp
+  /// The sweeps were interpolated between the temperatures of a ramp. They may be more than what was measured, so that
+  /// the standard errors of a fit to them are too small.
+  bool is_of_ramp = false;
 };
 
 /// The data that can be fitted; a Prony series needs no fit.
