@@ -66,8 +66,8 @@ struct RelaxingModulus {
 
 /// Tells of series with different numbers of relaxation times, until the fewest that follow the moduli within the
 /// tolerance are found: 0, 4, 8, 16, ..., and then by halves between those that do not and those that do. A number that
-/// suffices for one tolerance suffices for a wider one, so a wider one never takes more. Where even a dense fit is far
-/// off, as from a modulus that rises, only the most terms are tried.
+/// suffices for one tolerance suffices for a wider one, so a wider one hardly ever takes more. Where even a dense fit
+/// is far off, as from a modulus that rises, only the most terms are tried.
 void search_fewest(const FewTimes& times, const FewTermsOptions& options,
                    const std::function<void(FewTerms)>& consider) {
   const auto follows = [&](std::size_t count) {

@@ -28,7 +28,7 @@ struct FewTerms {
 
 /// Replaces series, some of whose terms may be negative (PronySeries::difference), by series without negative terms
 /// that follow them in a window of time: with the fewest common relaxation times found for which all deviate by at most
-/// the tolerance, at 40 times a decade (theory, Eq. 33b). A wider tolerance never takes more. A modulus that does not
+/// the tolerance, at 40 times a decade (theory, Eq. 33b). A wider one hardly ever takes more. A modulus that does not
 /// change by more than half of the tolerance in the window becomes elastic. Series without negative terms stay as they
 /// are where nothing shorter is found. Where the tolerance is not met with the terms allowed, the series whose
 /// deviations exceed it least are returned: ask worst_deviation(). Throws InputError for a window of no length, a
