@@ -86,8 +86,8 @@ def isochrone(result: _native.Result, frequency: Quantity = _FREQUENCY, *,
     them.
 
     frequency: [Hz]; temperatures: first and last one [K], by default all within 100 K of that of the study at which
-    its times cover the frequency; step: between them [K]; stage, boundary, load: as of export(). The binder needs a temperature_shift, and nothing else may
-    relax. Raises InputError.
+    its times cover the frequency; step: between them [K]; stage, boundary, load: as of export(). The binder needs a
+    temperature_shift, and nothing else may relax. Raises InputError.
     """
     composite = _native.composite(solved(result), name_of("stage", stage), boundary, load)
     omega, range_, kelvins = _isochronal_arguments(frequency, temperatures, step)

@@ -59,7 +59,8 @@ class Filler(Table):
         elif isinstance(sizes, (list, tuple, np.ndarray)):
             sizes = {"list": sizes}
         return {"material": name_of("Filler: material", self.material), "fraction": self.fraction, "sizes": sizes,
-                "from": self.smallest, "to": self.largest, "gap": self.gap, "shape": self.shape, "coating": _table_of("Filler: coating", self.coating, files), **self.keys}
+                "from": self.smallest, "to": self.largest, "gap": self.gap, "shape": self.shape,
+                "coating": _table_of("Filler: coating", self.coating, files), **self.keys}
 
 
 def _numbers(particles: Any) -> NDArray[Any]:
