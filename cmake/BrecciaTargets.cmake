@@ -1,4 +1,4 @@
-# Targets of the project: the options every target is compiled with, the rooms, the library that joins them.
+# Targets of the project: the options every target is compiled with, the modules, the library that joins them.
 
 include(CMakePackageConfigHelpers)
 
@@ -47,25 +47,25 @@ function(breccia_precompiled name)
   target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
-# breccia_room(<name> SOURCES <file>... [LIBRARIES <target>...])
-# One room of src/: an object library, with the libraries it needs beyond Eigen, fmt and OpenMP.
-function(breccia_room name)
-  cmake_parse_arguments(room "" "" "SOURCES;LIBRARIES" ${ARGN})
-  add_library(breccia_${name} OBJECT ${room_SOURCES})
+# breccia_module(<name> SOURCES <file>... [LIBRARIES <target>...])
+# One module of src/: an object library, with the libraries it needs beyond Eigen, fmt and OpenMP.
+function(breccia_module name)
+  cmake_parse_arguments(module "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_library(breccia_${name} OBJECT ${module_SOURCES})
   set_target_properties(breccia_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_include_directories(breccia_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(breccia_${name} PRIVATE
-    breccia_options Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX ${room_LIBRARIES})
+    breccia_options Eigen3::Eigen fmt::fmt OpenMP::OpenMP_CXX ${module_LIBRARIES})
   target_precompile_headers(breccia_${name} REUSE_FROM breccia_headers)
-  set_property(GLOBAL APPEND PROPERTY breccia_libraries ${room_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY breccia_libraries ${module_LIBRARIES})
 endfunction()
 
-# breccia_library(<room>...): libbreccia, made of all rooms, and its CMake package.
+# breccia_library(<module>...): libbreccia, made of all modules, and its CMake package.
 function(breccia_library)
   add_library(breccia)
   add_library(breccia::breccia ALIAS breccia)
-  foreach(room IN LISTS ARGN)
-    target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${room}>)
+  foreach(module IN LISTS ARGN)
+    target_sources(breccia PRIVATE $<TARGET_OBJECTS:breccia_${module}>)
   endforeach()
   get_property(libraries GLOBAL PROPERTY breccia_libraries)
   get_property(objects GLOBAL PROPERTY breccia_objects)
@@ -82,7 +82,7 @@ function(breccia_library)
   install(TARGETS breccia EXPORT brecciaTargets
     LIBRARY COMPONENT command NAMELINK_COMPONENT development
     ARCHIVE COMPONENT development)
-  # The one header that takes more than Eigen and fmt, the headers of MPI, is for the rooms alone.
+  # The one header that takes more than Eigen and fmt, the headers of MPI, is for the modules alone.
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/breccia
     DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development
     PATTERN communicator.hpp EXCLUDE)
@@ -100,20 +100,20 @@ add_library(breccia_test_options INTERFACE)
 target_compile_options(breccia_test_options INTERFACE
   $<$<CONFIG:Release,RelWithDebInfo>:-O0> $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-shadow>)
 
-# breccia_test(<room> SOURCES <file>...): the unit tests of one room.
-function(breccia_test room)
+# breccia_test(<module> SOURCES <file>...): the unit tests of one module.
+function(breccia_test module)
   cmake_parse_arguments(test "" "" "SOURCES;LIBRARIES" ${ARGN})
   file(GLOB beside RELATIVE ${CMAKE_CURRENT_SOURCE_DIR} CONFIGURE_DEPENDS *_test.cpp)
   list(REMOVE_ITEM beside ${test_SOURCES})
   if(beside)
     message(FATAL_ERROR "tests that nothing would compile, in ${CMAKE_CURRENT_SOURCE_DIR}: ${beside}")
   endif()
-  add_executable(${room}_test ${test_SOURCES})
-  target_include_directories(${room}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  target_link_libraries(${room}_test PRIVATE
+  add_executable(${module}_test ${test_SOURCES})
+  target_include_directories(${module}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_link_libraries(${module}_test PRIVATE
     breccia_options breccia_test_options breccia::breccia GTest::gtest_main GTest::gmock ${test_LIBRARIES})
-  target_precompile_headers(${room}_test REUSE_FROM breccia_test_headers)
-  gtest_discover_tests(${room}_test TEST_PREFIX ${room}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+  target_precompile_headers(${module}_test REUSE_FROM breccia_test_headers)
+  gtest_discover_tests(${module}_test TEST_PREFIX ${module}. DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
 
 # breccia_mpirun_test(<name> <processes> <target> [<argument>...]): a program that several processes run together. Root in

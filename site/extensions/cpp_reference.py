@@ -1,5 +1,5 @@
-"""The overview of the C++ library: its rooms, as docs/contributing.md describes them, with links to what Doxygen makes
-of their public headers."""
+"""The overview of the C++ library: its modules, as docs/contributing.md describes them, with links to the pages that
+Doxygen makes of their public headers."""
 
 import re
 import xml.etree.ElementTree as ET
@@ -11,10 +11,10 @@ from docutils.parsers.rst import Directive
 from docutils.statemachine import StringList
 
 TAGS = Path("build/site-cpp/breccia.tag")
-ROOM = re.compile(r"\| `(?P<room>\w+)` \| (?P<words>[^|]+) \|")
+MODULE = re.compile(r"\| `(?P<module>\w+)` \| (?P<words>[^|]+) \|")
 
 
-def links_by_room(tags: Path) -> dict[str, list[tuple[str, str]]]:
+def links_by_module(tags: Path) -> dict[str, list[tuple[str, str]]]:
     """The names of types and functions, and their places among the pages of Doxygen."""
     compounds = ET.parse(tags).getroot().findall("compound")
     pages = {one.findtext("name"): one.findtext("filename") for one in compounds}
@@ -22,35 +22,35 @@ def links_by_room(tags: Path) -> dict[str, list[tuple[str, str]]]:
     for header in compounds:
         if header.get("kind") != "file":
             continue
-        # The headers of no room, such as error.hpp, are those of the whole library.
-        room = re.sub(r"^.*breccia/?", "", header.findtext("path", "")).strip("/")
+        # The headers of no module, such as error.hpp, are those of the whole library.
+        module = re.sub(r"^.*breccia/?", "", header.findtext("path", "")).strip("/")
         for one in header.findall("class"):
             if "<" not in one.text and one.text.startswith("breccia::"):
-                links[room].add((one.text.removeprefix("breccia::"), pages[one.text]))
+                links[module].add((one.text.removeprefix("breccia::"), pages[one.text]))
         for one in header.findall("member"):
             # Not the declarations of instances beside those of their templates.
             if one.get("kind") in ("function", "enumeration", "typedef") and "<" not in one.findtext("name"):
                 place = f"{one.findtext('anchorfile')}#{one.findtext('anchor')}"
-                links[room].add((one.findtext("name"), place))
-    return {room: sorted(set(dict(sorted(all_)).items())) for room, all_ in links.items()}
+                links[module].add((one.findtext("name"), place))
+    return {module: sorted(set(dict(sorted(all_)).items())) for module, all_ in links.items()}
 
 
-class Rooms(Directive):
+class Modules(Directive):
     def run(self):
         root = Path(self.state.document.settings.env.app.srcdir)
-        links = links_by_room(root / TAGS)
-        rooms = [("breccia", "errors, and the words of enumerations", ""),
-                 *((row["room"], row["words"], row["room"])
-                   for row in ROOM.finditer((root / "docs" / "contributing.md").read_text()))]
+        links = links_by_module(root / TAGS)
+        modules = [("breccia", "errors, and the words of enumerations", ""),
+                   *((row["module"], row["words"], row["module"])
+                     for row in MODULE.finditer((root / "docs" / "contributing.md").read_text()))]
         sections = []
-        for title, words, room in rooms:
-            if room not in links:
+        for title, words, module in modules:
+            if module not in links:
                 continue
-            section = nodes.section(ids=[f"room-{title}"], names=[title])
+            section = nodes.section(ids=[f"module-{title}"], names=[title])
             section += nodes.title("", title)
             self.state.nested_parse(StringList([f"{words[0].upper()}{words[1:]}."], "docs/contributing.md"), 0, section)
             names = nodes.paragraph(classes=["names"])
-            for name, place in links[room]:
+            for name, place in links[module]:
                 names += nodes.reference("", name, refuri=f"../cpp/{place}", internal=True)
                 names += nodes.Text("\n")
             section += names
@@ -59,5 +59,5 @@ class Rooms(Directive):
 
 
 def setup(app):
-    app.add_directive("rooms", Rooms)
+    app.add_directive("modules", Modules)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -7,7 +7,7 @@
 
 namespace breccia {
 
-// Least squares by Eigen. Its decompositions take seconds to compile, so they are compiled in one source for the room.
+// Least squares by Eigen. Its decompositions take seconds to compile, so they are compiled in one source.
 
 /// The x that makes |A x - b| least, by orthogonal factors with column pivoting.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
