@@ -2,9 +2,9 @@
 
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/deck/read_study.hpp"
-#include "breccia/io/csv.hpp"
-#include "breccia/io/measured_table_reader.hpp"
-#include "breccia/io/table_description.hpp"
+#include "breccia/tables/csv.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
+#include "breccia/tables/table_description.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"

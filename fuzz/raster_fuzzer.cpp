@@ -1,7 +1,7 @@
 // An image of labels. HDF5 is left out: its library is known to crash on hostile files.
 
-#include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 
 #include "input_folder.hpp"
 #include "refusal.hpp"

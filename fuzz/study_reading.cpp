@@ -2,7 +2,7 @@
 
 #include "breccia/deck/read_study.hpp"
 #include "breccia/deck/sweep.hpp"
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 
 #include "cli/summary.hpp"
 #include "deck/sweep_keys.hpp"

@@ -13,7 +13,7 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"
 

@@ -15,8 +15,8 @@
 #include "breccia/deck/column_words.hpp"
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table_reader.hpp"
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 
 #include "views.hpp"
 #include "words.hpp"

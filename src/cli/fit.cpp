@@ -12,9 +12,9 @@
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/io/measured_table_reader.hpp"
-#include "breccia/io/table_description.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
+#include "breccia/tables/table_description.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "command.hpp"

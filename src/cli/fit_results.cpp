@@ -9,10 +9,10 @@
 
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/io/whole_results.hpp"
 #include "breccia/report/modulus_plot.hpp"
+#include "breccia/tables/csv.hpp"
 #include "breccia/virtual_test/curve.hpp"
 
 #include "fit_material.hpp"

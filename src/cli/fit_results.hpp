@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "breccia/deck/fit_data.hpp"
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift_fit.hpp"

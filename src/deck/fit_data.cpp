@@ -6,7 +6,7 @@
 
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/complex_modulus.hpp"
+#include "breccia/tables/complex_modulus.hpp"
 
 #include "frequency_sweeps.hpp"
 #include "measured_rows.hpp"

@@ -11,7 +11,7 @@
 
 #include "breccia/deck/fit_data.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 #include "breccia/viscoelasticity/fit.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"

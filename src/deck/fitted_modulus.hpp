@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"

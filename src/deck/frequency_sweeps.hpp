@@ -1,9 +1,9 @@
 #pragma once
 
 #include "breccia/deck/fit_data.hpp"
-#include "breccia/io/complex_modulus.hpp"
-#include "breccia/io/measured_table.hpp"
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/complex_modulus.hpp"
+#include "breccia/tables/measured_table.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 
 namespace breccia {
 

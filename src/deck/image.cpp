@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "breccia/io/raster_reader.hpp"
 #include "breccia/microstructure/pixel_labels.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 #include "breccia/study/limits.hpp"
 #include "breccia/study/stage_rules.hpp"
 

@@ -10,8 +10,8 @@
 #include <fmt/ranges.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/io/units.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 namespace breccia {
 namespace {

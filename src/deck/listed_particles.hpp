@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
 #include "breccia/microstructure/particle.hpp"
+#include "breccia/tables/measured_table.hpp"
 
 namespace breccia {
 

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/error.hpp"
-#include "breccia/io/deck.hpp"
 
 #include "materials.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "breccia/deck/material_file.hpp"
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 #include "breccia/viscoelasticity/temperature_shift.hpp"
 

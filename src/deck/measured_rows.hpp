@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "breccia/io/measured_table.hpp"
+#include "breccia/tables/measured_table.hpp"
 
 namespace breccia {
 

@@ -9,8 +9,8 @@
 #include "breccia/deck/prony_file.hpp"
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/io/nearest_name.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 #include "fitted_modulus.hpp"
 #include "time_window.hpp"

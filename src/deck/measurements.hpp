@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/measurement.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/tests.hpp"

@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "breccia/deck/prony_file.hpp"
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 
 #include "fitted_modulus.hpp"
 #include "two_moduli.hpp"

@@ -16,12 +16,12 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/microstructure/particle_validity.hpp"
 #include "breccia/microstructure/validity.hpp"
 #include "breccia/study/coatings.hpp"
 #include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/limits.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 #include "listed_particles.hpp"
 

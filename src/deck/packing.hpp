@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/tables/csv.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 namespace breccia {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 
 #include "resolved_study.hpp"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/io/printable.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/study/chain.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
 #include "breccia/study/filler_shapes.hpp"
 #include "breccia/study/limits.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 namespace breccia {
 namespace {

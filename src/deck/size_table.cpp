@@ -6,7 +6,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 
 namespace breccia {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/study/filler.hpp"
 
 namespace breccia {

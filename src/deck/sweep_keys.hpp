@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 
 namespace breccia {
 

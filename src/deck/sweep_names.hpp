@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/deck_setting.hpp"
+#include "breccia/deckfile/deck_setting.hpp"
 
 namespace breccia {
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "breccia/io/file_mistakes.hpp"
-#include "breccia/io/measured_table_reader.hpp"
+#include "breccia/tables/measured_table_reader.hpp"
 #include "breccia/viscoelasticity/reference_temperature.hpp"
 
 namespace breccia {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "breccia/io/deck.hpp"
+#include "breccia/deckfile/deck.hpp"
 #include "breccia/viscoelasticity/reduction.hpp"
 
 namespace breccia {

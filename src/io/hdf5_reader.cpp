@@ -5,8 +5,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
-
-#include "hdf5_handle.hpp"
+#include "breccia/io/hdf5_handle.hpp"
 
 namespace breccia {
 

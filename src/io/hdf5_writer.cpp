@@ -10,8 +10,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/hdf5.hpp"
-
-#include "hdf5_handle.hpp"
+#include "breccia/io/hdf5_handle.hpp"
 
 namespace breccia {
 

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "trimmed.hpp"
+#include "breccia/io/trimmed.hpp"
 
 namespace breccia {
 

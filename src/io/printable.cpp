@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "utf8.hpp"
+#include "breccia/io/utf8.hpp"
 
 namespace breccia {
 

@@ -22,8 +22,8 @@ namespace {
 
 /// The seal of an HDF5 file is possible since HDF5 ignores bytes beyond the end in its header.
 constexpr std::string_view mark = "\nbreccia seal, xxh64 of all above: ";
-constexpr std::size_t digits = 16;
-constexpr std::size_t seal_length = mark.size() + digits + 1;
+constexpr std::size_t hash_digits = 16;
+constexpr std::size_t seal_length = mark.size() + hash_digits + 1;
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
   throw FileError(fmt::format("{}: {}", path.string(), what));
@@ -51,7 +51,7 @@ std::string hash_of(const std::filesystem::path& path, std::uintmax_t bytes) {
     XXH64_update(state.get(), buffer.data(), wanted);
     bytes -= wanted;
   }
-  return fmt::format("{:0{}x}", XXH64_digest(state.get()), digits);
+  return fmt::format("{:0{}x}", XXH64_digest(state.get()), hash_digits);
 }
 
 std::uintmax_t size_of(const std::filesystem::path& path) {
@@ -80,7 +80,7 @@ void require_sealed(const std::filesystem::path& path) {
   if (!file.read(end.data(), end.size())) fail_by_system(path, "read");
   const std::string_view line(end.data(), end.size());
   if (!line.starts_with(mark) || !line.ends_with('\n')) fail_as_damaged(path, "torn, or no checkpoint of Breccia");
-  if (line.substr(mark.size(), digits) != hash_of(path, size - seal_length))
+  if (line.substr(mark.size(), hash_digits) != hash_of(path, size - seal_length))
     fail_as_damaged(path, "damaged: wrong checksum");
 }
 

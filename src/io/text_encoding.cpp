@@ -1,4 +1,4 @@
-#include "text_encoding.hpp"
+#include "breccia/io/text_encoding.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,8 +9,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/text_file.hpp"
-
-#include "utf8.hpp"
+#include "breccia/io/utf8.hpp"
 
 namespace breccia::detail {
 

@@ -1,4 +1,4 @@
-#include "trimmed.hpp"
+#include "breccia/io/trimmed.hpp"
 
 namespace breccia::detail {
 

@@ -18,8 +18,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/nearest_name.hpp"
-
-#include "trimmed.hpp"
+#include "breccia/io/trimmed.hpp"
 
 namespace breccia {
 

@@ -1,4 +1,4 @@
-#include "utf8.hpp"
+#include "breccia/io/utf8.hpp"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "breccia/io/png.hpp"
+#include "breccia/rasters/png.hpp"
 
 namespace breccia {
 

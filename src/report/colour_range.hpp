@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "breccia/io/png.hpp"
+#include "breccia/rasters/png.hpp"
 #include "breccia/report/field_picture.hpp"
 
 namespace breccia {

@@ -1,6 +1,6 @@
 #include "embedded_png.hpp"
 
-#include "breccia/io/base64.hpp"
+#include "breccia/rasters/base64.hpp"
 
 namespace breccia {
 

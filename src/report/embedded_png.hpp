@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "breccia/io/png.hpp"
+#include "breccia/rasters/png.hpp"
 
 namespace breccia {
 

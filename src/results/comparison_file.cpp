@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/homogenisation/quality.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "best_tests.hpp"
 #include "dynamic_curves.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "best_tests.hpp"
 #include "test_columns.hpp"

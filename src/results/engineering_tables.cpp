@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/results/engineering_curves.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "test_columns.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/io/vtkhdf.hpp"
+#include "breccia/rasters/vtkhdf.hpp"
 #include "breccia/report/field_picture.hpp"
 #include "breccia/report/map_means.hpp"
 

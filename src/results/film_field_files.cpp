@@ -12,7 +12,7 @@
 
 #include "breccia/discretisation/load.hpp"
 #include "breccia/io/text_file.hpp"
-#include "breccia/io/vtkhdf.hpp"
+#include "breccia/rasters/vtkhdf.hpp"
 #include "breccia/report/polygon_picture.hpp"
 #include "breccia/results/field_files.hpp"
 

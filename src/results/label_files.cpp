@@ -4,8 +4,8 @@
 
 #include "breccia/homogenisation/point_labels.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/io/npy.hpp"
-#include "breccia/io/vti.hpp"
+#include "breccia/rasters/npy.hpp"
+#include "breccia/rasters/vti.hpp"
 
 namespace breccia {
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/microstructure/tessellation_statistics.hpp"
 #include "breccia/results/label_files.hpp"
 #include "breccia/results/stage_picture.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "particle_files.hpp"
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/csv.hpp"
-#include "breccia/io/raster_reader.hpp"
+#include "breccia/rasters/raster_reader.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "page_bytes.hpp"
 #include "report_data.hpp"

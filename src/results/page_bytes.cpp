@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "breccia/error.hpp"
-#include "breccia/io/base64.hpp"
-#include "breccia/io/zlib_stream.hpp"
+#include "breccia/rasters/base64.hpp"
+#include "breccia/rasters/zlib_stream.hpp"
 
 namespace breccia {
 

@@ -9,8 +9,8 @@
 
 #include <fmt/format.h>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/microstructure/ellipsoid.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 namespace {

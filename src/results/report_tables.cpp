@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "report_data.hpp"
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/stored_materials.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -9,13 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/printable.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/response_file.hpp"
 #include "breccia/results/stored_composite.hpp"
 #include "breccia/results/sweep_result.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "best_tests.hpp"
 

@@ -11,10 +11,10 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/safe_name.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/report/page.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "report_data.hpp"
 #include "report_tables.hpp"

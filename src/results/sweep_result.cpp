@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/deck/swept_quantities.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/sweep_spread.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "test_columns.hpp"
 

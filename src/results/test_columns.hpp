@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/study/test_id.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "breccia/io/text_file.hpp"
-#include "breccia/io/vtkhdf.hpp"
+#include "breccia/rasters/vtkhdf.hpp"
 #include "breccia/report/field_picture.hpp"
 #include "breccia/results/field_files.hpp"
 

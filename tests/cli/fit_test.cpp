@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/deck/prony_file.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "command.hpp"
 #include "good_deck.hpp"

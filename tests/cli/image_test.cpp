@@ -13,10 +13,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/npy.hpp"
-#include "breccia/io/png.hpp"
-#include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/rasters/npy.hpp"
+#include "breccia/rasters/png.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 
 #include "study_directory.hpp"
 

@@ -17,8 +17,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "command.hpp"
 #include "deck_mutation.hpp"

@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "messages.hpp"
 #include "model_deck.hpp"

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/hdf5.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "good_deck.hpp"
 #include "messages.hpp"

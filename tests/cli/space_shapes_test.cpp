@@ -13,9 +13,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "breccia/io/npy.hpp"
-#include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/rasters/npy.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 
 #include "report/embedded_pictures.hpp"
 #include "study_directory.hpp"

@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/io/hdf5.hpp"
-#include "breccia/io/raster_reader.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 
 #include "study_directory.hpp"
 

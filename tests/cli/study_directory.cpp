@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia::test {
 

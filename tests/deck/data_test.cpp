@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "decks.hpp"
 

@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/io/hdf5.hpp"
-#include "breccia/io/npy.hpp"
-#include "breccia/io/png.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/rasters/npy.hpp"
+#include "breccia/rasters/png.hpp"
 #include "breccia/study/identity.hpp"
 
 #include "decks.hpp"

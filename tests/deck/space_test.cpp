@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/npy.hpp"
+#include "breccia/rasters/npy.hpp"
 #include "breccia/study/filler_sizes.hpp"
 #include "breccia/study/identity.hpp"
 

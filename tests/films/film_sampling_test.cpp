@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
+#include "breccia/tables/csv.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "films/grains_and_films.hpp"

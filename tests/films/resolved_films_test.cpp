@@ -10,8 +10,8 @@
 #include "breccia/discretisation/grain_cells.hpp"
 #include "breccia/films/film_moduli.hpp"
 #include "breccia/films/film_sampling.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "film_composite.hpp"
 #include "films/grains_and_films.hpp"

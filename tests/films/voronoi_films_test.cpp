@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/films/film_moduli.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "films/grains_and_films.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "breccia/io/csv.hpp"
 #include "breccia/microstructure/laguerre_sites.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia::test {
 

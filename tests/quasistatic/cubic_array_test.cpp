@@ -13,8 +13,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "breccia/discretisation/mixed_cells.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/quasistatic/sampling.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "quasistatic/composites.hpp"
 

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "breccia/discretisation/labels.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
 #include "breccia/quasistatic/apparent_moduli.hpp"
+#include "breccia/tables/csv.hpp"
 
 namespace breccia {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "breccia/io/base64.hpp"
-#include "breccia/io/raster_reader.hpp"
+#include "breccia/rasters/base64.hpp"
+#include "breccia/rasters/raster_reader.hpp"
 
 #include "temporary_directory.hpp"
 

@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/io/raster.hpp"
+#include "breccia/rasters/raster.hpp"
 
 namespace breccia::test {
 

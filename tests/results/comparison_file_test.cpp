@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "results/hand_made_results.hpp"
 #include "temporary_directory.hpp"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "results/hand_made_results.hpp"
 #include "temporary_directory.hpp"

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_results.hpp"

@@ -6,9 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/microstructure_files.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "temporary_directory.hpp"
 

@@ -14,8 +14,8 @@
 #include <zlib.h>
 
 #include "breccia/error.hpp"
-#include "breccia/io/base64.hpp"
-#include "breccia/io/npy.hpp"
+#include "breccia/rasters/base64.hpp"
+#include "breccia/rasters/npy.hpp"
 #include "breccia/results/study_report.hpp"
 #include "breccia/results/volume_field_files.hpp"
 

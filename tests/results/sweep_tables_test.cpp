@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "breccia/error.hpp"
-#include "breccia/io/csv.hpp"
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/sweep_plot.hpp"
 #include "breccia/results/sweep_report.hpp"
+#include "breccia/tables/csv.hpp"
 
 #include "messages.hpp"
 #include "results/hand_made_sweep.hpp"

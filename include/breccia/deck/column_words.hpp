@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/column_choice.hpp"
+#include "breccia/tables/column_choice.hpp"
 
 namespace breccia {
 

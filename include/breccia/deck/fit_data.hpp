@@ -3,8 +3,8 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/io/measured_table.hpp"
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/measured_table.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/master_curve.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/io/modulus_kind.hpp"
+#include "breccia/tables/modulus_kind.hpp"
 #include "breccia/viscoelasticity/prony_series.hpp"
 
 namespace breccia {

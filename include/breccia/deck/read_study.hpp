@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "breccia/io/deck_setting.hpp"
+#include "breccia/deckfile/deck_setting.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {

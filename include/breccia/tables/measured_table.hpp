@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "breccia/io/quantity.hpp"
+#include "breccia/tables/modulus_kind.hpp"
+
+namespace breccia {
+
+/// A column of a file.
+struct MeasuredColumn {
+  Quantity quantity;
+  ModulusKind kind;             ///< kind of a modulus or compliance
+  std::string name;             ///< name of the column in the file
+  std::string unit;             ///< of the numbers in the file, as it stands there
+  std::vector<double> values;   ///< in the unit of the quantity
+  std::vector<double> written;  ///< the numbers in the file
+};
+
+/// How the text of a table was taken.
+struct TableReading {
+  std::string encoding;  ///< "UTF-8", "Latin-1" or "UTF-16"
+  char separator = ',';  ///< of columns; a blank: two blanks and more
+  bool has_decimal_commas = false;
+  std::size_t line_of_names = 0;  ///< from 1
+  bool has_row_of_units = false;  ///< below the names
+  std::size_t tables = 1;         ///< of the same columns, one below the other
+};
+
+/// The columns of a file that are recognised by their names. All other columns are ignored.
+class MeasuredTable {
+ public:
+  [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
+  [[nodiscard]] std::size_t rows() const noexcept { return lines_.size(); }
+  [[nodiscard]] const TableReading& reading() const noexcept { return reading_; }
+  /// The columns that are recognised, in the order of the file.
+  [[nodiscard]] const std::vector<MeasuredColumn>& columns() const noexcept { return columns_; }
+  /// The names of all columns in the order of the file.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+  /// The names of all columns in the order of the file, in quotes, for a message.
+  [[nodiscard]] std::string list_of_names() const;
+  /// Place of a row, `file:line`, for messages about it.
+  [[nodiscard]] std::string place(std::size_t row) const;
+
+  [[nodiscard]] bool has(std::initializer_list<Quantity> quantities) const;
+  /// The kinds of all moduli and compliances, without repetition.
+  [[nodiscard]] std::vector<ModulusKind> kinds() const;
+  /// Throws InputError with a line for each of these quantities that has no column, or only one with an unknown unit.
+  void require(std::initializer_list<Quantity> quantities) const;
+  /// Throws InputError if the only column of one of these quantities was ignored because its unit is unknown.
+  void refuse_unknown_units(std::initializer_list<Quantity> quantities) const;
+  /// Throws InputError if the rows belong to several curves or series, one below the other, as in Breccia's tables of
+  /// results: of several tasks, stages, loads, boundaries, methods or grids.
+  void refuse_several_series() const;
+  /// The column of a quantity other than a modulus or compliance. Throws InputError if there is none.
+  [[nodiscard]] const MeasuredColumn& column(Quantity quantity) const;
+  /// The column of a modulus or compliance of the wanted kind, or else of unspecified kind; any column if the wanted
+  /// kind is unspecified. Throws InputError if there is no column, or only columns of other kinds; the message says how
+  /// to convert them.
+  [[nodiscard]] const MeasuredColumn& column(Quantity quantity, ModulusKind wanted) const;
+
+ private:
+  friend class MeasuredTableReader;
+  struct UnknownUnit {
+    Quantity quantity;
+    std::string message;
+  };
+  /// A message for each ignored column that is the only one of these quantities.
+  [[nodiscard]] std::vector<std::string> unknown_units(std::initializer_list<Quantity> quantities) const;
+
+  std::filesystem::path path_;
+  TableReading reading_;
+  std::vector<std::string> names_;
+  std::vector<std::size_t> lines_;  ///< line number of each row in the file
+  std::vector<MeasuredColumn> columns_;
+  std::vector<UnknownUnit> unknown_units_;
+  bool has_several_series_ = false;
+};
+
+}  // namespace breccia

@@ -1,0 +1,374 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <system_error>
+#include <type_traits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "breccia/deckfile/deck.hpp"
+#include "breccia/error.hpp"
+#include "breccia/io/nearest_name.hpp"
+#include "breccia/io/percentage.hpp"
+#include "breccia/io/printable.hpp"
+
+#include "deck_tree.hpp"
+
+namespace breccia {
+
+using detail::DeckArray;
+using detail::DeckTable;
+using detail::DeckValue;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::string wanted(Dimension dimension) {
+  return fmt::format("{} such as \"{}\"", with_article(dimension), example(dimension));
+}
+
+/// The result of reading one value: the value, or a description of the expected value.
+template <class T>
+struct Answer {
+  std::optional<T> value;
+  std::string mistake;
+};
+
+template <class T>
+Answer<T> wrong(std::string mistake) {
+  return {std::nullopt, std::move(mistake)};
+}
+
+std::string expected_but_got(std::string_view expected, const DeckValue& value) {
+  return fmt::format("expected {}, got {}", expected, shown(value));
+}
+
+Answer<double> read_quantity(const DeckValue& value, Dimension dimension, const Range& range) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text == nullptr) {
+    return wrong<double>(expected_but_got(
+        fmt::format("{} with its unit, such as \"{}\"", with_article(dimension), example(dimension)), value));
+  }
+  try {
+    const double quantity = parse_quantity(*text, dimension);
+    if (accepts(range, quantity)) return {quantity, {}};
+  } catch (const InputError& error) {
+    return wrong<double>(error.what());
+  }
+  return wrong<double>(expected_but_got(described(range, dimension), value));
+}
+
+Answer<double> read_number(const DeckValue& value, const Range& range) {
+  double number = not_a_number;
+  if (const auto* floating = std::get_if<double>(&value.content)) number = *floating;
+  if (const auto* integer = std::get_if<std::int64_t>(&value.content)) number = static_cast<double>(*integer);
+  if (accepts(range, number)) return {number, {}};
+  return wrong<double>(expected_but_got(described(range, "number"), value));
+}
+
+Answer<double> read_fraction(const DeckValue& value) {
+  const auto range = Range::between(0.0, 1.0);
+  if (const auto* text = std::get_if<std::string>(&value.content)) {
+    const auto share = parse_percentage(*text);
+    if (share && accepts(range, *share)) return {*share, {}};
+    return wrong<double>(expected_but_got(described(range, "number") + R"(, or per cent as in "35 %")", value));
+  }
+  return read_number(value, range);
+}
+
+Answer<std::int64_t> read_integer(const DeckValue& value, const Range& range) {
+  const auto* integer = std::get_if<std::int64_t>(&value.content);
+  if (integer != nullptr && accepts(range, static_cast<double>(*integer))) return {*integer, {}};
+  return wrong<std::int64_t>(expected_but_got(described(range, "integer"), value));
+}
+
+Answer<bool> read_boolean(const DeckValue& value) {
+  const auto* boolean = std::get_if<bool>(&value.content);
+  if (boolean != nullptr) return {*boolean, {}};
+  return wrong<bool>(expected_but_got("true or false", value));
+}
+
+constexpr auto printable_text = "text without line breaks, tabs and other control characters";
+
+Answer<std::string> read_string(const DeckValue& value) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text != nullptr && is_printable(*text)) return {*text, {}};
+  if (text != nullptr) return wrong<std::string>(expected_but_got(printable_text, value));
+  return wrong<std::string>(expected_but_got("text in quotes", value));
+}
+
+Answer<PlacedScalar> read_scalar(const DeckValue& value) {
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text != nullptr && !is_printable(*text)) return wrong<PlacedScalar>(expected_but_got(printable_text, value));
+  if (auto scalar = detail::scalar_of(value)) return {PlacedScalar{*std::move(scalar), value.place}, {}};
+  return wrong<PlacedScalar>(expected_but_got("a number, text, true or false", value));
+}
+
+Answer<std::size_t> read_choice(const DeckValue& value, const std::vector<std::string>& words) {
+  const auto expected = words.size() == 1 ? fmt::format("\"{}\" (nothing else is available)", words.front())
+                                          : fmt::format("one of \"{}\"", fmt::join(words, "\", \""));
+  const auto* text = std::get_if<std::string>(&value.content);
+  if (text == nullptr) return wrong<std::size_t>(expected_but_got(expected, value));
+  const auto word = std::ranges::find(words, *text);
+  if (word != words.end()) return {static_cast<std::size_t>(word - words.begin()), {}};
+  const auto nearest = nearest_name(*text, words);
+  const auto hint = nearest ? fmt::format(", did you mean \"{}\"?", *nearest) : "";
+  return wrong<std::size_t>(expected_but_got(expected, value) + hint);
+}
+
+/// The value that was read, or nothing after a mistake was reported.
+template <class T>
+std::optional<T> settle(const Section& section, const std::string& key, Answer<T> answer) {
+  if (!answer.value) section.report(key, answer.mistake);
+  return std::move(answer.value);
+}
+
+}  // namespace
+
+Section::Section(detail::DeckState& state, const DeckTable* table, std::string path)
+    : state_(&state), table_(table), path_(std::move(path)) {
+  if (table_ != nullptr) state_->uses[table_].path = path_;
+}
+
+std::string Section::path_of(const std::string& key) const {
+  return detail::joined(path_, key);
+}
+
+const DeckValue* Section::find(const std::string& key) const {
+  if (table_ == nullptr) return nullptr;
+  state_->uses[table_].asked.insert(key);
+  return detail::find(*table_, key);
+}
+
+const DeckValue* Section::require(const std::string& key, const std::string& expected) const {
+  const auto* value = find(key);
+  if (value == nullptr) report(key, fmt::format("missing, expected {}", expected));
+  return value;
+}
+
+Kind Section::kind(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? Kind::absent : kind_of(*value);
+}
+
+std::vector<std::string> Section::keys() const {
+  std::vector<std::string> all;
+  if (table_ == nullptr) return all;
+  for (const auto& entry : table_->entries) all.push_back(entry.key);
+  state_->uses[table_].asked.insert(all.begin(), all.end());
+  return all;
+}
+
+std::string Section::exactly_one(const std::vector<std::string>& keys) const {
+  std::vector<std::string> present;
+  for (const auto& key : keys) {
+    if (has(key)) present.push_back(key);
+  }
+  if (present.size() == 1) return present.front();
+  const auto expected = fmt::format("expected exactly one of {}", fmt::join(keys, ", "));
+  if (present.empty()) {
+    report("", expected);
+  } else {
+    report(present.back(), fmt::format("{}, got {}", expected, fmt::join(present, " and ")));
+  }
+  return {};
+}
+
+void Section::report(const std::string& key, const std::string& message) const {
+  if (table_ == nullptr) return;
+  const auto* value = key.empty() ? nullptr : find(key);
+  const auto& place = value != nullptr ? value->place : table_->place;
+  const auto path = key.empty() ? path_ : path_of(key);
+  state_->mistakes.push_back({place, path.empty() ? message : fmt::format("{}: {}", path, message)});
+}
+
+void Section::report_errors_of(const std::string& key, const std::function<void()>& action) const {
+  try {
+    action();
+  } catch (const InputError& error) {
+    std::string_view lines = error.what();
+    while (!lines.empty()) {
+      const auto line = lines.substr(0, lines.find('\n'));
+      report(key, std::string(line));
+      lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    }
+  }
+}
+
+Place Section::place_of_key(const std::string& key) const {
+  return std::ranges::find(table_->entries, key, &detail::DeckEntry::key)->key_place;
+}
+
+Place Section::place_of_value(const std::string& key) const {
+  return find(key)->place;
+}
+
+void Section::refuse(const std::vector<std::string>& keys, const std::string& reason) const {
+  for (const auto& key : keys) {
+    // A missing key is not marked as known, so that it is not suggested for other keys.
+    if (table_ != nullptr && detail::find(*table_, key) != nullptr) report(key, reason);
+  }
+}
+
+double Section::quantity(const std::string& key, Dimension dimension, const Range& range) const {
+  if (require(key, wanted(dimension)) == nullptr) return not_a_number;
+  return optional_quantity(key, dimension, range).value_or(not_a_number);
+}
+
+std::optional<double> Section::optional_quantity(const std::string& key, Dimension dimension,
+                                                 const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_quantity(*value, dimension, range));
+}
+
+double Section::number(const std::string& key, const Range& range) const {
+  if (require(key, described(range, "number")) == nullptr) return not_a_number;
+  return optional_number(key, range).value_or(not_a_number);
+}
+
+std::optional<double> Section::optional_number(const std::string& key, const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_number(*value, range));
+}
+
+double Section::fraction(const std::string& key) const {
+  const auto* value = require(key, described(Range::between(0.0, 1.0), "number"));
+  if (value == nullptr) return not_a_number;
+  return settle(*this, key, read_fraction(*value)).value_or(not_a_number);
+}
+
+std::int64_t Section::integer(const std::string& key, const Range& range) const {
+  if (require(key, described(range, "integer")) == nullptr) return 0;
+  return optional_integer(key, range).value_or(0);
+}
+
+std::optional<std::int64_t> Section::optional_integer(const std::string& key, const Range& range) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_integer(*value, range));
+}
+
+std::optional<bool> Section::optional_boolean(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_boolean(*value));
+}
+
+std::string Section::text(const std::string& key) const {
+  if (require(key, "text in quotes") == nullptr) return {};
+  const auto text = optional_text(key);
+  if (text && text->empty()) report(key, "expected a text that is not empty");
+  return text.value_or("");
+}
+
+std::optional<std::string> Section::optional_text(const std::string& key) const {
+  const auto* value = find(key);
+  return value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
+}
+
+std::filesystem::path Section::file(const std::string& key) const {
+  const auto* value = require(key, "the name of a file");
+  const auto name = value == nullptr ? std::nullopt : settle(*this, key, read_string(*value));
+  return name ? file(key, *name) : std::filesystem::path();
+}
+
+std::filesystem::path Section::file(const std::string& key, const std::string& name) const {
+  auto path = (state_->path.parent_path() / name).lexically_normal();
+  std::error_code is_no_name_of_a_file;  // too long, for example
+  if (std::filesystem::is_regular_file(path, is_no_name_of_a_file)) {
+    state_->files.insert(path);
+    return path;
+  }
+  report(key, fmt::format("no such file: {}", path.string()));
+  return {};
+}
+
+std::optional<std::size_t> Section::choice_index(const std::string& key, const std::vector<std::string>& words) const {
+  const auto* value = require(key, fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));
+  return value == nullptr ? std::nullopt : settle(*this, key, read_choice(*value, words));
+}
+
+/// The values of the elements of an array; a bad number becomes NaN, any other bad element is left out.
+template <class Read>
+auto Section::elements(const std::string& key, const std::string& expected, const Read& read) const {
+  using Element = typename decltype(read(std::declval<const DeckValue&>()).value)::value_type;
+  std::vector<Element> all;
+  const auto* value = require(key, expected);
+  if (value == nullptr) return all;
+  const auto* array = std::get_if<DeckArray>(&value->content);
+  if (array == nullptr) {
+    report(key, expected_but_got(expected, *value));
+    return all;
+  }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
+  for (const auto& element : array->values) {
+    auto answer = read(element);
+    if (answer.value) {
+      all.push_back(std::move(*answer.value));
+      continue;
+    }
+    state_->mistakes.push_back({element.place, fmt::format("{}: {}", path_of(key), answer.mistake)});
+    if constexpr (std::is_same_v<Element, double>) all.push_back(not_a_number);
+  }
+  return all;
+}
+
+std::vector<double> Section::quantities(const std::string& key, Dimension dimension, const Range& range) const {
+  return elements(key, fmt::format("an array such as [\"{}\"]", example(dimension)),
+                  [&](const DeckValue& value) { return read_quantity(value, dimension, range); });
+}
+
+std::vector<double> Section::numbers(const std::string& key, const Range& range) const {
+  return elements(key, "an array of numbers", [&](const DeckValue& value) { return read_number(value, range); });
+}
+
+std::vector<std::int64_t> Section::integers(const std::string& key, const Range& range) const {
+  return elements(key, "an array of integers", [&](const DeckValue& value) { return read_integer(value, range); });
+}
+
+std::vector<std::size_t> Section::choice_indices(const std::string& key, const std::vector<std::string>& words) const {
+  return elements(key, fmt::format("an array such as [\"{}\"]", words.front()),
+                  [&](const DeckValue& value) { return read_choice(value, words); });
+}
+
+std::vector<PlacedScalar> Section::scalars(const std::string& key) const {
+  return elements(key, "an array such as [1, 2]", read_scalar);
+}
+
+Section Section::section(const std::string& key) const {
+  const auto* value = require(key, "a table");
+  const auto* table = value == nullptr ? nullptr : std::get_if<DeckTable>(&value->content);
+  if (value != nullptr && table == nullptr) report(key, expected_but_got("a table", *value));
+  return {*state_, table, path_of(key)};
+}
+
+std::optional<Section> Section::optional_section(const std::string& key) const {
+  if (!has(key)) return std::nullopt;
+  return section(key);
+}
+
+std::vector<Section> Section::sections(const std::string& key) const {
+  std::vector<Section> all;
+  const auto* value = require(key, "an array of tables");
+  if (value == nullptr) return all;
+  const auto* array = std::get_if<DeckArray>(&value->content);
+  if (array == nullptr) {
+    const bool may_be_header = kind_of(*value) == Kind::table;
+    const auto hint = may_be_header ? fmt::format(": write [[{0}]] in the place of [{0}]", path_of(key)) : "";
+    report(key, expected_but_got("an array of tables", *value) + hint);
+    return all;
+  }
+  if (array->values.empty()) report(key, "expected at least one, got an empty array");
+  for (std::size_t i = 0; i < array->values.size(); ++i) {
+    const auto& element = array->values[i];
+    const auto* table = std::get_if<DeckTable>(&element.content);
+    const auto path = detail::joined(path_of(key), element_name(element, i));
+    if (table == nullptr) {
+      state_->mistakes.push_back({element.place, fmt::format("{}: {}", path, expected_but_got("a table", element))});
+    }
+    all.push_back(Section(*state_, table, path));
+  }
+  return all;
+}
+
+}  // namespace breccia

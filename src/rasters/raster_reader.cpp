@@ -1,0 +1,45 @@
+#include "breccia/rasters/raster_reader.hpp"
+
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+#include "breccia/io/file_mistakes.hpp"
+#include "breccia/io/text_file.hpp"
+
+#include "hdf5_raster.hpp"
+#include "npy_reader.hpp"
+#include "png_reader.hpp"
+#include "raster_format.hpp"
+#include "tiff_reader.hpp"
+#include "vti_reader.hpp"
+
+namespace breccia {
+
+Raster read_raster(const std::filesystem::path& file, std::string_view array) {
+  const auto format = raster_format(file, read_beginning(file, bytes_that_tell_format));
+  const bool has_named_arrays = format == RasterFormat::hdf5 || format == RasterFormat::vti;
+  if (!array.empty() && !has_named_arrays) {
+    throw InputError(fmt::format("{}: no array {}; in a file of this format arrays have no names, expected none",
+                                 file.string(), shown_value(array)));
+  }
+  if (format == RasterFormat::hdf5) return read_hdf5_raster(file, std::string(array));
+  const auto bytes = read_text(file);
+  switch (format) {
+    case RasterFormat::png:
+      return read_png(file, bytes);
+    case RasterFormat::tiff:
+      return read_tiff(file, bytes);
+    case RasterFormat::npy:
+      return read_npy(file, bytes);
+    default:
+      return read_vti(file, bytes, array.starts_with('/') ? array.substr(1) : array);
+  }
+}
+
+RasterName raster_name(std::string_view text) {
+  const auto colon = text.rfind(":/");
+  if (colon == std::string_view::npos || colon == 0) return {text, {}};
+  return {text.substr(0, colon), std::string(text.substr(colon + 1))};
+}
+
+}  // namespace breccia

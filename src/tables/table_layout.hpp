@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "breccia/tables/column_choice.hpp"
+
+#include "csv_records.hpp"
+
+namespace breccia::detail {
+
+/// The layout of a table in a file.
+struct TableLayout {
+  char separator = ',';
+  CsvRecord header;  ///< the first row that names two known columns, or else such a comment, or the likely names
+  std::size_t known_columns = 0;  ///< number of known columns in the header
+  bool has_decimal_commas = false;
+  bool is_aligned_by_blanks = false;  ///< columns are parted by two blanks and more; `separator` is that of with_tabs()
+};
+
+/// The text with a tab in the place of every two blanks and more within a line.
+std::string with_tabs(std::string_view text);
+
+/// Determines the layout of a text: the separator for which most known columns are found, or blanks if none has any,
+/// and, if that is not a comma, decimal commas if there are no decimal points.
+TableLayout layout_of(std::string_view text, std::span<const ColumnChoice> choices = {});
+
+}  // namespace breccia::detail
