@@ -16,9 +16,11 @@ extern "C" void request_stop(int /*signal*/) {
 }  // namespace
 
 void watch_for_interruption() {
-  // The result is ignored: a handler can be set for these two signals on every system.
+  // The result is ignored: a handler can be set for these signals on every system.
   (void)std::signal(SIGINT, request_stop);
   (void)std::signal(SIGTERM, request_stop);
+  // A command that nohup started ignores the end of its terminal.
+  if (std::signal(SIGHUP, request_stop) == SIG_IGN) (void)std::signal(SIGHUP, SIG_IGN);
 }
 
 bool interruption_requested() {

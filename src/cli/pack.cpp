@@ -62,8 +62,8 @@ void add_pack(CLI::App& application) {
   add_run_arguments(*command, *arguments);
   command->callback([arguments] {
     const auto options = arguments->options();
-    const auto sweep = arguments->deck.read();
     watch_for_interruption();
+    const auto sweep = arguments->deck.read();
     Progress progress(arguments->quiet || !parallel::is_first());
     const auto lock = hold_sweep_directory(sweep, arguments->results());
     if (lock) refuse_objections(sweep, arguments->results(), options);

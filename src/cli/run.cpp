@@ -114,8 +114,8 @@ void add_run(CLI::App& application) {
     if (options.overwrite && options.resume) {
       throw InputError("--overwrite starts a new run, --resume continues the earlier one: expected only one of them");
     }
-    const auto sweep = arguments->deck.read();
     watch_for_interruption();
+    const auto sweep = arguments->deck.read();
     if (arguments->processes_per_task > 0) {
       if (sweep.keys.empty())
         throw InputError("--processes-per-task: expected a sweep, but the deck and the options have none");

@@ -84,10 +84,12 @@ void start_mpi() {
 }
 
 void start_petsc() {
+  // PETSc would take over the signals of the process, and set them back to the default rather than to the handlers that
+  // the command or the host program has.
+  check(PetscOptionsSetValue(nullptr, "-no_signal_handler", "1"), "setting up PETSc");
   check(PetscInitializeNoArguments(), "starting PETSc");
   started().petsc = true;
-  // Breccia handles signals itself, and turns error codes of PETSc into exceptions.
-  check(PetscPopSignalHandler(), "setting up PETSc");
+  // Error codes of PETSc become exceptions.
   check(PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr), "setting up PETSc");
 }
 

@@ -7,6 +7,7 @@ namespace breccia::parallel {
 
 /// Starts MPI and PETSc in this process, unless they are running. Solvers call it when they first need them, so that
 /// other work does not wait for their start. If the host program has started MPI or PETSc, that one is used.
+/// Signals keep the handlers that the process has.
 /// Throws NumericalError when they cannot be started.
 void start();
 
