@@ -14,6 +14,7 @@ from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+from setuptools.command.sdist import sdist
 
 ROOT = Path(__file__).parent.absolute()
 
@@ -40,5 +41,15 @@ class CMakeBuild(build_ext):
         shutil.copy2(next((build / "python" / "breccia").glob("_native.*.so")), module)
 
 
+class SourceDistribution(sdist):
+    """Takes the packages of npm along, so that a build from it needs no network."""
+
+    def run(self) -> None:
+        if not (ROOT / "node_modules" / "three").is_dir():
+            sys.exit("node_modules is missing; scripts/install-dependencies fetches it")
+        super().run()
+
+
 version = re.search(r"project\(breccia VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
-setup(version=version, ext_modules=[Extension("breccia._native", sources=[])], cmdclass={"build_ext": CMakeBuild})
+setup(version=version, ext_modules=[Extension("breccia._native", sources=[])],
+      cmdclass={"build_ext": CMakeBuild, "sdist": SourceDistribution})

@@ -1,7 +1,7 @@
 # Makes the scripts of the rotatable views, and a C++ source of them with a function that returns them as two elements
 # of a page:
 #
-#   cmake -D LIBRARY=three.js -D LIBRARY_DIRECTORY=third_party/three -D SCRIPT=views_main.js -D ESBUILD=esbuild
+#   cmake -D LIBRARY=three.js -D LIBRARY_DIRECTORY=node_modules/three -D SCRIPT=views_main.js -D ESBUILD=esbuild
 #     -D FUNCTION=views_scripts -D OUTPUT=views_scripts.cpp -P EmbedViews.cmake
 #
 # LIBRARY is an ES module that exports what the views take of three.js; it becomes the global THREE, minified. SCRIPT is

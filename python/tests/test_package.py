@@ -22,9 +22,14 @@ def test_source_distribution_is_whole(tmp_path):
                    cwd=ROOT, capture_output=True, check=True)
     with tarfile.open(next(tmp_path.glob("breccia-*.tar.gz"))) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
-    needed = tracked("CMakeLists.txt", "setup.py", "pyproject.toml", "cmake", "include", "packaging", "src", "third_party",
-                     "python/breccia", "python/src", "python/CMakeLists.txt", "python/METADATA.in", "examples/starter.toml", "LICENSE")
-    assert needed and needed <= names, needed - names
+    needed = tracked("CMakeLists.txt", "setup.py", "pyproject.toml", "cmake", "include", "packaging", "src", "package.json",
+                     "package-lock.json", ".npmrc", "python/breccia", "python/src", "python/CMakeLists.txt", "python/METADATA.in", "examples/starter.toml", "LICENSE")
+    assert needed
+    needed |= {f"node_modules/{name}" for name in (
+        "plotly.js-basic-dist-min/LICENSE", "plotly.js-basic-dist-min/package.json",
+        "plotly.js-basic-dist-min/plotly-basic.min.js", "three/LICENSE", "three/package.json",
+        "three/build/three.module.js", "three/build/three.core.js", "three/examples/jsm/controls/OrbitControls.js")}
+    assert needed <= names, needed - names
 
 
 def test_build_lists_every_file_of_the_package():

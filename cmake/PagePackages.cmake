@@ -1,0 +1,33 @@
+# The packages of npm that go into the page, in the versions of package.json: BRECCIA_NODE_MODULES is the folder that has
+# them, node_modules here or in a folder above, where Node.js looks for them, too.
+set(folder ${PROJECT_SOURCE_DIR})
+while(TRUE)
+  list(APPEND places ${folder}/node_modules)
+  cmake_path(GET folder PARENT_PATH above)
+  if(above STREQUAL folder)
+    break()
+  endif()
+  set(folder ${above})
+endwhile()
+find_path(BRECCIA_NODE_MODULES NAMES three/package.json PATHS ${places} NO_DEFAULT_PATH
+  DOC "The folder with the packages of package.json that go into the report's page")
+
+file(READ ${PROJECT_SOURCE_DIR}/package.json page_packages)
+string(JSON count LENGTH "${page_packages}" dependencies)
+math(EXPR last "${count} - 1")
+foreach(number RANGE ${last})
+  string(JSON package MEMBER "${page_packages}" dependencies ${number})
+  string(JSON expected GET "${page_packages}" dependencies ${package})
+  set(installed ${BRECCIA_NODE_MODULES}/${package}/package.json)
+  set(found nothing)
+  if(EXISTS ${installed})
+    file(READ ${installed} description)
+    string(JSON found GET "${description}" version)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${installed})
+  endif()
+  if(NOT found STREQUAL expected)
+    message(FATAL_ERROR "The report's page takes ${package} ${expected} of npm; ${installed} has ${found}. Run "
+      "scripts/install-dependencies, or `npm ci --ignore-scripts` in ${PROJECT_SOURCE_DIR}.")
+  endif()
+endforeach()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/package.json)
