@@ -29,7 +29,7 @@ int main() {
   const StageResult& done = result.stages[0];
   const TestResult& upper = preferred_test(done.tests, Load::shear, Boundary::displacement);
   const TestResult& lower = preferred_test(done.tests, Load::shear, Boundary::traction);
-  fmt::print("{} discs, {:.1f} % of the box\n\n", done.microstructure.microstructure.particles.size(),
+  fmt::print("{} discs, {:.1f} % of the box\n\n", done.microstructure.particles(),
              100.0 * done.microstructure.fraction);
   fmt::print("{:>8}  {:>18}  {:>18}\n", "t [s]", "upper bound [kPa]", "lower bound [kPa]");
   for (const double time : {1e-3, 1e-2, 1e-1}) {

@@ -65,7 +65,8 @@ int main() {
 
   fmt::print("\n{:>8}  {:>13}  {:>16}\n", "s [1/s]", "s G~(s) [MPa]", "elastic G [MPa]");
   double worst = 0.0;
-  const auto discretisation = discretise(box, done.microstructure.microstructure, box.cells, study.tests.mixing);
+  const auto& discs = *done.microstructure.content<Microstructure<2>>();
+  const auto discretisation = discretise(box, discs, box.cells, study.tests.mixing);
   for (const double s : {1e-3, 1.0, 1e3}) {
     const Material transformed = {"binder at s", 1000.0, PronySeries(2e9), PronySeries(carson_of_law(s))};
     const double elastic = apparent_moduli<2>(

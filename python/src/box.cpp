@@ -1,5 +1,6 @@
 #include "box.hpp"
 
+#include <array>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -21,76 +22,64 @@ namespace {
 
 namespace py = pybind11;
 
-template <int dim>
-void add_balls(Box& box, const Microstructure<dim>& balls) {
-  box.kind = dim == 3 ? "spheres" : "discs";
-  box.is_periodic = balls.walls == Walls::periodic;
-  for (std::size_t particle = 0; particle < balls.particles.size(); ++particle) {
-    const auto& [centre, diameter] = balls.particles[particle];
-    box.centres.insert(box.centres.end(), centre.begin(), centre.end());
-    box.diameters.push_back(diameter);
-    box.fillers.push_back(static_cast<std::ptrdiff_t>(balls.filler_of(particle)));
-  }
-}
+/// Lists what fills the box of a stage.
+struct ListContent {
+  Box& box;
 
-void add_shaped(Box& box, const ParticleBox& shaped) {
-  box.kind = "particles";
-  box.is_periodic = shaped.walls == Walls::periodic;
-  for (std::size_t particle = 0; particle < shaped.particles.size(); ++particle) {
-    const auto& [shape, pose] = shaped.particles[particle];
-    box.centres.insert(box.centres.end(), pose.centre().begin(), pose.centre().end());
-    box.diameters.push_back(equivalent_diameter(shape));
-    box.angles.push_back(pose.angle());
-    box.fillers.push_back(static_cast<std::ptrdiff_t>(shaped.filler_of(particle)));
-    // A polygon has no axes; its bounding circle stands for them.
-    const double across = 2.0 * circumradius(shape);
-    const auto* const ellipse = std::get_if<Ellipse>(&shape);
-    const Vector<2> axes = ellipse == nullptr ? Vector<2>{across, across} : ellipse->axes;
-    box.axes.insert(box.axes.end(), axes.begin(), axes.end());
+  template <int dim>
+  void operator()(const Microstructure<dim>& balls) const {
+    box.kind = dim == 3 ? "spheres" : "discs";
+    for (std::size_t particle = 0; particle < balls.particles.size(); ++particle) {
+      const auto& [centre, diameter] = balls.particles[particle];
+      append(box.centres, centre);
+      box.diameters.push_back(diameter);
+      box.fillers.push_back(static_cast<std::ptrdiff_t>(balls.filler_of(particle)));
+    }
   }
-}
-
-void add_ellipsoids(Box& box, const EllipsoidBox& ellipsoids) {
-  box.kind = "ellipsoids";
-  box.is_periodic = ellipsoids.walls == Walls::periodic;
-  for (std::size_t particle = 0; particle < ellipsoids.particles.size(); ++particle) {
-    const auto& one = ellipsoids.particles[particle];
-    box.centres.insert(box.centres.end(), one.centre.begin(), one.centre.end());
-    box.axes.insert(box.axes.end(), one.axes.begin(), one.axes.end());
-    box.diameters.push_back(equivalent_diameter(one));
-    box.fillers.push_back(static_cast<std::ptrdiff_t>(ellipsoids.filler_of(particle)));
+  void operator()(const ParticleBox& shaped) const {
+    box.kind = "particles";
+    for (std::size_t particle = 0; particle < shaped.particles.size(); ++particle) {
+      const auto& [shape, pose] = shaped.particles[particle];
+      append(box.centres, pose.centre());
+      box.diameters.push_back(equivalent_diameter(shape));
+      box.angles.push_back(pose.angle());
+      box.fillers.push_back(static_cast<std::ptrdiff_t>(shaped.filler_of(particle)));
+      // A polygon has no axes; its bounding circle stands for them.
+      const double across = 2.0 * circumradius(shape);
+      const auto* const ellipse = std::get_if<Ellipse>(&shape);
+      append(box.axes, ellipse == nullptr ? Vector<2>{across, across} : ellipse->axes);
+    }
   }
-}
-
-template <int dim>
-void add_sites(Box& box, const LaguerreSites<dim>& sites) {
-  box.kind = "grains";
-  box.is_periodic = sites.walls == Walls::periodic;
-  for (const auto& [position, weight] : sites.sites) {
-    box.centres.insert(box.centres.end(), position.begin(), position.end());
-    box.weights.push_back(weight);
-    box.fillers.push_back(0);
+  void operator()(const EllipsoidBox& ellipsoids) const {
+    box.kind = "ellipsoids";
+    for (std::size_t particle = 0; particle < ellipsoids.particles.size(); ++particle) {
+      const auto& one = ellipsoids.particles[particle];
+      append(box.centres, one.centre);
+      append(box.axes, one.axes);
+      box.diameters.push_back(equivalent_diameter(one));
+      box.fillers.push_back(static_cast<std::ptrdiff_t>(ellipsoids.filler_of(particle)));
+    }
   }
-}
-
-void add_content(Box& box, const Stage& stage, const StageMicrostructure& packed) {
-  if (stage.has_image()) {
+  template <int dim>
+  void operator()(const Grains<dim>& grains) const {
+    box.kind = "grains";
+    for (const auto& [position, weight] : grains.sites.sites) {
+      append(box.centres, position);
+      box.weights.push_back(weight);
+      box.fillers.push_back(0);
+    }
+  }
+  template <int dim>
+  void operator()(const SharedImage<dim>&) const {
     box.kind = "image";
-    box.is_periodic = stage.is_periodic();
-  } else if (packed.grains && packed.grains->sites_in_space) {
-    add_sites(box, *packed.grains->sites_in_space);
-  } else if (packed.grains) {
-    add_sites(box, packed.grains->sites);
-  } else if (packed.shaped) {
-    add_shaped(box, *packed.shaped);
-  } else if (packed.ellipsoids) {
-    add_ellipsoids(box, *packed.ellipsoids);
-  } else if (packed.spheres) {
-    add_balls(box, *packed.spheres);
-  } else {
-    add_balls(box, packed.microstructure);
   }
-}
+
+ private:
+  template <std::size_t dim>
+  static void append(std::vector<double>& list, const std::array<double, dim>& vector) {
+    list.insert(list.end(), vector.begin(), vector.end());
+  }
+};
 
 /// A list of a box as an array of n or n x columns numbers.
 template <class Number>
@@ -134,7 +123,8 @@ Box box_of(const Stage& stage, const StageMicrostructure& packed) {
   Box box;
   box.dimensions = stage.dimensions;
   box.side = stage.side;
-  add_content(box, stage, packed);
+  box.is_periodic = stage.is_periodic();
+  visit_nested(ListContent{box}, packed.box);
   box.particles = packed.particles();
   box.fraction = packed.fraction;
   box.interface_density = packed.interface_per_area;

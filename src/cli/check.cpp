@@ -115,7 +115,8 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
 }
 
 /// The plan of a test of grains and films.
-Plan film_plan(const Study& study, const Stage& stage, const StageGrains& placed, Boundary boundary, int processes) {
+Plan film_plan(const Study& study, const Stage& stage, const GrainStatistics& placed, Boundary boundary,
+               int processes) {
   const auto grains = placed_grains(stage, placed);
   const double bytes = film_memory(study, stage, grains), seconds = film_time(study, stage, grains);
   return {fmt::format("  {} {}, quasi-static: {} grains and films, {:.0f} unknowns, about {}, some {}\n", stage.name,
@@ -128,7 +129,7 @@ Plan plan_of(const Study& study, const Stage& stage, const StageMicrostructure& 
   Plan plan;
   if (model_of(study.tests, stage) == Model::films) {
     for (const auto boundary : study.tests.boundaries) {
-      plan.add(film_plan(study, stage, *packed.grains, boundary, processes));
+      plan.add(film_plan(study, stage, *packed.grains(), boundary, processes));
     }
     return plan;
   }
@@ -163,7 +164,7 @@ struct TellingLength {
 /// The length that tells the error of a stage of particles or grains.
 TellingLength telling_length(const Stage& stage, const StageMicrostructure& packed, Mixing mixing) {
   const double gap = std::min(packed.gap, packed.wall_gap);
-  if (packed.grains) {
+  if (packed.grains() != nullptr) {
     // Between grains no rule is known for points, which take far more cells.
     if (mixing == Mixing::points) return {gap, "across a film"};
     return {gap, "across a film", expected_film_error, cells_per_film_for};
@@ -171,7 +172,7 @@ TellingLength telling_length(const Stage& stage, const StageMicrostructure& pack
   if (stage.dimensions == 3) {
     constexpr auto in_a_gap = "in the narrowest gap";
     if (mixing == Mixing::points) return {gap, in_a_gap};
-    if (!packed.spheres) return {gap, in_a_gap, {}, {}, "ellipsoids"};
+    if (packed.content<Microstructure<3>>() == nullptr) return {gap, in_a_gap, {}, {}, "ellipsoids"};
     const double fraction = packed.fraction, diameter = packed.mean_diameter();
     const auto* across_a_sphere =
         is_sphere_error_measured(fraction)
@@ -190,7 +191,7 @@ std::string grid_advice(const Stage& stage, const StageMicrostructure& packed, M
                         const std::vector<double>& errors) {
   const auto [length, place, error_with, cells_for, without_rule] = telling_length(stage, packed, mixing);
   const bool is_extrapolated = mixing == Mixing::points && !stage.coarser_cells.empty();
-  const bool has_no_rule = packed.grains && mixing == Mixing::points;
+  const bool has_no_rule = packed.grains() != nullptr && mixing == Mixing::points;
   if (!std::isfinite(length) || !(length > 0.0) || is_extrapolated || has_no_rule) return {};
   const double cells = length / stage.cell_size();
   const auto shown = fmt::format("{:.2g}", cells);

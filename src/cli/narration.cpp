@@ -22,7 +22,7 @@ namespace {
 std::string inclusions_in_words(const Stage& stage, const StageMicrostructure& packed) {
   const auto* pixels = stage.dimensions == 3 ? "voxels" : "pixels";
   if (stage.has_image()) return fmt::format("{} of the filler{}", pixels, stage.fillers.size() > 1 ? "s" : "");
-  return fmt::format("{} {}", packed.particles(), packed.grains ? "grains" : "particles");
+  return fmt::format("{} {}", packed.particles(), packed.grains() != nullptr ? "grains" : "particles");
 }
 
 std::string describe(const Stage& stage, const StageResult& result) {
@@ -32,9 +32,9 @@ std::string describe(const Stage& stage, const StageResult& result) {
                           100.0 * packed.fraction);
   if (has_points) text += fmt::format(" ({:.2f} % of {} points)", 100.0 * result.point_fraction, result.points);
   if (packed.events > 0) text += fmt::format(", gap {}, packed in {:.2g} s", gaps_in_words(stage), packed.seconds);
-  if (packed.grains) {
-    text += fmt::format(", films of {}", readable(packed.grains->film, Dimension::length));
-    if (has_points) text += fmt::format(" ({:.2g} cells)", packed.grains->film / stage.cell_size());
+  if (const auto* grains = packed.grains()) {
+    text += fmt::format(", films of {}", readable(grains->film, Dimension::length));
+    if (has_points) text += fmt::format(" ({:.2g} cells)", grains->film / stage.cell_size());
   }
   if (stage.fillers.size() > 1) {
     for (std::size_t number = 0; number < packed.fillers.size(); ++number) {

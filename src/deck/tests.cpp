@@ -104,17 +104,11 @@ bool has_periodic_particles(const Stage& stage) {
   return !stage.fillers.empty() && stage.is_periodic();
 }
 
-bool has_films_along_walls(const Stage& stage) {
-  const auto* grains = stage.grains();
-  return !stage.fillers.empty() && grains != nullptr && grains->walls == Walls::hard &&
-         grains->wall_film == WallFilm::half;
-}
-
 /// The default boundaries: periodic if a box is periodic, since the others would cut its particles; displacement if
 /// films run along the sides of a box, which take no other.
 std::vector<Boundary> default_boundaries(const std::vector<Stage>& stages) {
   if (std::ranges::any_of(stages, has_periodic_particles)) return {Boundary::periodic};
-  if (std::ranges::any_of(stages, has_films_along_walls)) return {Boundary::displacement};
+  if (std::ranges::any_of(stages, &Stage::has_films_along_walls)) return {Boundary::displacement};
   return {Boundary::displacement, Boundary::traction};
 }
 

@@ -80,7 +80,7 @@ FilmedGrains expected_grains(const Stage& stage) {
   return {count, film * std::sqrt(count)};
 }
 
-FilmedGrains placed_grains(const Stage& stage, const StageGrains& grains) {
+FilmedGrains placed_grains(const Stage& stage, const GrainStatistics& grains) {
   const auto count = static_cast<double>(grains.count);
   return {count, grains.film / stage.side * std::sqrt(count)};
 }

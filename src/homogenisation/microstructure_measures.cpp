@@ -73,9 +73,11 @@ double share_of_short_films(const Tessellation<2>& tessellation, double film) {
 }
 
 template <int dim>
-void measure_grains(const Tessellation<dim>& tessellation, StageMicrostructure& result) {
-  auto& own = *result.grains;
+void measure_content(const Stage&, Grains<dim>& filling, StageMicrostructure& result) {
+  const Tessellation<dim> tessellation(filling.sites);
+  auto& own = filling.statistics;
   const double film = own.film;
+  own.cell_count = tessellation.size();
   auto grains = grain_geometries(tessellation, film);
   own.cells = sizes_by_area(grains, &GrainGeometry<dim>::cell_volume);
   std::erase_if(grains, [](const GrainGeometry<dim>& grain) { return !(grain.grain_volume > 0.0); });
@@ -88,7 +90,8 @@ void measure_grains(const Tessellation<dim>& tessellation, StageMicrostructure& 
   result.fraction = grain_fraction(tessellation, film);
   result.interface_per_area = outlines / box;
   result.gap = thinnest_film(tessellation, film);
-  const auto& sites = tessellation.sites();
+  if constexpr (dim == 2) own.short_films = share_of_short_films(tessellation, film);
+  const auto& sites = filling.sites;
   const bool has_films_along_walls = sites.walls == Walls::hard && sites.wall_film == WallFilm::half;
   result.wall_gap = has_films_along_walls ? 0.5 * film : std::numeric_limits<double>::infinity();
   const auto deviation = result.fillers.empty() ? std::nullopt : result.fillers.front().size_deviation;
@@ -99,37 +102,22 @@ void measure_grains(const Tessellation<dim>& tessellation, StageMicrostructure& 
   result.fillers.front().largest_diameter = largest.diameter;
 }
 
-void measure_grains(StageMicrostructure& result) {
-  auto& grains = *result.grains;
-  if (grains.sites_in_space) {
-    measure_grains(Tessellation<3>(*grains.sites_in_space), result);
-    return;
-  }
-  const Tessellation<2> tessellation(grains.sites);
-  grains.short_films = share_of_short_films(tessellation, grains.film);
-  measure_grains(tessellation, result);
-}
-
 template <int dim>
-void measure_image(const Stage& stage, const LabelImage<dim>& image, StageMicrostructure& result) {
-  const auto fractions = label_fractions(image, stage.fillers.size() + 1);
+void measure_content(const Stage& stage, const SharedImage<dim>& image, StageMicrostructure& result) {
+  const auto fractions = label_fractions(*image, stage.fillers.size() + 1);
   result.fillers.clear();
   for (std::size_t filler = 0; filler < stage.fillers.size(); ++filler) {
     result.fillers.push_back({.fraction = fractions[filler + 1]});
     result.fraction += fractions[filler + 1];
   }
-  result.interface_per_area = specific_interface(image);
+  result.interface_per_area = specific_interface(*image);
   // Pixels do not tell one particle from another.
   result.gap = std::numeric_limits<double>::infinity();
   result.wall_gap = std::numeric_limits<double>::infinity();
 }
 
-}  // namespace
-
-namespace {
-
 template <int dim>
-void measure_balls(const Stage& stage, const Microstructure<dim>& balls, StageMicrostructure& result) {
+void measure_content(const Stage& stage, const Microstructure<dim>& balls, StageMicrostructure& result) {
   const auto coated = with_coatings(stage, balls);
   result.fraction = volume_fraction(balls);
   result.interface_per_area = specific_surface(balls);
@@ -145,27 +133,7 @@ void measure_balls(const Stage& stage, const Microstructure<dim>& balls, StageMi
 }  // namespace
 
 void measure(const Stage& stage, StageMicrostructure& result) {
-  if (const auto* image = stage.image()) {
-    measure_image(stage, *image, result);
-    return;
-  }
-  if (const auto* stack = stage.stack()) {
-    measure_image(stage, *stack, result);
-    return;
-  }
-  if (result.grains) {
-    measure_grains(result);
-    return;
-  }
-  if (result.shaped || result.ellipsoids) {
-    measure_shaped(stage, result);
-    return;
-  }
-  if (result.spheres) {
-    measure_balls(stage, *result.spheres, result);
-  } else {
-    measure_balls(stage, result.microstructure, result);
-  }
+  visit_nested([&](auto& content) { measure_content(stage, content, result); }, result.box);
 }
 
 }  // namespace breccia

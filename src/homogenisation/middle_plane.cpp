@@ -3,14 +3,14 @@
 #include "stage_labelling.hpp"
 
 namespace breccia {
+namespace {
 
-LabelImage<2> middle_plane(const Stage& stage, const StageMicrostructure& packed, std::size_t normal) {
+LabelImage<2> middle_plane(const Stage& stage, const Labelling<3>& labelling, std::size_t normal) {
   constexpr int pixels = 500;
-  const auto labelling = labelling_in_space(stage, packed);
   const std::size_t across = (normal + 1) % 3, up = (normal + 2) % 3;
   LabelImage<2> plane = {.pixels = {pixels, pixels},
                          .pixel_side = stage.side / pixels,
-                         .walls = packed.microstructure.walls,
+                         .walls = stage.is_periodic() ? Walls::periodic : Walls::hard,
                          .labels = {}};
   Vector<3> place{};
   place[normal] = 0.5 * stage.side;
@@ -22,6 +22,20 @@ LabelImage<2> middle_plane(const Stage& stage, const StageMicrostructure& packed
     }
   }
   return plane;
+}
+
+}  // namespace
+
+LabelImage<2> middle_plane(const Stage& stage, const EllipsoidBox& ellipsoids, std::size_t normal) {
+  return middle_plane(stage, labelling_of(stage, ellipsoids), normal);
+}
+
+LabelImage<2> middle_plane(const Stage& stage, const Grains<3>& grains, std::size_t normal) {
+  return middle_plane(stage, labelling_of(stage, grains), normal);
+}
+
+LabelImage<2> middle_plane(const Stage& stage, const SharedImage<3>& image, std::size_t normal) {
+  return middle_plane(stage, labelling_of(stage, image), normal);
 }
 
 }  // namespace breccia

@@ -48,16 +48,14 @@ double film_between(const LaguerreSites<dim>& sites, const Stage& stage, const L
 
 }  // namespace
 
-StageGrains make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
-  StageGrains grains = {.sites = {stage.side, method.walls, {}, method.wall_film}};
-  if (stage.dimensions == 3) {
-    grains.sites_in_space = sites_of<3>(stage, method, result);
-    grains.film = film_between(*grains.sites_in_space, stage, method);
-  } else {
-    grains.sites = sites_of<2>(stage, method, result);
-    grains.film = film_between(grains.sites, stage, method);
-  }
+template <int dim>
+Grains<dim> make_grains(const Stage& stage, const LaguerrePacking& method, StageMicrostructure& result) {
+  Grains<dim> grains = {sites_of<dim>(stage, method, result)};
+  grains.statistics.film = film_between(grains.sites, stage, method);
   return grains;
 }
+
+template Grains<2> make_grains(const Stage&, const LaguerrePacking&, StageMicrostructure&);
+template Grains<3> make_grains(const Stage&, const LaguerrePacking&, StageMicrostructure&);
 
 }  // namespace breccia

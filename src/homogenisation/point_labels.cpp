@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <variant>
 
 #include "breccia/homogenisation/stage_discretisation.hpp"
@@ -77,8 +78,8 @@ std::vector<std::int32_t> particles_of_points(const Stage& stage, const Microstr
 }
 
 /// The particle of every point in it or in its coating.
-template <int dim, class Locator, class Box>
-std::vector<std::int32_t> particles_near_points(const Box& box, int cells) {
+template <int dim, class Locator, class Shaped>
+std::vector<std::int32_t> particles_near_points(const Shaped& box, int cells) {
   const Locator locator(box);
   const Discretisation<dim> points(grid_of<dim>(box.side, cells));
   std::vector<std::int32_t> particles(points.points(), no_particle);
@@ -92,53 +93,61 @@ std::vector<std::int32_t> particles_near_points(const Box& box, int cells) {
   return particles;
 }
 
+/// The labels of the points of a box by what fills it, which the box is visited for.
 template <int dim>
-PointLabels labels_of_grains(const Stage& stage, const LaguerreSites<dim>& sites, double film, int cells) {
-  const auto phases = phases_of(stage);
-  const auto matrix = phases.index_of(name_of_matrix_phase);
-  const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
-  const GrainLocator<dim> locator(Tessellation<dim>(sites), film);
-  const auto grid = grid_of<dim>(stage.side, cells);
-  const Discretisation<dim> points(grid);
-  PointLabels labels = {.phases = std::vector<PhaseIndex>(points.points(), matrix),
-                        .particles = std::vector<std::int32_t>(points.points(), no_particle)};
-  grid.for_each_cell([&](const Index<dim>& cell) {
-    for (int point = 0; point < Discretisation<dim>::points_per_cell; ++point) {
-      const auto place = locator.at(points.position(cell, point));
-      if (!place.is_in_grain()) continue;
-      const auto index = grid.point_index(cell, point);
-      labels.phases[index] = filler;
-      labels.particles[index] = static_cast<std::int32_t>(place.site);
-    }
-  });
-  return labels;
-}
+struct LabelsIn {
+  const Stage& stage;
+  const Box<dim>& box;
+  int cells;
 
-PointLabels labels_of_grains(const Stage& stage, const StageGrains& grains, int cells) {
-  if (grains.sites_in_space) return labels_of_grains(stage, *grains.sites_in_space, grains.film, cells);
-  return labels_of_grains(stage, grains.sites, grains.film, cells);
+  PointLabels operator()(const Microstructure<dim>& balls) const {
+    auto phases = phases_in_box();
+    auto particles = particles_of_points(stage, balls, cells, phases);
+    return {std::move(phases), std::move(particles)};
+  }
+  PointLabels operator()(const ParticleBox& shaped) const {
+    return {phases_in_box(), particles_near_points<2, ParticleLocator>(shaped, cells)};
+  }
+  PointLabels operator()(const EllipsoidBox& shaped) const {
+    return {phases_in_box(), particles_near_points<3, EllipsoidLocator>(shaped, cells)};
+  }
+  PointLabels operator()(const SharedImage<dim>&) const { return {phases_in_box(), {}}; }
+  PointLabels operator()(const Grains<dim>& grains) const {
+    const auto phases = phases_of(stage);
+    const auto matrix = phases.index_of(name_of_matrix_phase);
+    const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
+    const GrainLocator<dim> locator(Tessellation<dim>(grains.sites), grains.statistics.film);
+    const auto grid = grid_of<dim>(stage.side, cells);
+    const Discretisation<dim> points(grid);
+    PointLabels labels = {.phases = std::vector<PhaseIndex>(points.points(), matrix),
+                          .particles = std::vector<std::int32_t>(points.points(), no_particle)};
+    grid.for_each_cell([&](const Index<dim>& cell) {
+      for (int point = 0; point < Discretisation<dim>::points_per_cell; ++point) {
+        const auto place = locator.at(points.position(cell, point));
+        if (!place.is_in_grain()) continue;
+        const auto index = grid.point_index(cell, point);
+        labels.phases[index] = filler;
+        labels.particles[index] = static_cast<std::int32_t>(place.site);
+      }
+    });
+    return labels;
+  }
+
+ private:
+  [[nodiscard]] std::vector<PhaseIndex> phases_in_box() const {
+    return phases_of_points(discretise(stage, box, cells, Mixing::points));
+  }
+};
+
+template <int dim>
+PointLabels labels_in(const Stage& stage, const Box<dim>& box, int cells) {
+  return std::visit(LabelsIn<dim>{stage, box, cells}, box);
 }
 
 }  // namespace
 
 PointLabels point_labels(const Stage& stage, const StageMicrostructure& packed, int cells) {
-  if (packed.grains) return labels_of_grains(stage, *packed.grains, cells);
-  const auto discretisation = discretise(stage, packed, cells, Mixing::points);
-  PointLabels labels = {
-      .phases = std::visit([](const auto& points) { return phases_of_points(points); }, discretisation),
-      .particles = {}};
-  if (packed.spheres) {
-    labels.particles = particles_of_points(stage, *packed.spheres, cells, labels.phases);
-    return labels;
-  }
-  if (packed.shaped) {
-    labels.particles = particles_near_points<2, ParticleLocator>(*packed.shaped, cells);
-  } else if (packed.ellipsoids) {
-    labels.particles = particles_near_points<3, EllipsoidLocator>(*packed.ellipsoids, cells);
-  } else if (!stage.has_image()) {
-    labels.particles = particles_of_points(stage, packed.microstructure, cells, labels.phases);
-  }
-  return labels;
+  return std::visit([&](const auto& box) { return labels_in(stage, box, cells); }, packed.box);
 }
 
 }  // namespace breccia

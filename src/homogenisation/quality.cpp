@@ -182,8 +182,7 @@ StageQuality quality_of(const Stage& stage, const StageResult& result) {
   if (const auto* earlier = std::get_if<EarlierStage>(&stage.matrix)) quality.matrix_stage = earlier->name;
   quality.fraction_asked = fraction_asked_of(stage);
   quality.is_random = !stage.fillers.empty() && stage.has_seed();
-  quality.has_films_along_walls =
-      packed.grains && packed.grains->sites.walls == Walls::hard && packed.grains->sites.wall_film == WallFilm::half;
+  quality.has_films_along_walls = stage.has_films_along_walls();
   const bool is_of_films = std::ranges::any_of(result.tests, [](const auto& test) { return test.id.grid.is_films(); });
   if (is_of_films) {
     quality.grids.clear();

@@ -55,12 +55,12 @@ void measure_box(const Stage& stage, const Box& box, StageMicrostructure& result
 
 }  // namespace
 
-void measure_shaped(const Stage& stage, StageMicrostructure& result) {
-  if (result.ellipsoids) {
-    measure_box(stage, *result.ellipsoids, result);
-  } else {
-    measure_box(stage, result.shaped.value(), result);
-  }
+void measure_content(const Stage& stage, const ParticleBox& box, StageMicrostructure& result) {
+  measure_box(stage, box, result);
+}
+
+void measure_content(const Stage& stage, const EllipsoidBox& box, StageMicrostructure& result) {
+  measure_box(stage, box, result);
 }
 
 }  // namespace breccia

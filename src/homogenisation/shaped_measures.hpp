@@ -4,8 +4,9 @@
 
 namespace breccia {
 
-/// Measures the fractions, the outlines and the gaps of the particles of other shapes than discs or spheres. What is
-/// known of the size deviations of their fillers stays.
-void measure_shaped(const Stage& stage, StageMicrostructure& result);
+// Measure the fractions, the outlines and the gaps of particles of other shapes than discs or spheres. What is known of
+// the size deviations of their fillers stays.
+void measure_content(const Stage& stage, const ParticleBox& box, StageMicrostructure& result);
+void measure_content(const Stage& stage, const EllipsoidBox& box, StageMicrostructure& result);
 
 }  // namespace breccia

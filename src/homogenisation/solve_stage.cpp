@@ -32,7 +32,8 @@ class StageSolution {
 
   void run(int threads) {
     if (model_of(study_.tests, stage_) == Model::films) {
-      const StageFilms films{&study_, &stage_, &done_.microstructure.grains.value(), threads};
+      const auto& grains = std::get<Grains<2>>(std::get<Box<2>>(done_.microstructure.box));
+      const StageFilms films{&study_, &stage_, &grains, threads};
       for (const auto boundary : study_.tests.boundaries) run(films, boundary);
     } else {
       run_on_grids(threads);

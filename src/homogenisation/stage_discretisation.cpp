@@ -67,46 +67,64 @@ Grid<dim> grid_of_stage(const Stage& stage, int cells) {
   return grid;
 }
 
-template <int dim>
-Discretisation<dim> discretise_image(const Stage& stage, const LabelImage<dim>& image, int cells, Mixing mixing,
-                                     const CellLayers& layers) {
-  const auto grid = grid_of_stage<dim>(stage, cells);
-  const auto of_labels = phases_of_labels(stage);
-  return mixing == Mixing::points ? discretise<dim>(grid, image, of_labels, layers)
-                                  : discretise_mixed<dim>(grid, image, of_labels, phases_of(stage).size(), layers);
-}
+/// The material points of a box by what fills it.
+struct Discretise {
+  const Stage& stage;
+  int cells;
+  Mixing mixing;
+  const CellLayers& layers;
 
-template <int dim>
-Discretisation<dim> discretise_labelling(const Stage& stage, const Labelling<dim>& labelling, int cells, Mixing mixing,
-                                         const CellLayers& layers) {
-  const auto grid = grid_of_stage<dim>(stage, cells);
-  return mixing == Mixing::points ? discretise<dim>(grid, labelling, layers)
-                                  : discretise_mixed(grid, labelling, phases_of(stage).size(), layers);
-}
+  template <int dim>
+  Discretisation<dim> operator()(const Microstructure<dim>& balls) const {
+    return discretise(stage, balls, cells, mixing, layers);
+  }
+  Discretisation<2> operator()(const ParticleBox& particles) const { return on<2>(labelling_of(stage, particles)); }
+  Discretisation<3> operator()(const EllipsoidBox& ellipsoids) const { return on<3>(labelling_of(stage, ellipsoids)); }
+  Discretisation<2> operator()(const Grains<2>& grains) const { return on<2>(labelling_of(stage, grains)); }
+  Discretisation<3> operator()(const Grains<3>& grains) const {
+    return mixing == Mixing::points ? on<3>(labelling_of(stage, grains)) : exactly(grains);
+  }
+  template <int dim>
+  Discretisation<dim> operator()(const SharedImage<dim>& image) const {
+    const auto grid = grid_of_stage<dim>(stage, cells);
+    const auto of_labels = phases_of_labels(stage);
+    return mixing == Mixing::points ? discretise<dim>(grid, *image, of_labels, layers)
+                                    : discretise_mixed<dim>(grid, *image, of_labels, phases_of(stage).size(), layers);
+  }
 
-/// Mixed cells of grains in three dimensions, which are exact: the parts of a cell would have to be many.
-Discretisation<3> discretise_exactly(const Stage& stage, const StageGrains& grains, int cells,
-                                     const CellLayers& layers) {
-  const auto phases = phases_of(stage);
-  return discretise_mixed(Tessellation<3>(*grains.sites_in_space), grains.film, cells,
-                          phases.index_of(name_of_matrix_phase),
-                          phases.index_of(phase_of(stage, stage.fillers.front().material)), phases.size(), layers);
-}
+ private:
+  template <int dim>
+  [[nodiscard]] Discretisation<dim> on(const Labelling<dim>& labelling) const {
+    const auto grid = grid_of_stage<dim>(stage, cells);
+    return mixing == Mixing::points ? discretise<dim>(grid, labelling, layers)
+                                    : discretise_mixed(grid, labelling, phases_of(stage).size(), layers);
+  }
+
+  /// Mixed cells of grains in three dimensions, which are exact: the parts of a cell would have to be many.
+  [[nodiscard]] Discretisation<3> exactly(const Grains<3>& grains) const {
+    const auto phases = phases_of(stage);
+    return discretise_mixed(Tessellation<3>(grains.sites), grains.statistics.film, cells,
+                            phases.index_of(name_of_matrix_phase),
+                            phases.index_of(phase_of(stage, stage.fillers.front().material)), phases.size(), layers);
+  }
+};
 
 }  // namespace
 
+template <int dim>
+Discretisation<dim> discretise(const Stage& stage, const Box<dim>& box, int cells, Mixing mixing,
+                               const CellLayers& layers) {
+  return std::visit(Discretise{stage, cells, mixing, layers}, box);
+}
+
+template Discretisation<2> discretise(const Stage&, const Box<2>&, int, Mixing, const CellLayers&);
+template Discretisation<3> discretise(const Stage&, const Box<3>&, int, Mixing, const CellLayers&);
+
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
                                const CellLayers& layers) {
-  if (const auto* image = stage.image()) return discretise_image(stage, *image, cells, mixing, layers);
-  if (const auto* stack = stage.stack()) return discretise_image(stage, *stack, cells, mixing, layers);
-  if (packed.spheres) return discretise(stage, *packed.spheres, cells, mixing, layers);
-  if (stage.dimensions == 3) {
-    const bool is_exact = packed.grains && mixing == Mixing::series;
-    if (is_exact) return discretise_exactly(stage, *packed.grains, cells, layers);
-    return discretise_labelling<3>(stage, labelling_in_space(stage, packed), cells, mixing, layers);
-  }
-  if (!packed.grains && !packed.shaped) return discretise(stage, packed.microstructure, cells, mixing, layers);
-  return discretise_labelling<2>(stage, labelling_in_plane(stage, packed), cells, mixing, layers);
+  return std::visit(
+      [&](const auto& box) -> StageDiscretisation { return discretise(stage, box, cells, mixing, layers); },
+      packed.box);
 }
 
 StageDiscretisation discretise_together(const Stage& stage, const StageMicrostructure& packed, int cells,

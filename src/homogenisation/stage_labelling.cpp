@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "breccia/error.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
 #include "breccia/microstructure/ellipsoid_locator.hpp"
 #include "breccia/microstructure/grain_locator.hpp"
@@ -13,19 +12,6 @@
 
 namespace breccia {
 namespace {
-
-/// Places in the grains of a tessellation have the phase of the filler, those in its films that of the matrix.
-template <int dim>
-Labelling<dim> labelling_of_grains(const Stage& stage, const LaguerreSites<dim>& sites, double film) {
-  const auto phases = phases_of(stage);
-  const auto matrix = phases.index_of(name_of_matrix_phase);
-  const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
-  const auto locator = std::make_shared<const GrainLocator<dim>>(Tessellation<dim>(sites), film);
-  return [locator, matrix, filler](const Vector<dim>& position) -> PhaseAt {
-    const auto place = locator->at(position);
-    return {place.is_in_grain() ? filler : matrix, std::abs(place.depth)};
-  };
-}
 
 /// Places in particles have the phases of their fillers, those in their coatings that of the coating.
 template <int dim, class Locator, class Box>
@@ -40,12 +26,6 @@ Labelling<dim> labelling_of_particles(const Stage& stage, const Box& box) {
     if (distance <= 0.0) return {phase, -distance};
     if (distance <= thickness) return {coating, std::min(distance, thickness - distance)};
     return {matrix, distance - thickness};
-  };
-}
-
-Labelling<3> labelling_of_stack(const Stage& stage, const LabelImage<3>& stack) {
-  return [&stack, of_labels = phases_of_labels(stage)](const Vector<3>& position) -> PhaseAt {
-    return {of_labels.at(stack.label_at(position)), 0.0};
   };
 }
 
@@ -70,18 +50,37 @@ std::vector<PhaseIndex> phases_of_labels(const Stage& stage) {
   return of_labels;
 }
 
-Labelling<2> labelling_in_plane(const Stage& stage, const StageMicrostructure& packed) {
-  if (packed.shaped) return labelling_of_particles<2, ParticleLocator>(stage, *packed.shaped);
-  return labelling_of_grains(stage, packed.grains.value().sites, packed.grains->film);
+template <int dim>
+Labelling<dim> labelling_of(const Stage& stage, const Grains<dim>& grains) {
+  const auto phases = phases_of(stage);
+  const auto matrix = phases.index_of(name_of_matrix_phase);
+  const auto filler = phases.index_of(phase_of(stage, stage.fillers.front().material));
+  const auto locator =
+      std::make_shared<const GrainLocator<dim>>(Tessellation<dim>(grains.sites), grains.statistics.film);
+  return [locator, matrix, filler](const Vector<dim>& position) -> PhaseAt {
+    const auto place = locator->at(position);
+    return {place.is_in_grain() ? filler : matrix, std::abs(place.depth)};
+  };
 }
 
-Labelling<3> labelling_in_space(const Stage& stage, const StageMicrostructure& packed) {
-  if (const auto* stack = stage.stack()) return labelling_of_stack(stage, *stack);
-  if (packed.grains && packed.grains->sites_in_space) {
-    return labelling_of_grains(stage, *packed.grains->sites_in_space, packed.grains->film);
-  }
-  if (packed.ellipsoids) return labelling_of_particles<3, EllipsoidLocator>(stage, *packed.ellipsoids);
-  throw InputError("labels of three dimensions: expected grains, ellipsoids or an image");
+Labelling<2> labelling_of(const Stage& stage, const ParticleBox& particles) {
+  return labelling_of_particles<2, ParticleLocator>(stage, particles);
 }
+
+Labelling<3> labelling_of(const Stage& stage, const EllipsoidBox& ellipsoids) {
+  return labelling_of_particles<3, EllipsoidLocator>(stage, ellipsoids);
+}
+
+template <int dim>
+Labelling<dim> labelling_of(const Stage& stage, const SharedImage<dim>& image) {
+  return [image, of_labels = phases_of_labels(stage)](const Vector<dim>& position) -> PhaseAt {
+    return {of_labels.at(image->label_at(position)), 0.0};
+  };
+}
+
+template Labelling<2> labelling_of(const Stage&, const Grains<2>&);
+template Labelling<3> labelling_of(const Stage&, const Grains<3>&);
+template Labelling<2> labelling_of(const Stage&, const SharedImage<2>&);
+template Labelling<3> labelling_of(const Stage&, const SharedImage<3>&);
 
 }  // namespace breccia

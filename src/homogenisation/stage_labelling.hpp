@@ -15,11 +15,13 @@ namespace breccia {
 /// The phase of each label of an image: that of the matrix, then those of the fillers.
 [[nodiscard]] std::vector<PhaseIndex> phases_of_labels(const Stage& stage);
 
-/// What is at the places of grains or of particles that are not all discs, in a box of two dimensions.
-[[nodiscard]] Labelling<2> labelling_in_plane(const Stage& stage, const StageMicrostructure& packed);
-
-/// What is at the places of a box of three dimensions with anything but spheres. Throws InputError where there is
-/// nothing of that kind.
-[[nodiscard]] Labelling<3> labelling_in_space(const Stage& stage, const StageMicrostructure& packed);
+/// What is at the places of a box of grains, of particles that are not all balls, or of pixels. Templates are
+/// instantiated for 2 and 3 dimensions.
+template <int dim>
+[[nodiscard]] Labelling<dim> labelling_of(const Stage& stage, const Grains<dim>& grains);
+[[nodiscard]] Labelling<2> labelling_of(const Stage& stage, const ParticleBox& particles);
+[[nodiscard]] Labelling<3> labelling_of(const Stage& stage, const EllipsoidBox& ellipsoids);
+template <int dim>
+[[nodiscard]] Labelling<dim> labelling_of(const Stage& stage, const SharedImage<dim>& image);
 
 }  // namespace breccia

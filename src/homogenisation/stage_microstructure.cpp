@@ -141,17 +141,15 @@ Microstructure<dim> pack_at_random(const Stage& stage, const LubachevskyStilling
 }
 
 /// Particles of any shape; discs alone are discs again.
-Microstructure<2> keep_shapes(ParticleBox box, StageMicrostructure& result) {
+Box<2> with_shapes(ParticleBox box) {
   if (auto discs = as_discs(box)) return *std::move(discs);
-  Microstructure<2> none = {box.side, box.walls, {}};
-  result.shaped = std::move(box);
-  return none;
+  return box;
 }
 
 /// Ellipsoids; those that are all balls are spheres again.
-void keep_ellipsoids(EllipsoidBox box, StageMicrostructure& result) {
-  result.spheres = as_balls(box);
-  if (!result.spheres) result.ellipsoids = std::move(box);
+Box<3> with_shapes(EllipsoidBox box) {
+  if (auto spheres = as_balls(box)) return *std::move(spheres);
+  return box;
 }
 
 /// Places particles by a request, and returns their poses.
@@ -168,105 +166,123 @@ std::vector<typename Request::Pose> poses_of(const Stage& stage, const Request& 
   }
 }
 
-Microstructure<2> pack_sequentially(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
-                                    StageMicrostructure& result) {
+Box<2> pack_sequentially(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
+                         StageMicrostructure& result) {
   auto drawn = draw_particles(stage);
   for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
   const auto request = sequential_request(stage, method, drawn);
   const auto poses = poses_of(stage, request, packing, result);
-  return keep_shapes(packed_box(stage, request, poses, std::move(drawn.fillers)), result);
+  return with_shapes(packed_box(stage, request, poses, std::move(drawn.fillers)));
 }
 
-void pack_ellipsoids(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
-                     StageMicrostructure& result) {
+Box<3> pack_ellipsoids(const Stage& stage, const RandomSequentialPacking& method, StagePacking& packing,
+                       StageMicrostructure& result) {
   auto drawn = draw_particles(stage);
   for (const auto& deviation : drawn.size_deviations) result.fillers.push_back({.size_deviation = deviation});
   const auto request = ellipsoid_request(stage, method, drawn);
   const auto poses = poses_of(stage, request, packing, result);
-  keep_ellipsoids(packed_ellipsoids(stage, request, poses, std::move(drawn.fillers)), result);
+  return with_shapes(packed_ellipsoids(stage, request, poses, std::move(drawn.fillers)));
 }
 
-Microstructure<2> place_particles(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
-  if (stage.fillers.empty()) return {stage.side, Walls::hard, {}};
+template <int dim>
+Box<dim> valid_balls(const Stage& stage, Microstructure<dim> balls) {
+  require_valid(with_coatings(stage, balls));
+  return balls;
+}
+
+template <class Shaped>
+auto valid_shapes(Shaped shaped) {
+  require_valid(shaped);
+  return with_shapes(std::move(shaped));
+}
+
+Box<2> place_in_plane(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+  if (stage.fillers.empty() && !stage.has_image()) return Microstructure<2>{stage.side, Walls::hard, {}};
   return std::visit(
       Overloaded{
-          [&](const LubachevskyStillingerPacking& method) { return pack_at_random<2>(stage, method, packing, result); },
-          [&](const LatticePacking&) -> Microstructure<2> {
-            throw InputError("a cubic lattice is for three dimensions");
+          [&](const LubachevskyStillingerPacking& method) -> Box<2> {
+            return pack_at_random<2>(stage, method, packing, result);
           },
-          [&](const RegularPacking& array) {
+          [&](const LatticePacking&) -> Box<2> { throw InputError("a cubic lattice is for three dimensions"); },
+          [&](const RegularPacking& array) -> Box<2> {
             const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
             return regular_array<2>(stage.side, {array.columns, array.rows}, size.diameter);
           },
-          [&](const LaguerrePacking& method) {
-            result.grains = make_grains(stage, method, result);
-            return Microstructure<2>{stage.side, method.walls, {}};
-          },
-          [&](const ImagePacking& pixels) {
-            return Microstructure<2>{stage.side, pixels.image->walls, {}};
-          },
+          [&](const LaguerrePacking& method) -> Box<2> { return make_grains<2>(stage, method, result); },
+          [&](const ImagePacking& pixels) -> Box<2> { return pixels.image; },
           [&](const RandomSequentialPacking& method) { return pack_sequentially(stage, method, packing, result); },
           [&](const ExplicitPacking& listed) {
-            if (!listed.particles.empty()) {
-              auto box = particle_box(stage, listed);
-              require_valid(box);
-              return keep_shapes(std::move(box), result);
-            }
-            Microstructure<2> microstructure = {stage.side, listed.walls, listed.discs, listed.fillers};
-            require_valid(with_coatings(stage, microstructure));
-            return microstructure;
+            if (!listed.particles.empty()) return valid_shapes(particle_box(stage, listed));
+            return valid_balls<2>(stage, {stage.side, listed.walls, listed.discs, listed.fillers});
           }},
       stage.packing);
 }
 
-void place_listed(const Stage& stage, const ExplicitPacking& listed, StageMicrostructure& result) {
-  if (!listed.ellipsoids.empty()) {
-    auto box = ellipsoid_box(stage, listed);
-    require_valid(box);
-    keep_ellipsoids(std::move(box), result);
-    return;
-  }
-  result.spheres = {stage.side, listed.walls, listed.spheres, listed.fillers};
-  require_valid(with_coatings(stage, *result.spheres));
-}
-
-void place_in_space(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
-  if (stage.fillers.empty()) {
-    result.spheres = Microstructure<3>{stage.side, Walls::hard, {}};
-    return;
-  }
-  std::visit(
-      Overloaded{[&](const LubachevskyStillingerPacking& method) {
-                   result.spheres = pack_at_random<3>(stage, method, packing, result);
+Box<3> place_in_space(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
+  if (stage.fillers.empty() && !stage.has_image()) return Microstructure<3>{stage.side, Walls::hard, {}};
+  return std::visit(
+      Overloaded{[&](const LubachevskyStillingerPacking& method) -> Box<3> {
+                   return pack_at_random<3>(stage, method, packing, result);
                  },
-                 [&](const LatticePacking& cubic) {
+                 [&](const LatticePacking& cubic) -> Box<3> {
                    const auto& size = std::get<SingleSize>(stage.fillers.front().sizes.value());
-                   result.spheres = cubic_array(cubic.lattice, stage.side, cubic.repeats, size.diameter);
+                   return cubic_array(cubic.lattice, stage.side, cubic.repeats, size.diameter);
                  },
-                 [&](const ExplicitPacking& listed) { place_listed(stage, listed, result); },
-                 [&](const RandomSequentialPacking& method) { pack_ellipsoids(stage, method, packing, result); },
-                 [&](const LaguerrePacking& method) { result.grains = make_grains(stage, method, result); },
-                 [](const ImagePacking&) {},
-                 [](const RegularPacking&) { throw InputError("columns and rows of discs are for two dimensions"); }},
+                 [&](const ExplicitPacking& listed) {
+                   if (!listed.ellipsoids.empty()) return valid_shapes(ellipsoid_box(stage, listed));
+                   return valid_balls<3>(stage, {stage.side, listed.walls, listed.spheres, listed.fillers});
+                 },
+                 [&](const RandomSequentialPacking& method) { return pack_ellipsoids(stage, method, packing, result); },
+                 [&](const LaguerrePacking& method) -> Box<3> { return make_grains<3>(stage, method, result); },
+                 [](const ImagePacking& voxels) -> Box<3> { return voxels.stack; },
+                 [](const RegularPacking&) -> Box<3> {
+                   throw InputError("columns and rows of discs are for two dimensions");
+                 }},
       stage.packing);
 }
 
 void place(const Stage& stage, StagePacking& packing, StageMicrostructure& result) {
   if (stage.dimensions == 2) {
-    result.microstructure = place_particles(stage, packing, result);
-    return;
+    result.box = place_in_plane(stage, packing, result);
+  } else {
+    result.box = place_in_space(stage, packing, result);
   }
-  place_in_space(stage, packing, result);
-  result.microstructure = {stage.side, stage.is_periodic() ? Walls::periodic : Walls::hard, {}};
 }
+
+struct ParticlesIn {
+  template <class Particles>
+  std::size_t operator()(const Particles& box) const {
+    return box.particles.size();
+  }
+  template <int dim>
+  std::size_t operator()(const Grains<dim>& grains) const {
+    return grains.statistics.count;
+  }
+  template <int dim>
+  std::size_t operator()(const SharedImage<dim>&) const {
+    return 0;
+  }
+};
+
+struct StatisticsOfGrains {
+  template <int dim>
+  const GrainStatistics* operator()(const Grains<dim>& grains) const {
+    return &grains.statistics;
+  }
+  template <class Content>
+  const GrainStatistics* operator()(const Content&) const {
+    return nullptr;
+  }
+};
 
 }  // namespace
 
+const GrainStatistics* StageMicrostructure::grains() const {
+  return visit_nested(StatisticsOfGrains(), box);
+}
+
 std::size_t StageMicrostructure::particles() const {
-  if (grains) return grains->count;
-  if (spheres) return spheres->particles.size();
-  if (ellipsoids) return ellipsoids->particles.size();
-  return shaped ? shaped->particles.size() : microstructure.particles.size();
+  return visit_nested(ParticlesIn(), box);
 }
 
 double StageMicrostructure::mean_diameter() const {

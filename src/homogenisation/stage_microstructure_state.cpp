@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,11 +28,14 @@ std::string name_of_size_deviation(std::size_t filler) {
   return fmt::format("/size_deviation/{}", filler);
 }
 
-/// The numbers of the fillers of particles. Throws FileError where one is that of no filler.
-std::vector<std::size_t> filler_numbers(const std::vector<double>& numbers, std::size_t fillers) {
+/// The numbers of the fillers of so many particles; empty where all are of the first. Throws FileError where one is
+/// that of no filler.
+std::vector<std::size_t> read_fillers(const StateReader& state, const Stage& stage, std::size_t particles) {
   std::vector<std::size_t> read;
-  for (const double number : numbers) {
-    const bool is_filler = number >= 0.0 && number < static_cast<double>(fillers) && number == std::floor(number);
+  if (!state.has("/filler")) return read;
+  for (const double number : state.numbers("/filler", particles)) {
+    const bool is_filler =
+        number >= 0.0 && number < static_cast<double>(stage.fillers.size()) && number == std::floor(number);
     if (!is_filler) throw FileError("a checkpoint of a packing: expected particles of the fillers of its stage");
     read.push_back(static_cast<std::size_t>(number));
   }
@@ -42,129 +46,140 @@ constexpr const char* refusal_of_grains = "a checkpoint of a packing: expected g
 constexpr const char* name_of_weights = "/site_weight_m2";
 constexpr std::array names_of_site_axes = {"/site_x_m", "/site_y_m", "/site_z_m"};
 
-template <int dim>
-void save_sites(StateWriter& state, const LaguerreSites<dim>& grains) {
-  const auto& sites = grains.sites;
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
-    std::vector<double> along;
-    for (const auto& site : sites) along.push_back(site.position[axis]);
-    state.write(names_of_site_axes[axis], along);
-  }
-  std::vector<double> weights;
-  for (const auto& site : sites) weights.push_back(site.weight);
-  state.write(name_of_weights, weights);
-  if (!grains.film_shares.empty()) state.write(name_of_film_shares, grains.film_shares);
-}
-
-template <int dim>
-LaguerreSites<dim> read_sites(const StateReader& state, double side, Walls walls, WallFilm wall_film) {
-  LaguerreSites<dim> read = {side, walls, {}, wall_film};
-  for (const double weight : state.numbers(name_of_weights)) read.sites.push_back({{}, weight});
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
-    const auto along = state.numbers(names_of_site_axes[axis], read.sites.size());
-    for (std::size_t site = 0; site < along.size(); ++site) read.sites[site].position[axis] = along[site];
-  }
-  if (state.has(name_of_film_shares)) read.film_shares = state.numbers(name_of_film_shares, read.sites.size());
-  if (!mistakes(read).empty()) throw FileError(refusal_of_grains);
-  return read;
-}
-
-void save_grains(StateWriter& state, const StageGrains& grains) {
-  if (grains.sites_in_space) {
-    save_sites(state, *grains.sites_in_space);
-  } else {
-    save_sites(state, grains.sites);
-  }
-  state.write(name_of_film, grains.film);
-}
-
-StageGrains read_grains(const StateReader& state, const Stage& stage, double side, Walls walls) {
-  const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
-  StageGrains grains = {.sites = {side, walls, {}, wall_film}, .film = state.number(name_of_film)};
-  if (!(grains.film >= 0.0 && std::isfinite(grains.film))) throw FileError(refusal_of_grains);
-  if (stage.dimensions == 3) {
-    grains.sites_in_space = read_sites<3>(state, side, walls, wall_film);
-  } else {
-    grains.sites = read_sites<2>(state, side, walls, wall_film);
-  }
-  return grains;
-}
-
-/// Particles of other shapes than discs or spheres.
-template <class Box>
-Box read_box(const StateReader& state, const Stage& stage, Box box) {
-  if (state.has("/filler")) {
-    box.fillers = filler_numbers(state.numbers("/filler", box.particles.size()), stage.fillers.size());
-  }
-  box.coatings = coatings_of(stage, box.fillers, box.particles.size());
-  return box;
-}
-
 constexpr std::array names_of_axes = {"/x_m", "/y_m", "/z_m"};
+
+void save_sides(StateWriter& state, double side, Walls walls) {
+  state.write("/side_m", side);
+  state.write("/walls", static_cast<std::int64_t>(walls));
+}
 
 void save_fillers(StateWriter& state, const std::vector<std::size_t>& fillers) {
   if (!fillers.empty()) state.write("/filler", std::vector<double>(fillers.begin(), fillers.end()));
 }
 
-template <int dim>
-void save_balls(StateWriter& state, const Microstructure<dim>& microstructure) {
-  const auto& [side, walls, balls, fillers] = microstructure;
-  state.write("/side_m", side);
-  state.write("/walls", static_cast<std::int64_t>(walls));
-  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
-    std::vector<double> along;
-    for (const auto& ball : balls) along.push_back(ball.centre[axis]);
-    state.write(names_of_axes[axis], along);
+/// Writes a box by what fills it. The pixels of an image are those of the stage.
+struct SaveContent {
+  StateWriter& state;
+
+  template <int dim>
+  void operator()(const Microstructure<dim>& microstructure) const {
+    const auto& [side, walls, balls, fillers] = microstructure;
+    save_sides(state, side, walls);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+      std::vector<double> along;
+      for (const auto& ball : balls) along.push_back(ball.centre[axis]);
+      state.write(names_of_axes[axis], along);
+    }
+    std::vector<double> diameters;
+    for (const auto& ball : balls) diameters.push_back(ball.diameter);
+    state.write("/diameter_m", diameters);
+    save_fillers(state, fillers);
   }
-  std::vector<double> diameters;
-  for (const auto& ball : balls) diameters.push_back(ball.diameter);
-  state.write("/diameter_m", diameters);
-  save_fillers(state, fillers);
+  void operator()(const ParticleBox& box) const {
+    save_sides(state, box.side, box.walls);
+    save_particles(state, box.particles);
+    save_fillers(state, box.fillers);
+  }
+  void operator()(const EllipsoidBox& box) const {
+    save_sides(state, box.side, box.walls);
+    save_ellipsoids(state, box.particles);
+    save_fillers(state, box.fillers);
+  }
+  template <int dim>
+  void operator()(const Grains<dim>& grains) const {
+    const auto& sites = grains.sites.sites;
+    save_sides(state, grains.sites.side, grains.sites.walls);
+    for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+      std::vector<double> along;
+      for (const auto& site : sites) along.push_back(site.position[axis]);
+      state.write(names_of_site_axes[axis], along);
+    }
+    std::vector<double> weights;
+    for (const auto& site : sites) weights.push_back(site.weight);
+    state.write(name_of_weights, weights);
+    if (!grains.sites.film_shares.empty()) state.write(name_of_film_shares, grains.sites.film_shares);
+    state.write(name_of_film, grains.statistics.film);
+  }
+  template <int dim>
+  void operator()(const SharedImage<dim>& image) const {
+    save_sides(state, box_of(*image)[0], image->walls);
+  }
+};
+
+/// The side [m] and the walls of a box. Throws FileError where there is none.
+std::pair<double, Walls> read_sides(const StateReader& state, const char* content) {
+  const double side = state.number("/side_m");
+  const auto walls = static_cast<Walls>(state.integer("/walls"));
+  const bool has_walls = walls == Walls::hard || walls == Walls::periodic;
+  if (has_walls && side > 0.0 && std::isfinite(side)) return {side, walls};
+  throw FileError(fmt::format("a checkpoint of a packing: expected {} in a box", content));
 }
 
 template <int dim>
 Microstructure<dim> read_balls(const StateReader& state, const Stage& stage) {
-  Microstructure<dim> microstructure;
-  auto& [side, walls, balls, fillers] = microstructure;
-  side = state.number("/side_m");
-  walls = static_cast<Walls>(state.integer("/walls"));
-  const auto diameters = state.numbers("/diameter_m");
-  for (const double diameter : diameters) balls.push_back({{}, diameter});
+  constexpr auto balls = dim == 2 ? "discs" : "spheres";
+  const auto [side, walls] = read_sides(state, balls);
+  Microstructure<dim> read = {side, walls, {}};
+  for (const double diameter : state.numbers("/diameter_m")) read.particles.push_back({{}, diameter});
   for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
-    const auto along = state.numbers(names_of_axes[axis], balls.size());
-    for (std::size_t i = 0; i < balls.size(); ++i) balls[i].centre[axis] = along[i];
+    const auto along = state.numbers(names_of_axes[axis], read.particles.size());
+    for (std::size_t i = 0; i < along.size(); ++i) read.particles[i].centre[axis] = along[i];
   }
-  const auto is_in_box = [side = side](const Ball<dim>& ball) {
-    const auto is_within = [side](double value) { return value >= 0.0 && value <= side; };
+  const auto is_in_box = [&read](const Ball<dim>& ball) {
+    const auto is_within = [&read](double value) { return value >= 0.0 && value <= read.side; };
     return std::ranges::all_of(ball.centre, is_within) && is_within(ball.diameter) && ball.diameter > 0.0;
   };
-  const bool has_walls = walls == Walls::hard || walls == Walls::periodic;
-  if (!has_walls || !(side > 0.0 && std::isfinite(side)) || !std::ranges::all_of(balls, is_in_box)) {
-    throw FileError(fmt::format("a checkpoint of a packing: expected {} in a box", dim == 2 ? "discs" : "spheres"));
+  if (!std::ranges::all_of(read.particles, is_in_box)) {
+    throw FileError(fmt::format("a checkpoint of a packing: expected {} in a box", balls));
   }
-  if (state.has("/filler") && !has_particles(state) && !has_ellipsoids(state)) {
-    fillers = filler_numbers(state.numbers("/filler", balls.size()), stage.fillers.size());
+  read.fillers = read_fillers(state, stage, read.particles.size());
+  return read;
+}
+
+/// Particles of other shapes than discs or spheres.
+template <int dim>
+ShapedParticles<dim> read_shaped(const StateReader& state, const Stage& stage) {
+  const auto [side, walls] = read_sides(state, "particles");
+  ShapedParticles<dim> box = {side, walls};
+  if constexpr (dim == 2) {
+    box.particles = read_particles(state);
+  } else {
+    box.particles = read_ellipsoids(state);
   }
-  return microstructure;
+  box.fillers = read_fillers(state, stage, box.particles.size());
+  box.coatings = coatings_of(stage, box.fillers, box.particles.size());
+  return box;
+}
+
+template <int dim>
+Grains<dim> read_grains(const StateReader& state, const Stage& stage) {
+  const auto [side, walls] = read_sides(state, "grains and films");
+  const auto wall_film = stage.grains() == nullptr ? WallFilm::half : stage.grains()->wall_film;
+  Grains<dim> grains = {{side, walls, {}, wall_film}, {.film = state.number(name_of_film)}};
+  if (!(grains.statistics.film >= 0.0 && std::isfinite(grains.statistics.film))) throw FileError(refusal_of_grains);
+  auto& sites = grains.sites.sites;
+  for (const double weight : state.numbers(name_of_weights)) sites.push_back({{}, weight});
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dim); ++axis) {
+    const auto along = state.numbers(names_of_site_axes[axis], sites.size());
+    for (std::size_t site = 0; site < along.size(); ++site) sites[site].position[axis] = along[site];
+  }
+  if (state.has(name_of_film_shares)) grains.sites.film_shares = state.numbers(name_of_film_shares, sites.size());
+  if (!mistakes(grains.sites).empty()) throw FileError(refusal_of_grains);
+  return grains;
+}
+
+template <int dim>
+Box<dim> read_box(const StateReader& state, const Stage& stage, const SharedImage<dim>& image) {
+  if (image) return image;
+  if (state.has(name_of_film)) return read_grains<dim>(state, stage);
+  if (dim == 2 ? has_particles(state) : has_ellipsoids(state)) return read_shaped<dim>(state, stage);
+  return read_balls<dim>(state, stage);
 }
 
 }  // namespace
 
 void save(StateWriter& state, const StageMicrostructure& microstructure) {
-  if (microstructure.spheres) {
-    save_balls(state, *microstructure.spheres);
-  } else {
-    save_balls(state, microstructure.microstructure);
-  }
-  if (microstructure.grains) save_grains(state, *microstructure.grains);
-  if (microstructure.shaped) {
-    save_particles(state, microstructure.shaped->particles);
-    save_fillers(state, microstructure.shaped->fillers);
-  }
-  if (microstructure.ellipsoids) {
-    save_ellipsoids(state, microstructure.ellipsoids->particles);
-    save_fillers(state, microstructure.ellipsoids->fillers);
-  }
+  visit_nested(SaveContent{state}, microstructure.box);
   for (std::size_t number = 0; number < microstructure.fillers.size(); ++number) {
     const auto deviation = microstructure.fillers[number].size_deviation;
     if (deviation) state.write(name_of_size_deviation(number), *deviation);
@@ -175,20 +190,12 @@ void save(StateWriter& state, const StageMicrostructure& microstructure) {
 
 StageMicrostructure read_stage_microstructure(const StateReader& state, const Stage& stage) {
   StageMicrostructure result;
-  const bool has_grains = state.has(name_of_film), are_ellipsoids = has_ellipsoids(state);
-  if (stage.dimensions == 3 && !has_grains && !are_ellipsoids && !stage.has_image()) {
-    result.spheres = read_balls<3>(state, stage);
-    result.microstructure = {result.spheres->side, result.spheres->walls, {}};
+  const auto* const pixels = std::get_if<ImagePacking>(&stage.packing);
+  if (stage.dimensions == 3) {
+    result.box = read_box<3>(state, stage, pixels == nullptr ? nullptr : pixels->stack);
   } else {
-    result.microstructure = read_balls<2>(state, stage);
+    result.box = read_box<2>(state, stage, pixels == nullptr ? nullptr : pixels->image);
   }
-  const auto side = result.microstructure.side;
-  const auto walls = result.microstructure.walls;
-  if (has_particles(state)) result.shaped = read_box<ParticleBox>(state, stage, {side, walls, read_particles(state)});
-  if (are_ellipsoids) {
-    result.ellipsoids = read_box<EllipsoidBox>(state, stage, {side, walls, read_ellipsoids(state)});
-  }
-  if (has_grains) result.grains = read_grains(state, stage, side, walls);
   result.fillers.resize(stage.fillers.size());
   for (std::size_t number = 0; number < stage.fillers.size(); ++number) {
     const auto name = name_of_size_deviation(number);

@@ -24,7 +24,7 @@ struct StageGrid {
 struct StageFilms {
   const Study* study = nullptr;
   const Stage* stage = nullptr;
-  const StageGrains* grains = nullptr;
+  const Grains<2>* grains = nullptr;
   int threads = 0;  ///< 0: all cores
 };
 

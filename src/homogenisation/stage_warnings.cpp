@@ -73,26 +73,47 @@ NarrowGap film_of(const StageMicrostructure& packed, Mixing mixing) {
           std::min(packed.gap, packed.wall_gap), film_rule(mixing)};
 }
 
-/// The narrowest gap between particles or to a wall. Out of the gap between two mixed spheres a matrix is squeezed on
-/// all sides, however few cells it has, but for the gap to a wall of prescribed displacement (theory, section 11).
-/// Nothing where no gap takes cells.
-std::optional<NarrowGap> narrow_gap(const Stage& stage, const StageMicrostructure& packed, const Tests& tests) {
-  if (packed.grains) return film_of(packed, tests.mixing);
-  if (stage.dimensions == 2 || tests.mixing == Mixing::points) {
-    return NarrowGap{"the smallest gap between particles or to a wall", std::min(packed.gap, packed.wall_gap),
-                     gap_rule(tests.mixing)};
+/// The narrowest gap between particles or to a wall, by what fills the box; nothing where no gap takes cells.
+struct NarrowestGap {
+  const StageMicrostructure& packed;
+  const Tests& tests;
+
+  template <int dim>
+  std::optional<NarrowGap> operator()(const Grains<dim>&) const {
+    return film_of(packed, tests.mixing);
   }
-  if (std::ranges::count(tests.boundaries, Boundary::displacement) == 0) return std::nullopt;
-  return NarrowGap{"the smallest gap of a particle to a wall",
-                   packed.wall_gap,
-                   {1.0,
-                    "a nearly incompressible matrix cannot be squeezed out between the wall and the particles, and "
-                    "the upper bound at long times comes out too high, with half a cell by a third"}};
-}
+  template <int dim>
+  std::optional<NarrowGap> operator()(const Microstructure<dim>&) const {
+    return between_particles<dim>();
+  }
+  std::optional<NarrowGap> operator()(const ParticleBox&) const { return between_particles<2>(); }
+  std::optional<NarrowGap> operator()(const EllipsoidBox&) const { return between_particles<3>(); }
+  template <int dim>
+  std::optional<NarrowGap> operator()(const SharedImage<dim>&) const {
+    return std::nullopt;  // pixels do not tell one particle from another
+  }
+
+ private:
+  /// Out of the gap between two mixed spheres a matrix is squeezed on all sides, however few cells it has, but for the
+  /// gap to a wall of prescribed displacement (theory, section 11).
+  template <int dim>
+  [[nodiscard]] std::optional<NarrowGap> between_particles() const {
+    if (dim == 2 || tests.mixing == Mixing::points) {
+      return NarrowGap{"the smallest gap between particles or to a wall", std::min(packed.gap, packed.wall_gap),
+                       gap_rule(tests.mixing)};
+    }
+    if (std::ranges::count(tests.boundaries, Boundary::displacement) == 0) return std::nullopt;
+    return NarrowGap{"the smallest gap of a particle to a wall",
+                     packed.wall_gap,
+                     {1.0,
+                      "a nearly incompressible matrix cannot be squeezed out between the wall and the particles, and "
+                      "the upper bound at long times comes out too high, with half a cell by a third"}};
+  }
+};
 
 std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const StageMicrostructure& packed,
                                                   const Tests& tests) {
-  const auto narrow = narrow_gap(stage, packed, tests);
+  const auto narrow = visit_nested(NarrowestGap{packed, tests}, packed.box);
   if (!narrow) return std::nullopt;
   const auto& [name, gap, rule] = *narrow;
   const auto [cells_per_gap, consequence] = rule;
@@ -112,7 +133,7 @@ std::optional<std::string> warning_of_narrow_gaps(const Stage& stage, const Stag
 /// Spheres of so few cells, or so close to jamming, that no rule tells the error of the grid.
 std::optional<std::string> warning_of_small_spheres(const Stage& stage, const StageMicrostructure& packed,
                                                     Mixing mixing) {
-  if (stage.dimensions == 2 || !packed.spheres || mixing == Mixing::points) return std::nullopt;
+  if (packed.content<Microstructure<3>>() == nullptr || mixing == Mixing::points) return std::nullopt;
   const double diameter = packed.mean_diameter();
   const double cells = diameter / stage.side * stage.grids().front();
   if (!std::isfinite(cells) || expected_sphere_error(cells, packed.fraction)) return std::nullopt;
@@ -151,10 +172,9 @@ std::optional<std::string> warning_of_thin_coatings(const Stage& stage, Mixing m
 
 /// Grains that are far from the sizes asked for, which are those of the cells: the films take most of the small ones.
 std::optional<std::string> warning_of_lost_grains(const Stage& stage, const StageMicrostructure& packed) {
-  if (!packed.grains) return std::nullopt;
-  const auto count = packed.grains->count, all = packed.grains->cell_count();
-  const auto& cells = packed.grains->cells;
-  const auto& grains = packed.grains->sizes;
+  const auto* const placed = packed.grains();
+  if (placed == nullptr) return std::nullopt;
+  const auto& [film, count, all, cells, grains, short_films] = *placed;
   constexpr double few_per_cent = 0.05;
   const auto is_off = [](double size, double asked) { return std::abs(size / asked - 1.0) > few_per_cent; };
   const bool has_sizes = stage.fillers.front().sizes.has_value();
@@ -173,54 +193,62 @@ std::optional<std::string> warning_of_lost_grains(const Stage& stage, const Stag
   return fmt::format(
       "films of {} leave {}; thinner films leave more, and the smallest grains may be in the matrix, as the particles "
       "of an earlier stage",
-      display(packed.grains->film, "m"), fmt::join(losses, ", and "));
+      display(film, "m"), fmt::join(losses, ", and "));
 }
 
 /// Films that are not long against their thickness, as the model of films takes them to be.
 std::optional<std::string> warning_of_short_films(const StageMicrostructure& packed, const FilmOptions& films) {
   constexpr double few = 0.15;
-  if (films.layers || !packed.grains || packed.grains->short_films < few) return std::nullopt;
+  const auto* const grains = packed.grains();
+  if (films.layers || grains == nullptr || grains->short_films < few) return std::nullopt;
   return fmt::format(
       "{:.0f} % of the length of the films is in films shorter than five times their thickness, {}, for which the "
       "model of films errs by some per cent (1.5 % with 15 % in such films, 3 % with all of them, more where they are "
       "shorter than twice their thickness); tests.films.layers = 4 resolves them",
-      100.0 * packed.grains->short_films, readable(packed.grains->film, Dimension::length));
+      100.0 * grains->short_films, readable(grains->film, Dimension::length));
 }
 
-template <int dim>
-bool has_particles_across_sides(const Microstructure<dim>& microstructure) {
-  if (microstructure.walls != Walls::periodic) return false;
-  return std::ranges::any_of(microstructure.particles, [side = microstructure.side](const Ball<dim>& ball) {
-    const double radius = 0.5 * ball.diameter;
-    return std::ranges::any_of(ball.centre, [&](double x) { return x < radius || side - x < radius; });
-  });
-}
+/// What a boundary that prescribes displacements or tractions cuts where the box is periodic; nothing where nothing
+/// crosses its sides.
+struct CutContent {
+  using Warning = std::optional<std::string>;
 
-template <class Box>
-bool has_shapes_across_sides(const std::optional<Box>& box) {
-  return box && box->walls == Walls::periodic && smallest_side_distance(*box) < 0.0;
-}
-
-std::optional<std::string> warning_of_cut_particles(const Stage& stage, const std::vector<Boundary>& boundaries,
-                                                    const StageMicrostructure& packed) {
-  const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
-  if (cuts && packed.grains && packed.grains->sites.walls == Walls::periodic) {
+  template <int dim>
+  Warning operator()(const Grains<dim>&) const {
     return "the displacement or the traction boundary cuts the grains of a periodic box like a window in a larger "
            "body; cut grains are stiff along the sides under the first, and with few grains the two moduli lie far "
            "apart; the boundary \"periodic\" cuts none";
   }
-  if (cuts && stage.has_image() && stage.is_periodic()) {
+  template <int dim>
+  Warning operator()(const SharedImage<dim>&) const {
     return "the displacement or the traction boundary cuts what crosses the sides of a periodic image; without "
            "tests.boundaries it is tested under the periodic boundary alone";
   }
-  const bool has_shapes_across = has_shapes_across_sides(packed.shaped) || has_shapes_across_sides(packed.ellipsoids);
-  const bool has_balls_across =
-      packed.spheres ? has_particles_across_sides(*packed.spheres) : has_particles_across_sides(packed.microstructure);
-  if (!cuts || !(has_shapes_across || has_balls_across)) return std::nullopt;
-  return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
-         "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
-         "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "
-         "packing.walls = true keeps its particles inside";
+  template <int dim>
+  Warning operator()(const Microstructure<dim>& balls) const {
+    return warning_if(std::ranges::any_of(balls.particles, [side = balls.side](const Ball<dim>& ball) {
+      const double radius = 0.5 * ball.diameter;
+      return std::ranges::any_of(ball.centre, [&](double x) { return x < radius || side - x < radius; });
+    }));
+  }
+  Warning operator()(const ParticleBox& box) const { return warning_if(smallest_side_distance(box) < 0.0); }
+  Warning operator()(const EllipsoidBox& box) const { return warning_if(smallest_side_distance(box) < 0.0); }
+
+ private:
+  static Warning warning_if(bool crosses_sides) {
+    if (!crosses_sides) return std::nullopt;
+    return "tests.boundaries asks for the displacement or the traction boundary of a periodic box, which cut the "
+           "particles that cross its sides; under the first they bridge it, and the modulus at long times comes out "
+           "tens of times too high; without tests.boundaries it is tested under the periodic boundary alone, and "
+           "packing.walls = true keeps its particles inside";
+  }
+};
+
+std::optional<std::string> warning_of_cut_particles(const Stage& stage, const std::vector<Boundary>& boundaries,
+                                                    const StageMicrostructure& packed) {
+  const bool cuts = std::ranges::any_of(boundaries, [](Boundary one) { return one != Boundary::periodic; });
+  if (!cuts || !stage.is_periodic()) return std::nullopt;
+  return visit_nested(CutContent(), packed.box);
 }
 
 std::optional<std::string> warning_of_unknown_times(const Stage& stage, const Tests& tests) {

@@ -106,11 +106,11 @@ QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, co
   return test;
 }
 
-QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
-                               const StageGrains& grains, Boundary boundary, int threads) {
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
+                               Boundary boundary, int threads) {
   const auto& material = stage.fillers.front().material;
   FilmProblem problem = {.tessellation = Tessellation<2>(grains.sites),
-                         .thickness = grains.film,
+                         .thickness = grains.statistics.film,
                          .grain = {.bulk = material.bulk.unrelaxed(), .shear = material.shear.unrelaxed()},
                          .boundary = boundary,
                          .face_share = study.tests.films.face_share,

@@ -18,7 +18,7 @@ void write_labels(const std::filesystem::path& directory, const Stage& stage,
   write_npy(directory / "labels.npy", extents, labels.phases);
   std::vector<VtiArray> arrays = {{"phase", labels.phases}};
   if (!labels.particles.empty()) {
-    arrays.push_back({microstructure.grains ? "grain" : "particle", labels.particles});
+    arrays.push_back({microstructure.grains() != nullptr ? "grain" : "particle", labels.particles});
   }
   write_vti(directory / "labels.vti", extents, 0.5 * stage.cell_size(), arrays);
 }

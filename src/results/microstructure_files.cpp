@@ -20,8 +20,8 @@ namespace {
 constexpr std::array coordinate_names = {"x_m", "y_m", "z_m"};
 
 template <int dim>
-void write_grain_table(const std::filesystem::path& directory, const Stage& stage,
-                       const Tessellation<dim>& tessellation, double film) {
+void write_grains(const std::filesystem::path& directory, const Stage& stage, const Tessellation<dim>& tessellation,
+                  double film) {
   std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
   std::vector<double> weights, cells, sizes, diameters, aspect_ratios, neighbours;
   for (const auto& [position, weight] : tessellation.sites().sites) {
@@ -52,14 +52,6 @@ void write_grain_table(const std::filesystem::path& directory, const Stage& stag
                         film));
 }
 
-void write_grains(const std::filesystem::path& directory, const Stage& stage, const StageGrains& grains) {
-  if (grains.sites_in_space) {
-    write_grain_table(directory, stage, Tessellation<3>(*grains.sites_in_space), grains.film);
-  } else {
-    write_grain_table(directory, stage, Tessellation<2>(grains.sites), grains.film);
-  }
-}
-
 template <int dim>
 void write_balls(const std::filesystem::path& directory, const Stage& stage, const Microstructure<dim>& box) {
   std::vector<std::vector<double>> coordinates(static_cast<std::size_t>(dim));
@@ -79,29 +71,31 @@ void write_balls(const std::filesystem::path& directory, const Stage& stage, con
             fmt::format("Particles of stage {} in a box of {} m", stage.name, stage.side));
 }
 
-/// The particles or grains of a stage; an image has neither.
-void write_table(const std::filesystem::path& directory, const Stage& stage,
-                 const StageMicrostructure& microstructure) {
-  if (stage.has_image()) return;
-  if (microstructure.grains) {
-    write_grains(directory, stage, *microstructure.grains);
-  } else if (microstructure.shaped) {
-    write_particles(directory, stage, *microstructure.shaped);
-  } else if (microstructure.ellipsoids) {
-    write_ellipsoids(directory, stage, *microstructure.ellipsoids);
-  } else if (microstructure.spheres) {
-    write_balls(directory, stage, *microstructure.spheres);
-  } else {
-    write_balls(directory, stage, microstructure.microstructure);
+/// Writes the particles or grains of a box; an image has neither.
+struct WriteTable {
+  const std::filesystem::path& directory;
+  const Stage& stage;
+
+  template <int dim>
+  void operator()(const Microstructure<dim>& balls) const {
+    write_balls(directory, stage, balls);
   }
-}
+  void operator()(const ParticleBox& particles) const { write_particles(directory, stage, particles); }
+  void operator()(const EllipsoidBox& ellipsoids) const { write_ellipsoids(directory, stage, ellipsoids); }
+  template <int dim>
+  void operator()(const Grains<dim>& grains) const {
+    write_grains(directory, stage, Tessellation<dim>(grains.sites), grains.statistics.film);
+  }
+  template <int dim>
+  void operator()(const SharedImage<dim>&) const {}
+};
 
 }  // namespace
 
 void write_microstructure(const std::filesystem::path& directory, const Stage& stage,
                           const StageMicrostructure& microstructure) {
   write_labels(directory, stage, microstructure);
-  write_table(directory, stage, microstructure);
+  visit_nested(WriteTable{directory, stage}, microstructure.box);
   write_text(directory / "microstructure.svg", stage_picture(stage, microstructure));
   if (stage.dimensions == 2) return;
   write_text(directory / "cut-x.svg", stage_picture(stage, microstructure, Axis::x));

@@ -264,13 +264,47 @@ Json json_of(const Stage& stage, const std::vector<FillerStatistics>& packed) {
   return fillers;
 }
 
-template <class Particle, class Diameter>
-void add_diameters(const std::vector<Particle>& particles, const Diameter& diameter, Json& microstructure) {
-  if (particles.empty()) return;
-  const auto [smallest, largest] = std::ranges::minmax(particles, {}, diameter);
-  microstructure["smallest_diameter_m"] = std::invoke(diameter, smallest);
-  microstructure["largest_diameter_m"] = std::invoke(diameter, largest);
-}
+/// Adds what study.json has of the content of a box, beside the statistics that every content has.
+struct AddContent {
+  const Stage& stage;
+  const StageMicrostructure& packed;
+  Json& json;
+
+  template <int dim>
+  void operator()(const Microstructure<dim>& balls) const {
+    add_diameters(balls.particles, [](const Ball<dim>& ball) { return ball.diameter; });
+  }
+  void operator()(const ParticleBox& box) const {
+    add_diameters(box.particles, [](const Particle& particle) { return equivalent_diameter(particle.shape); });
+  }
+  void operator()(const EllipsoidBox& box) const {
+    add_diameters(box.particles, [](const Ellipsoid& ellipsoid) { return equivalent_diameter(ellipsoid); });
+  }
+  template <int dim>
+  void operator()(const Grains<dim>& grains) const {
+    const auto& filler = packed.fillers.front();
+    json["film_m"] = grains.statistics.film;
+    json["film_cells"] = grains.statistics.film / stage.cell_size();
+    json["smallest_diameter_m"] = json_of(filler.smallest_diameter);
+    json["largest_diameter_m"] = json_of(filler.largest_diameter);
+    if (const auto seed = stage.seed()) json["seed"] = *seed;
+  }
+  template <int dim>
+  void operator()(const SharedImage<dim>& image) const {
+    json["particles"] = Json();  // pixels do not tell one particle from another
+    json["pixels"] = image->pixels;
+    json["pixel_m"] = image->pixel_side;
+  }
+
+ private:
+  template <class Particles, class Diameter>
+  void add_diameters(const Particles& particles, const Diameter& diameter) const {
+    if (particles.empty()) return;
+    const auto [smallest, largest] = std::ranges::minmax(particles, {}, diameter);
+    json["smallest_diameter_m"] = diameter(smallest);
+    json["largest_diameter_m"] = diameter(largest);
+  }
+};
 
 Json json_of(const Stage& stage, const StageResult& result, const Study& study, const StageRecord& record) {
   const auto& packing = result.microstructure;
@@ -282,30 +316,7 @@ Json json_of(const Stage& stage, const StageResult& result, const Study& study, 
                          {"smallest_gap_cells", finite_or_null(packing.gap / stage.cell_size())},
                          {"smallest_wall_gap_m", finite_or_null(packing.wall_gap)},
                          {"wall_time_s", packing.seconds}};
-  add_diameters(packing.microstructure.particles, &Ball<2>::diameter, microstructure);
-  if (packing.spheres) add_diameters(packing.spheres->particles, &Ball<3>::diameter, microstructure);
-  const auto size = [](const Particle& particle) { return equivalent_diameter(particle.shape); };
-  if (packing.shaped) add_diameters(packing.shaped->particles, size, microstructure);
-  const auto size_in_space = [](const Ellipsoid& particle) { return equivalent_diameter(particle); };
-  if (packing.ellipsoids) add_diameters(packing.ellipsoids->particles, size_in_space, microstructure);
-  if (packing.grains) {
-    const auto& grains = packing.fillers.front();
-    microstructure["film_m"] = packing.grains->film;
-    microstructure["film_cells"] = packing.grains->film / stage.cell_size();
-    microstructure["smallest_diameter_m"] = json_of(grains.smallest_diameter);
-    microstructure["largest_diameter_m"] = json_of(grains.largest_diameter);
-    if (const auto seed = stage.seed()) microstructure["seed"] = *seed;
-  }
-  if (const auto* image = stage.image()) {
-    microstructure["particles"] = Json();  // which pixels do not tell
-    microstructure["pixels"] = image->pixels;
-    microstructure["pixel_m"] = image->pixel_side;
-  }
-  if (const auto* stack = stage.stack()) {
-    microstructure["particles"] = Json();
-    microstructure["pixels"] = stack->pixels;
-    microstructure["pixel_m"] = stack->pixel_side;
-  }
+  visit_nested(AddContent{stage, packing, microstructure}, packing.box);
   if (const auto deviation = packing.size_deviation()) microstructure["size_distribution_deviation"] = *deviation;
   if (!stage.fillers.empty() && stage.is_random()) {
     microstructure["seed"] = stage.seed().value();

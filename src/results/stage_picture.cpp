@@ -30,38 +30,56 @@ std::vector<DrawnFiller> drawn_fillers(const Stage& stage) {
   return drawn;
 }
 
-std::string picture_of(const Stage& stage, const LabelImage<2>& image) {
-  const auto phases = phases_of(stage);
-  std::vector<std::size_t> colours = {0};
-  for (const auto& filler : stage.fillers) colours.push_back(phases.index_of(phase_of(stage, filler.material)));
-  return image_picture(image, colours);
-}
-
-/// What a plane cuts through where it is drawn by what is at its places.
-std::string content_of(const Stage& stage, const StageMicrostructure& packed) {
-  if (const auto* stack = stage.stack()) return fmt::format("{} voxels", fmt::join(stack->pixels, " x "));
-  if (packed.grains) return fmt::format("{} grains", packed.grains->cell_count());
-  return fmt::format("{} particles", packed.particles());
-}
-
-std::string cut_of(const Stage& stage, const StageMicrostructure& packed, Axis normal) {
-  if (packed.spheres) return cut_picture(*packed.spheres, normal, drawn_fillers(stage));
+std::string picture_of_plane(const LabelImage<2>& plane, const std::string& content, Axis normal) {
   constexpr std::array names = {"x", "y", "z"};
-  const auto axis = static_cast<std::size_t>(normal);
-  return plane_picture(middle_plane(stage, packed, axis), fmt::format("cut through the middle of {}, seen along {}",
-                                                                      content_of(stage, packed), names[axis]));
+  return plane_picture(plane, fmt::format("cut through the middle of {}, seen along {}", content,
+                                          names[static_cast<std::size_t>(normal)]));
 }
+
+/// The picture of a box by what fills it; of a cube that of the plane through its middle with this normal.
+struct PictureOf {
+  const Stage& stage;
+  Axis normal;
+
+  std::string operator()(const Microstructure<2>& discs) const {
+    return microstructure_picture(discs, drawn_fillers(stage));
+  }
+  std::string operator()(const ParticleBox& particles) const {
+    return particle_picture(particles, drawn_fillers(stage));
+  }
+  std::string operator()(const Grains<2>& grains) const {
+    return grain_picture(Tessellation<2>(grains.sites), grains.statistics.film);
+  }
+  std::string operator()(const SharedImage<2>& image) const {
+    const auto phases = phases_of(stage);
+    std::vector<std::size_t> colours = {0};
+    for (const auto& filler : stage.fillers) colours.push_back(phases.index_of(phase_of(stage, filler.material)));
+    return image_picture(*image, colours);
+  }
+  std::string operator()(const Microstructure<3>& spheres) const {
+    return cut_picture(spheres, normal, drawn_fillers(stage));
+  }
+  std::string operator()(const EllipsoidBox& ellipsoids) const {
+    return cut(ellipsoids, fmt::format("{} particles", ellipsoids.particles.size()));
+  }
+  std::string operator()(const Grains<3>& grains) const {
+    return cut(grains, fmt::format("{} grains", grains.statistics.cell_count));
+  }
+  std::string operator()(const SharedImage<3>& image) const {
+    return cut(image, fmt::format("{} voxels", fmt::join(image->pixels, " x ")));
+  }
+
+ private:
+  template <class Content>
+  [[nodiscard]] std::string cut(const Content& content, const std::string& in_words) const {
+    return picture_of_plane(middle_plane(stage, content, static_cast<std::size_t>(normal)), in_words, normal);
+  }
+};
 
 }  // namespace
 
 std::string stage_picture(const Stage& stage, const StageMicrostructure& microstructure, Axis normal) {
-  if (stage.dimensions == 3) return cut_of(stage, microstructure, normal);
-  if (const auto* image = stage.image()) return picture_of(stage, *image);
-  if (const auto& grains = microstructure.grains) {
-    return grain_picture(Tessellation<2>(grains->sites), grains->film);
-  }
-  if (microstructure.shaped) return particle_picture(*microstructure.shaped, drawn_fillers(stage));
-  return microstructure_picture(microstructure.microstructure, drawn_fillers(stage));
+  return visit_nested(PictureOf{stage, normal}, microstructure.box);
 }
 
 }  // namespace breccia

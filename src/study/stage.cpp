@@ -49,6 +49,11 @@ bool Stage::is_periodic() const {
   return std::visit(WallsOf(), packing) == Walls::periodic;
 }
 
+bool Stage::has_films_along_walls() const {
+  return !fillers.empty() && grains() != nullptr && grains()->walls == Walls::hard &&
+         grains()->wall_film == WallFilm::half;
+}
+
 std::vector<int> Stage::grids() const {
   auto grids = coarser_cells;
   grids.push_back(cells);

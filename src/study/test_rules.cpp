@@ -29,9 +29,7 @@ std::vector<std::string> films_along_walls(const Study& study) {
   if (std::ranges::none_of(study.tests.boundaries, is_other)) return {};
   std::vector<std::string> mistakes;
   for (const auto& stage : study.stages) {
-    const auto* grains = stage.grains();
-    if (stage.fillers.empty() || grains == nullptr || grains->walls == Walls::periodic) continue;
-    if (grains->wall_film == WallFilm::none || model_of(study.tests, stage) == Model::films) continue;
+    if (!stage.has_films_along_walls() || model_of(study.tests, stage) == Model::films) continue;
     mistakes.push_back(
         fmt::format("the grains of stage {} have films along the walls: expected the boundary \"{}\" "
                     "alone, or packing.walls = \"cut\" or false",
@@ -48,12 +46,10 @@ std::vector<std::string> lacking_in_films(const Tests& tests, const Stage& stage
   };
   const auto& grains = stage.fillers.front().material;
   if (!grains.shear.is_elastic() || !grains.bulk.is_elastic()) lacks("expected grains that are elastic");
-  const auto walls = stage.grains()->walls;
-  const auto wall_film = stage.grains()->wall_film;
-  if (walls == Walls::hard && wall_film == WallFilm::half) {
+  if (stage.has_films_along_walls()) {
     lacks(R"(expected packing.walls = "cut" or false; no film of this model runs along a wall)");
   }
-  const bool is_periodic = walls == Walls::periodic;
+  const bool is_periodic = stage.is_periodic();
   const auto fits = [is_periodic](Boundary boundary) { return (boundary == Boundary::periodic) == is_periodic; };
   if (!std::ranges::all_of(tests.boundaries, fits)) {
     lacks(is_periodic ? R"(expected the boundary "periodic", or packing.walls = "cut")"

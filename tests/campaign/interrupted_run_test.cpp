@@ -131,8 +131,8 @@ TEST_F(InterruptedRun, GoesOnFromAPacking) {
   EXPECT_THAT(files("coarse"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                     "microstructure.svg", "packing.checkpoint.h5"));
   const auto run = run_study(study, results, {.resume = true});
-  EXPECT_EQ(run.stages.at(0).microstructure.microstructure.particles,
-            packed.stages.at(0).microstructure.microstructure.particles);
+  EXPECT_EQ(run.stages.at(0).microstructure.content<Microstructure<2>>()->particles,
+            packed.stages.at(0).microstructure.content<Microstructure<2>>()->particles);
   EXPECT_TRUE(time_of_complete_run(study, results));
 }
 

@@ -59,8 +59,9 @@ TEST(Fillers, TwoOfOneMaterialHaveTheBitsOfTheirUnion) {
   const auto two = solve(study_with(box_with({filler_of(sand, {3e-3, 2e-3}), filler_of(sand, {1e-3, 1e-3, 2e-3})})));
   const auto one = solve(study_with(box_with({filler_of(sand, {3e-3, 2e-3, 1e-3, 1e-3, 2e-3})})));
   const auto &of_two = two.stages.front(), &of_one = one.stages.front();
-  EXPECT_EQ(of_two.microstructure.microstructure.particles, of_one.microstructure.microstructure.particles);
-  EXPECT_THAT(of_two.microstructure.microstructure.fillers, ElementsAre(0, 0, 1, 1, 1));
+  EXPECT_EQ(of_two.microstructure.content<Microstructure<2>>()->particles,
+            of_one.microstructure.content<Microstructure<2>>()->particles);
+  EXPECT_THAT(of_two.microstructure.content<Microstructure<2>>()->fillers, ElementsAre(0, 0, 1, 1, 1));
   ASSERT_EQ(of_two.tests.size(), of_one.tests.size());
   for (std::size_t test = 0; test < of_one.tests.size(); ++test) {
     EXPECT_EQ(of_two.tests[test].modulus, of_one.tests[test].modulus);
@@ -71,7 +72,7 @@ TEST(Fillers, KeepTheMeanOfTheirGaps) {
   for (const auto walls : {Walls::hard, Walls::periodic}) {
     const auto packed = make_microstructure(box_with(
         {filler_of(sand, std::vector(8, 1.5e-3), 0.1e-3), filler_of(steel, std::vector(8, 1.5e-3), 0.5e-3)}, walls));
-    const auto& [side, kind, discs, fillers] = packed.microstructure;
+    const auto& [side, kind, discs, fillers] = *packed.content<Microstructure<2>>();
     const std::vector<double> gaps = {0.1e-3, 0.5e-3};
     for (std::size_t i = 0; i < discs.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
@@ -91,7 +92,7 @@ TEST(Fillers, KeepTheirGapsBetweenCoatings) {
   auto coated = filler_of(sand, std::vector(6, 1.5e-3));
   coated.coating = Coating{wax, 0.3e-3};
   const auto packed = make_microstructure(box_with({coated, filler_of(steel, std::vector(6, 1e-3))}));
-  const auto& [side, walls, discs, fillers] = packed.microstructure;
+  const auto& [side, walls, discs, fillers] = *packed.content<Microstructure<2>>();
   const std::vector<double> coatings = {0.3e-3, 0.0};
   for (std::size_t i = 0; i < discs.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -145,7 +146,8 @@ TEST(Fillers, OfOneMaterialAreOnePhase) {
 TEST(Fillers, OfAListHaveTheirMaterials) {
   auto stage = box_with({{.material = sand}, {.material = steel}});
   stage.packing = ExplicitPacking{"", {{{2.5e-3, 5e-3}, 4e-3}, {{7.5e-3, 5e-3}, 4e-3}}, Walls::hard, {0, 1}};
-  const auto discretisation = discretise(stage, make_microstructure(stage).microstructure, 40, Mixing::series);
+  const auto discretisation =
+      discretise(stage, *make_microstructure(stage).content<Microstructure<2>>(), 40, Mixing::series);
   EXPECT_EQ(discretisation.cell({10, 20})[0], 1);
   EXPECT_EQ(discretisation.cell({30, 20})[0], 2);
   const auto materials = materials_of(stage, rubber);
@@ -171,8 +173,8 @@ TEST(Fillers, AreInTheCheckpointOfTheirPacking) {
   EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
   const auto again = make_microstructure(
       stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
-  EXPECT_EQ(again.microstructure.particles, packed.microstructure.particles);
-  EXPECT_EQ(again.microstructure.fillers, packed.microstructure.fillers);
+  EXPECT_EQ(again.content<Microstructure<2>>()->particles, packed.content<Microstructure<2>>()->particles);
+  EXPECT_EQ(again.content<Microstructure<2>>()->fillers, packed.content<Microstructure<2>>()->fillers);
   EXPECT_EQ(again.fillers.at(0).size_deviation, packed.fillers.at(0).size_deviation);
   EXPECT_FALSE(again.fillers.at(1).size_deviation);
 }

@@ -38,13 +38,17 @@ Stage random_stage() {
           .packing = LubachevskyStillingerPacking{}};
 }
 
+Microstructure<2> discs(std::size_t particles) {
+  return {1e-3, Walls::hard, std::vector<Disc>(particles, Disc{{5e-4, 5e-4}, 1e-5})};
+}
+
 StageResult result_of(std::vector<TestResult> tests, std::size_t particles = 40) {
   StageResult result;
   result.name = "A";
   result.microstructure.fraction = 0.351;
   result.microstructure.gap = 5e-5;
   result.microstructure.wall_gap = 3e-5;
-  result.microstructure.microstructure.particles.resize(particles, Disc{{5e-4, 5e-4}, 1e-5});
+  result.microstructure.box = discs(particles);
   result.tests = std::move(tests);
   return result;
 }
@@ -129,7 +133,7 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
   const auto stage = random_stage();
   auto packed = result_of({}, 30).microstructure;
   EXPECT_THAT(warnings_on_packing(stage, packed), IsEmpty());
-  packed.microstructure.particles.resize(29);
+  packed.box = discs(29);
   EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 29 particles in the box")));
   packed = result_of({}, 30).microstructure;
   packed.fraction = 0.377;
@@ -143,7 +147,7 @@ TEST(Quality, WarnsOfFewParticlesAndOfAnotherFraction) {
     packed.fraction = fraction;
     EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("where 35 % were asked for"))) << fraction;
   }
-  packed.microstructure.particles.resize(1);
+  packed.box = discs(1);
   packed.fraction = 0.35;
   EXPECT_THAT(warnings_on_packing(stage, packed), ElementsAre(HasSubstr("only 1 particle in the box")));
   auto without_fraction = stage;

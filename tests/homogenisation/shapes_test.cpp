@@ -130,7 +130,7 @@ TEST(Shapes, TranslatingAPeriodicBoxByWholeCellsChangesNothing) {
   stage.cells = 48;
   const auto packed = make_microstructure(stage);
   auto moved = packed;
-  for (auto& particle : moved.shaped->particles) {
+  for (auto& particle : find_alternative<ParticleBox>(moved.box)->particles) {
     const auto& [x, y] = particle.pose.centre();
     const double h = stage.cell_size();
     particle.pose = particle.pose.at({wrapped(x + 7.0 * h, stage.side), wrapped(y + 12.0 * h, stage.side)});
@@ -149,7 +149,7 @@ TEST(Grains, TranslatingAPeriodicTessellationByWholeCellsChangesNothing) {
   const auto packed = make_microstructure(stage);
   ASSERT_EQ(packed.particles(), 10U);
   auto moved = packed;
-  for (auto& [position, weight] : moved.grains->sites.sites) {
+  for (auto& [position, weight] : find_alternative<Grains<2>>(moved.box)->sites.sites) {
     position = {wrapped(position[0] + 7.0 / 48.0, 1.0), wrapped(position[1] + 12.0 / 48.0, 1.0)};
   }
   const auto one = periodic_moduli(stage, packed, Mixing::series),
@@ -161,13 +161,12 @@ TEST(Shapes, ArePackedWithTheirGapsAndMeasured) {
   for (const auto walls : {Walls::hard, Walls::periodic}) {
     const auto stage = ellipse_stage(0.5, walls);
     const auto packed = make_microstructure(stage);
-    ASSERT_TRUE(packed.shaped);
-    EXPECT_TRUE(packed.microstructure.particles.empty());
-    EXPECT_EQ(packed.microstructure.walls, walls);
+    ASSERT_NE(packed.content<ParticleBox>(), nullptr);
+    EXPECT_EQ(packed.content<ParticleBox>()->walls, walls);
     EXPECT_NEAR(packed.fraction, 0.5, 0.005);
     EXPECT_GE(packed.gap, 0.02e-3);
     EXPECT_GE(packed.wall_gap, 0.02e-3);
-    EXPECT_EQ(packed.particles(), packed.shaped->particles.size());
+    EXPECT_EQ(packed.particles(), packed.content<ParticleBox>()->particles.size());
     ASSERT_EQ(packed.fillers.size(), 1U);
     EXPECT_NEAR(packed.fillers.front().smallest_diameter.value(), 1e-3, 1e-15);
     EXPECT_NEAR(packed.fillers.front().fraction, packed.fraction, 1e-15);
@@ -224,17 +223,17 @@ TEST(Shapes, SeveralFillersAreInOnePacking) {
   EXPECT_NEAR(packed.fillers[1].fraction, 0.2, 0.01);
   EXPECT_NEAR(packed.fillers[2].fraction, 0.05, 0.01);
   EXPECT_NEAR(packed.fillers[1].largest_diameter.value(), 0.8e-3, 1e-15);
-  EXPECT_EQ(packed.shaped->particles[packed.fillers[0].particles].pose.angle(), 0.25);
+  EXPECT_EQ(packed.content<ParticleBox>()->particles[packed.fillers[0].particles].pose.angle(), 0.25);
   EXPECT_GE(packed.gap, 0.02e-3);
 }
 
 TEST(Shapes, CirclesAreDiscs) {
   const auto packed = make_microstructure(listed_box({{Ellipse{{0.2, 0.2}}, Pose({0.3, 0.4}, 1.0)}}, 16));
-  EXPECT_FALSE(packed.shaped);
-  EXPECT_THAT(packed.microstructure.particles, ElementsAre(Disc{{0.3, 0.4}, 0.2}));
+  ASSERT_NE(packed.content<Microstructure<2>>(), nullptr);
+  EXPECT_THAT(packed.content<Microstructure<2>>()->particles, ElementsAre(Disc{{0.3, 0.4}, 0.2}));
   auto discs = ellipse_stage(0.4, Walls::hard);
   discs.fillers.front().shape.reset();
-  EXPECT_FALSE(make_microstructure(discs).shaped);
+  EXPECT_NE(make_microstructure(discs).content<Microstructure<2>>(), nullptr);
 }
 
 TEST(Shapes, AreReadFromTheirState) {
@@ -251,10 +250,10 @@ TEST(Shapes, AreReadFromTheirState) {
     state.commit();
   }
   const auto read = read_stage_microstructure(StateReader(directory.path() / "particles.h5"), stage);
-  ASSERT_TRUE(read.shaped);
-  EXPECT_EQ(read.shaped->particles, packed.shaped->particles);
-  EXPECT_EQ(read.shaped->fillers, packed.shaped->fillers);
-  EXPECT_EQ(read.shaped->coatings, packed.shaped->coatings);
+  ASSERT_NE(read.content<ParticleBox>(), nullptr);
+  EXPECT_EQ(read.content<ParticleBox>()->particles, packed.content<ParticleBox>()->particles);
+  EXPECT_EQ(read.content<ParticleBox>()->fillers, packed.content<ParticleBox>()->fillers);
+  EXPECT_EQ(read.content<ParticleBox>()->coatings, packed.content<ParticleBox>()->coatings);
   EXPECT_EQ(read.gap, packed.gap);
 }
 
@@ -269,8 +268,8 @@ TEST(Shapes, BeginAnewAfterAnInterruptionAndComeToTheSameBits) {
     return make_microstructure(stage, {}, &checkpoint);
   };
   EXPECT_THROW(static_cast<void>(make(true)), Interrupted);
-  EXPECT_EQ(make(false).shaped->particles, whole.shaped->particles);
-  EXPECT_EQ(make(false).shaped->particles, whole.shaped->particles) << "finished";
+  EXPECT_EQ(make(false).content<ParticleBox>()->particles, whole.content<ParticleBox>()->particles);
+  EXPECT_EQ(make(false).content<ParticleBox>()->particles, whole.content<ParticleBox>()->particles) << "finished";
 }
 
 TEST(Shapes, ThatJamSayHowFarTheyCame) {

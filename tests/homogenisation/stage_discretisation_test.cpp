@@ -23,7 +23,7 @@ Stage plain_stage() {
 }
 
 Microstructure<2> discs_of(const Stage& stage) {
-  return make_microstructure(stage).microstructure;
+  return *make_microstructure(stage).content<Microstructure<2>>();
 }
 
 TEST(StageDiscretisation, PointsAreOfTheFillerInParticlesAndOfTheMatrixElsewhere) {

@@ -60,19 +60,20 @@ Particles grains(double diameter, double fraction, std::uint64_t seed = 1) {
 
 std::vector<double> diameters(const StageMicrostructure& packed) {
   std::vector<double> all;
-  for (const auto& disc : packed.microstructure.particles) all.push_back(disc.diameter);
+  for (const auto& disc : packed.content<Microstructure<2>>()->particles) all.push_back(disc.diameter);
   return all;
 }
 
 double largest_area_share(const StageMicrostructure& packed, double fraction) {
   const double largest = std::ranges::max(diameters(packed));
-  return pi / 4.0 * largest * largest / (fraction * packed.microstructure.side * packed.microstructure.side);
+  return pi / 4.0 * largest * largest /
+         (fraction * packed.content<Microstructure<2>>()->side * packed.content<Microstructure<2>>()->side);
 }
 
 TEST(MakeMicrostructure, EmptyBox) {
   const auto packed = make_microstructure(box());
-  EXPECT_EQ(packed.microstructure.side, 10e-3);
-  EXPECT_THAT(packed.microstructure.particles, IsEmpty());
+  EXPECT_EQ(packed.content<Microstructure<2>>()->side, 10e-3);
+  EXPECT_THAT(packed.content<Microstructure<2>>()->particles, IsEmpty());
   EXPECT_EQ(packed.fraction, 0.0);
   EXPECT_EQ(packed.interface_per_area, 0.0);
   EXPECT_EQ(packed.gap, std::numeric_limits<double>::infinity());
@@ -81,8 +82,9 @@ TEST(MakeMicrostructure, EmptyBox) {
 
 TEST(MakeMicrostructure, RegularPacking) {
   const auto packed = make_microstructure(box(regular(2e-3, 4, 2)));
-  EXPECT_EQ(packed.microstructure.particles.size(), 8U);
-  EXPECT_THAT(packed.microstructure.particles[1].centre, ElementsAre(DoubleEq(3.75e-3), DoubleEq(2.5e-3)));
+  EXPECT_EQ(packed.content<Microstructure<2>>()->particles.size(), 8U);
+  EXPECT_THAT(packed.content<Microstructure<2>>()->particles[1].centre,
+              ElementsAre(DoubleEq(3.75e-3), DoubleEq(2.5e-3)));
   EXPECT_NEAR(packed.fraction, 8.0 * pi / 100.0, 1e-12);
   EXPECT_NEAR(packed.interface_per_area, 8.0 * pi * 2e-3 / 1e-4, 1e-9);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
@@ -92,8 +94,8 @@ TEST(MakeMicrostructure, RegularPacking) {
 TEST(MakeMicrostructure, ExplicitPackingIsTakenOver) {
   const std::vector<Disc> discs{{{2e-3, 2e-3}, 2e-3}, {{5e-3, 2e-3}, 3e-3}};
   const auto packed = make_microstructure(box(listed(discs)));
-  EXPECT_EQ(packed.microstructure.particles, discs);
-  EXPECT_EQ(packed.microstructure.walls, Walls::hard);
+  EXPECT_EQ(packed.content<Microstructure<2>>()->particles, discs);
+  EXPECT_EQ(packed.content<Microstructure<2>>()->walls, Walls::hard);
   EXPECT_NEAR(packed.fraction, pi / 4.0 * (4.0 + 9.0) / 100.0, 1e-12);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12);
 }
@@ -108,7 +110,7 @@ TEST(MakeMicrostructure, ExplicitDiscsGoOnBeyondTheSidesOfAPeriodicBox) {
   auto filler = listed({{{0.5e-3, 5e-3}, 2e-3}, {{8e-3, 5e-3}, 2e-3}});
   std::get<ExplicitPacking>(filler.packing).walls = Walls::periodic;
   const auto packed = make_microstructure(box(filler));
-  EXPECT_EQ(packed.microstructure.walls, Walls::periodic);
+  EXPECT_EQ(packed.content<Microstructure<2>>()->walls, Walls::periodic);
   EXPECT_NEAR(packed.gap, 0.5e-3, 1e-12) << "across the side";
   EXPECT_NEAR(packed.fraction, 2.0 * pi / 100.0, 1e-12);
   EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
@@ -146,16 +148,17 @@ TEST(MakeMicrostructure, DistributionsAreMetWithinOneParticle) {
     EXPECT_LE(packed.size_deviation().value(), one_particle);
     EXPECT_NEAR(packed.fraction / 0.5, 1.0, one_particle);
     EXPECT_GE(packed.gap, 0.15e-3);
-    EXPECT_EQ(packed.microstructure.walls, std::get<LubachevskyStillingerPacking>(filler.packing).walls);
+    EXPECT_EQ(packed.content<Microstructure<2>>()->walls, std::get<LubachevskyStillingerPacking>(filler.packing).walls);
   }
 }
 
 TEST(MakeMicrostructure, TheSeedDecidesWhereParticlesAre) {
   const auto first = make_microstructure(box(random(SingleSize{1e-3}, 0.4)));
-  EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).microstructure.particles,
-            first.microstructure.particles);
-  EXPECT_NE(make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).microstructure.particles,
-            first.microstructure.particles);
+  EXPECT_EQ(make_microstructure(box(random(SingleSize{1e-3}, 0.4))).content<Microstructure<2>>()->particles,
+            first.content<Microstructure<2>>()->particles);
+  EXPECT_NE(
+      make_microstructure(box(random(SingleSize{1e-3}, 0.4, Walls::hard, 2))).content<Microstructure<2>>()->particles,
+      first.content<Microstructure<2>>()->particles);
 }
 
 TEST(MakeMicrostructure, ImpossiblePackingsAreRefused) {
@@ -190,7 +193,7 @@ TEST(MakeMicrostructure, ResumesFromAnInterruption) {
   int interruptions = 0;
   const auto packed = make_bit_by_bit(stage, interruptions);
   EXPECT_GT(interruptions, 3);
-  EXPECT_EQ(packed.microstructure.particles, whole.microstructure.particles);
+  EXPECT_EQ(packed.content<Microstructure<2>>()->particles, whole.content<Microstructure<2>>()->particles);
   EXPECT_EQ(packed.events, whole.events);
   EXPECT_EQ(packed.size_deviation(), whole.size_deviation());
 }
@@ -203,17 +206,17 @@ TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
   EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
   const auto again = make_microstructure(
       stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
-  EXPECT_EQ(again.microstructure.particles, packed.microstructure.particles);
+  EXPECT_EQ(again.content<Microstructure<2>>()->particles, packed.content<Microstructure<2>>()->particles);
   EXPECT_EQ(again.gap, packed.gap);
 }
 
 TEST(Grains, FillTheirFractionOfTheBox) {
   const auto packed = make_microstructure(box(grains(1e-3, 0.93)));
-  ASSERT_TRUE(packed.grains);
+  ASSERT_NE(packed.grains(), nullptr);
   EXPECT_NEAR(packed.fraction, 0.93, 1e-12);
   // As many as discs of that size that fill the box.
   EXPECT_EQ(packed.particles(), static_cast<std::size_t>(std::lround(100.0 / (pi / 4.0))));
-  EXPECT_EQ(packed.gap, packed.grains->film);
+  EXPECT_EQ(packed.gap, packed.grains()->film);
   EXPECT_EQ(packed.wall_gap, std::numeric_limits<double>::infinity());
   // What the films take is half a film along all outlines, but for the corners.
   EXPECT_NEAR(packed.interface_per_area * packed.gap / 2.0, 0.07, 0.003);
@@ -234,8 +237,8 @@ TEST(Grains, OfOneSeedAreTheSame) {
   const auto one = make_microstructure(box(grains(1e-3, 0.93, 1))),
              same = make_microstructure(box(grains(1e-3, 0.93, 1)));
   const auto other = make_microstructure(box(grains(1e-3, 0.93, 2)));
-  EXPECT_EQ(one.grains->film, same.grains->film);
-  EXPECT_NE(one.grains->film, other.grains->film);
+  EXPECT_EQ(one.grains()->film, same.grains()->film);
+  EXPECT_NE(one.grains()->film, other.grains()->film);
 }
 
 TEST(Grains, AreInTheCellsAsInTheBox) {
@@ -255,7 +258,7 @@ TEST(Grains, AreReadFromTheirState) {
     state.commit();
   }
   const auto read = read_stage_microstructure(StateReader(directory.path() / "grains.h5"), stage);
-  EXPECT_EQ(read.grains->film, packed.grains->film);
+  EXPECT_EQ(read.grains()->film, packed.grains()->film);
   EXPECT_EQ(read.fraction, packed.fraction);
   EXPECT_EQ(read.particles(), packed.particles());
 }

@@ -67,7 +67,7 @@ TEST(WarningThresholds, OfGapsInCells) {
 /// A cube of 10 mm with 200 cells of 50 um a side and spheres of equal size that fill 30 %.
 StageMicrostructure equal_spheres(double diameter, double gap, double wall_gap = 1.0) {
   auto packed = packed_with(gap, wall_gap);
-  packed.spheres = Microstructure<3>{};
+  packed.box = Microstructure<3>{};
   packed.fraction = 0.3;
   packed.interface_per_area = 6.0 * packed.fraction / diameter;
   return packed;
@@ -111,7 +111,7 @@ TEST(WarningThresholds, OfFilmsInSpace) {
   auto stage = stage_with({1e-3});
   stage.dimensions = 3;
   auto packed = packed_with(120e-6);
-  packed.grains = StageGrains{};
+  packed.box = Grains<3>{};
   auto study = within(1.0, 2.0, Mixing::series);
   study.tests.boundaries = {Boundary::periodic};
   EXPECT_THAT(warnings_on(study, stage, packed), IsEmpty());

@@ -157,7 +157,7 @@ TEST_F(WriteProvenance, OfAStudyThatWasChangedIsItsOwn) {
 TEST_F(WriteProvenance, TellsThePackingOfAStage) {
   auto stage = test::stage_with("fine", {});
   auto& packed = stage.microstructure;
-  packed.microstructure = {6e-3, Walls::hard, {{{1e-3, 1e-3}, 2e-3}, {{4e-3, 4e-3}, 1e-3}}};
+  packed.box = Microstructure<2>{6e-3, Walls::hard, {{{1e-3, 1e-3}, 2e-3}, {{4e-3, 4e-3}, 1e-3}}};
   packed.fraction = 0.25;
   packed.interface_per_area = 300.0;
   packed.gap = 1e-3;  // in a box of 6 mm with 12 cells

@@ -46,7 +46,7 @@ class Report : public testing::Test {
     record.domains[0].history = {{-1.0, 0.0}, {1.0, 1.0 / 3.0}};
     test.record = std::move(record);
     auto done = test::stage_with("fine", {test});
-    done.microstructure.microstructure = {6e-3, Walls::hard, {{{1e-3, 1e-3}, 2e-3}}};
+    done.microstructure.box = Microstructure<2>{6e-3, Walls::hard, {{{1e-3, 1e-3}, 2e-3}}};
     const StudyResult result{{done}, 1.0};
     std::filesystem::create_directory(directory.path() / "fine");
     write_provenance(directory.path(), study, result);

@@ -56,8 +56,9 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   stage.cells = 6;
   stage.fillers.resize(1);
   StageMicrostructure packed;
-  packed.microstructure = {
+  Microstructure<2> discs = {
       6e-3, Walls::periodic, {{{1e-3, 2e-3 / 3.0}, 2e-3}, {{4e-3, std::numbers::pi * 1e-3}, 1e-3}}};
+  packed.box = discs;
   write_microstructure(directory.path(), stage, packed);
   const auto table = read_csv(directory.path() / "microstructure.csv");
   EXPECT_THAT(table.names(), ElementsAre("x_m", "y_m", "diameter_m"));
@@ -72,7 +73,8 @@ TEST(MicrostructureFiles, TellEveryParticle) {
   stage.fillers.resize(2);
   stage.fillers[0].material.name = "quartz";
   stage.fillers[1].material.name = "glass";
-  packed.microstructure.fillers = {1, 0};
+  discs.fillers = {1, 0};
+  packed.box = discs;
   write_microstructure(directory.path(), stage, packed);
   const auto of_two = read_csv(directory.path() / "microstructure.csv");
   EXPECT_THAT(of_two.names(), ElementsAre("x_m", "y_m", "diameter_m", "filler"));
@@ -83,7 +85,7 @@ TEST(MicrostructureFiles, LeaveOutTheLabelsOfALargeGrid) {
   const test::TemporaryDirectory directory;
   const Stage stage = {.name = "A", .matrix = {}, .side = 1.0, .cells = 2049};
   StageMicrostructure empty;
-  empty.microstructure.side = 1.0;
+  empty.box = Microstructure<2>{.side = 1.0, .particles = {}};
   write_microstructure(directory.path(), stage, empty);
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "labels.npy"));
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "labels.vti"));

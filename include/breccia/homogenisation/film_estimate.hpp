@@ -15,7 +15,7 @@ struct FilmedGrains {
 FilmedGrains expected_grains(const Stage& stage);
 
 /// The grains of a stage that are placed.
-FilmedGrains placed_grains(const Stage& stage, const StageGrains& grains);
+FilmedGrains placed_grains(const Stage& stage, const GrainStatistics& grains);
 
 /// Approximate number of unknowns, displacements, flows and pressures, of a test of grains and films. Films that are
 /// resolved have more of them the thinner they are. An empirical formula.

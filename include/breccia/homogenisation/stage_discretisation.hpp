@@ -32,7 +32,11 @@ template <int dim>
 Discretisation<dim> discretise(const Stage& stage, const Microstructure<dim>& microstructure, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 
-/// The same for the particles, the grains or the pixels that the stage has.
+/// The material points of a stage whose box is filled by particles, grains or pixels. Instantiated for 2 and 3
+/// dimensions.
+template <int dim>
+Discretisation<dim> discretise(const Stage& stage, const Box<dim>& box, int cells, Mixing mixing,
+                               const CellLayers& layers = {});
 StageDiscretisation discretise(const Stage& stage, const StageMicrostructure& packed, int cells, Mixing mixing,
                                const CellLayers& layers = {});
 

@@ -19,8 +19,8 @@ DynamicTest<dim> make_dynamic_test(const Study& study, const Stage& stage, const
 QuasistaticTest make_quasistatic_test(const Study& study, const Stage& stage, const Material& matrix,
                                       const StageDiscretisation& discretisation, Boundary boundary, int threads);
 /// The same for the grains of a stage and the films between them.
-QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix,
-                               const StageGrains& grains, Boundary boundary, int threads);
+QuasistaticTest make_film_test(const Study& study, const Stage& stage, const Material& matrix, const Grains<2>& grains,
+                               Boundary boundary, int threads);
 
 /// An estimate of the matrix of a stage before anything is computed; exact if the matrix is a material. It serves to
 /// plan runs; no result depends on it.

@@ -52,6 +52,8 @@ struct Stage {
   }
   /// Whether the box is filled by an image of either kind.
   [[nodiscard]] bool has_image() const { return image() != nullptr || stack() != nullptr; }
+  /// Whether grains fill the box and half a film runs along its hard walls.
+  [[nodiscard]] bool has_films_along_walls() const;
   /// Whether the particles are packed at random.
   [[nodiscard]] bool is_random() const {
     return std::holds_alternative<LubachevskyStillingerPacking>(packing) ||
