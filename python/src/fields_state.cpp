@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <variant>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -31,45 +33,35 @@ std::vector<std::array<double, count>> rows_from(const py::handle& state) {
 }
 
 template <int dim>
-py::list state_of_all(const std::vector<TimedFields<dim>>& all) {
+py::tuple state_of(const GridFields<dim>& all) {
   py::list states;
-  for (const auto& [time, fields] : all) {
+  for (const auto& [time, fields] : all.at_times) {
     const py::array_t<PhaseIndex> phases(static_cast<py::ssize_t>(fields.phase.size()), fields.phase.data());
     states.append(py::make_tuple(time, phases, flat(fields.displacement), flat(fields.strain), flat(fields.stress),
                                  fields.cells.begin, fields.cells.end));
   }
-  return states;
+  return py::make_tuple(all.grid.cells, all.grid.cell_side, states);
 }
 
-}  // namespace
-
-py::list state_of_fields(const std::vector<TimedFields<2>>& all) {
-  return state_of_all(all);
-}
-
-py::list state_of_fields(const std::vector<TimedFields<3>>& all) {
-  return state_of_all(all);
-}
-
-py::list state_of_fields(const std::vector<TimedFilmFields>& all) {
+py::tuple state_of(const NetworkFields& all) {
   py::list states;
-  for (const auto& [time, fields] : all) {
+  for (const auto& [time, fields] : all.at_times) {
     // A cell has plain numbers alone, so that its bytes are its state.
     static_assert(std::is_trivially_copyable_v<FilmCell>);
     const auto* const cells = reinterpret_cast<const char*>(fields.cells.data());
     states.append(py::make_tuple(time, flat(fields.points), flat(fields.displacement),
                                  py::bytes(cells, fields.cells.size() * sizeof(FilmCell)), fields.corners));
   }
-  return states;
+  return py::make_tuple(states);
 }
 
 template <int dim>
-std::vector<TimedFields<dim>> fields_from(const py::list& states) {
+GridFields<dim> grid_fields_from(const py::tuple& whole) {
   constexpr std::size_t size = dim, shears = LatticeFields<dim>::shears;
-  std::vector<TimedFields<dim>> all;
-  for (const auto& one : states) {
+  GridFields<dim> all{{whole[0].cast<Index<dim>>(), whole[1].cast<double>()}, {}};
+  for (const auto& one : whole[2]) {
     const auto state = one.cast<py::tuple>();
-    auto& [time, fields] = all.emplace_back();
+    auto& [time, fields] = all.at_times.emplace_back();
     time = state[0].cast<double>();
     const auto phases = state[1].cast<py::array_t<PhaseIndex>>();
     fields.phase.assign(phases.data(), phases.data() + phases.size());
@@ -81,14 +73,11 @@ std::vector<TimedFields<dim>> fields_from(const py::list& states) {
   return all;
 }
 
-template std::vector<TimedFields<2>> fields_from<2>(const py::list& states);
-template std::vector<TimedFields<3>> fields_from<3>(const py::list& states);
-
-std::vector<TimedFilmFields> film_fields_from(const py::list& states) {
-  std::vector<TimedFilmFields> all;
-  for (const auto& one : states) {
+NetworkFields network_fields_from(const py::tuple& whole) {
+  NetworkFields all;
+  for (const auto& one : whole[0]) {
     const auto state = one.cast<py::tuple>();
-    auto& [time, fields] = all.emplace_back();
+    auto& [time, fields] = all.at_times.emplace_back();
     time = state[0].cast<double>();
     fields.points = rows_from<2>(state[1]);
     fields.displacement = rows_from<2>(state[2]);
@@ -98,6 +87,24 @@ std::vector<TimedFilmFields> film_fields_from(const py::list& states) {
     fields.corners = state[4].cast<std::vector<std::size_t>>();
   }
   return all;
+}
+
+}  // namespace
+
+py::tuple state_of_fields(const TestFields& fields) {
+  return py::make_tuple(fields.index(), std::visit([](const auto& all) { return state_of(all); }, fields));
+}
+
+TestFields fields_from(const py::tuple& state) {
+  const auto all = state[1].cast<py::tuple>();
+  switch (state[0].cast<std::size_t>()) {
+    case 0:
+      return grid_fields_from<2>(all);
+    case 1:
+      return grid_fields_from<3>(all);
+    default:
+      return network_fields_from(all);
+  }
 }
 
 }  // namespace breccia::python

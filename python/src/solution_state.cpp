@@ -28,7 +28,7 @@ namespace {
 namespace py = pybind11;
 namespace fs = std::filesystem;
 
-constexpr int format = 2;
+constexpr int format = 3;
 
 /// A directory that exists as long as this object.
 class ScratchDirectory {
@@ -140,8 +140,6 @@ py::dict state_of(const TestResult& test) {
   state["compliance"] = columns_of(test.compliance);
   state["series"] = python::state_of(test.series);
   state["fields"] = state_of_fields(test.fields);
-  state["volume_fields"] = state_of_fields(test.volume_fields);
-  state["film_fields"] = state_of_fields(test.film_fields);
   state["record"] = record_of(test);
   return state;
 }
@@ -157,9 +155,7 @@ TestResult test_from(const py::dict& state) {
   test.modulus = pairs_from<Sample>(state["modulus"].cast<py::tuple>());
   test.compliance = pairs_from<CreepSample>(state["compliance"].cast<py::tuple>());
   test.series = series_from(state["series"].cast<py::tuple>());
-  test.fields = fields_from<2>(state["fields"].cast<py::list>());
-  test.volume_fields = fields_from<3>(state["volume_fields"].cast<py::list>());
-  test.film_fields = film_fields_from(state["film_fields"].cast<py::list>());
+  test.fields = fields_from(state["fields"].cast<py::tuple>());
   add_record(test, state["record"].cast<py::tuple>());
   return test;
 }

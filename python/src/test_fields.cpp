@@ -1,9 +1,9 @@
 #include "test_fields.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -19,14 +19,16 @@ namespace py = pybind11;
 
 /// Fields of a lattice as a dictionary of views, [y, x, component] or [z, y, x, component].
 template <int dim>
-py::dict fields_of(const TimedFields<dim>& timed, std::size_t along, const py::object& owner) {
+py::dict fields_of(const TimedFields<dim>& timed, const py::object& owner) {
   using Fields = LatticeFields<dim>;
-  const auto shape = [along](std::size_t components) {
-    std::vector<py::ssize_t> extents(static_cast<std::size_t>(dim), static_cast<py::ssize_t>(along));
+  const Fields& fields = timed.fields;
+  const auto shape = [&fields](std::size_t components) {
+    std::vector<py::ssize_t> extents;
+    // Two points along each axis of a square, the means of a cube.
+    for (const auto cells : fields.cells.size()) extents.insert(extents.begin(), dim == 2 ? 2 * cells : cells);
     if (components > 0) extents.push_back(static_cast<py::ssize_t>(components));
     return extents;
   };
-  const Fields& fields = timed.fields;
   py::dict result;
   result["time"] = timed.time;
   result["phase"] = view_of(fields.phase.data(), shape(0), owner);
@@ -50,7 +52,7 @@ py::array each_of(const std::vector<FilmCell>& cells, Value FilmCell::*member) {
 }
 
 /// Fields of grains and films as a dictionary of arrays.
-py::dict fields_of(const TimedFilmFields& timed) {
+py::dict fields_of(const TimedFilmFields& timed, const py::object& /*owner*/) {
   const auto& [points, displacement, cells, corners] = timed.fields;
   const auto places = [](const std::vector<Vector<2>>& list) {
     const double* const first = list.empty() ? nullptr : list.front().data();
@@ -85,14 +87,10 @@ py::dict fields_of(const TimedFilmFields& timed) {
 py::list fields_of_test(const py::object& self) {
   const auto& test = self.cast<const TestResult&>();
   py::list fields;
-  const auto along = [](std::size_t places, double root) {
-    return static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(places), root)));
+  const auto append = [&](const auto& of_model) {
+    for (const auto& one : of_model.at_times) fields.append(fields_of(one, self));
   };
-  for (const auto& one : test.fields) fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 2.0), self));
-  for (const auto& one : test.volume_fields) {
-    fields.append(fields_of(one, along(one.fields.phase.size(), 1.0 / 3.0), self));
-  }
-  for (const auto& one : test.film_fields) fields.append(fields_of(one));
+  std::visit(append, test.fields);
   return fields;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <variant>
 
 #include "breccia/io/text_file.hpp"
 #include "breccia/results/comparison_file.hpp"
@@ -88,31 +89,15 @@ void DirectorySink::domain_finished(const Stage& stage, const TestId& test, std:
   write_once([&] { write_history(directory_ / stage.name, study_, stage, test, number, domain); });
 }
 
-bool DirectorySink::take_fields(const Stage& stage, const TestId& test, const Discretisation<2>& discretisation,
-                                const std::vector<TimedFields<2>>& fields) {
-  // Every process gives the fields of its cells.
-  auto files = write_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
-  records_[stage.name].fields.push_back({test, std::move(files)});
+bool DirectorySink::store_fields(const Stage& stage, const TestId& test, const TestFields& fields) {
+  const auto write = [&](const auto& of_model) {
+    return write_fields(directory_ / stage.name, study_, stage, test, of_model);
+  };
+  records_[stage.name].fields.push_back({test, std::visit(write, fields)});
   return true;
 }
 
-bool DirectorySink::take_volume_fields(const Stage& stage, const TestId& test, const Discretisation<3>& discretisation,
-                                       const std::vector<TimedFields<3>>& fields) {
-  auto files = write_volume_fields(directory_ / stage.name, study_, stage, test, discretisation, fields);
-  records_[stage.name].fields.push_back({test, std::move(files)});
-  return true;
-}
-
-bool DirectorySink::take_film_fields(const Stage& stage, const TestId& test,
-                                     const std::vector<TimedFilmFields>& fields) {
-  write_once([&] {
-    auto files = write_film_fields(directory_ / stage.name, study_, stage, test, fields);
-    records_[stage.name].fields.push_back({test, std::move(files)});
-  });
-  return true;
-}
-
-void DirectorySink::fields_taken_before(const Stage& stage, const TestId& test, const std::vector<double>& times) {
+void DirectorySink::fields_stored_before(const Stage& stage, const TestId& test, const std::vector<double>& times) {
   records_[stage.name].fields.push_back({test, field_records(study_, test, times)});
 }
 

@@ -32,12 +32,8 @@ class DirectorySink final : public StudySink {
   std::unique_ptr<Checkpoint> test_checkpoint(const Stage& stage, const TestId& test) override;
   void packed(const Stage& stage, const StudyResult& result) override;
   void domain_finished(const Stage& stage, const TestId& test, std::size_t number, const TimeDomain& domain) override;
-  bool take_fields(const Stage& stage, const TestId& test, const Discretisation<2>& discretisation,
-                   const std::vector<TimedFields<2>>& fields) override;
-  bool take_volume_fields(const Stage& stage, const TestId& test, const Discretisation<3>& discretisation,
-                          const std::vector<TimedFields<3>>& fields) override;
-  bool take_film_fields(const Stage& stage, const TestId& test, const std::vector<TimedFilmFields>& fields) override;
-  void fields_taken_before(const Stage& stage, const TestId& test, const std::vector<double>& times) override;
+  bool store_fields(const Stage& stage, const TestId& test, const TestFields& fields) override;
+  void fields_stored_before(const Stage& stage, const TestId& test, const std::vector<double>& times) override;
   void tested(const Stage& stage, const StudyResult& result) override;
   void all_loads_tested(const Stage& stage, const StudyResult& result) override;
   void stage_finished(const Stage& stage, const StudyResult& result) override;

@@ -139,14 +139,10 @@ std::vector<FieldRecord> field_records(const Study& study, const TestId& test, c
 }
 
 std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const Discretisation<2>& discretisation,
-                                      const std::vector<TimedFields<2>>& fields) {
-  std::vector<double> times;
-  times.reserve(fields.size());
-  for (const auto& [time, points] : fields) times.push_back(time);
-  auto records = field_records(study, test, times);
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto& [time, own] = fields[i];
+                                      const TestId& test, const GridFields<2>& fields) {
+  auto records = field_records(study, test, times_of(fields));
+  for (std::size_t i = 0; i < fields.at_times.size(); ++i) {
+    const auto& [time, own] = fields.at_times[i];
     const auto& record = records[i];
     std::optional<FieldsOfSquare> all;
     const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldPicture picture) {
@@ -155,8 +151,7 @@ std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& st
       write_text(directory / file, field_picture(picture));
     };
     collect_fields(
-        discretisation.grid(), own,
-        [&, time = time] { all.emplace(directory / record.file, discretisation.grid(), time, test.load); },
+        fields.grid, own, [&, time = time] { all.emplace(directory / record.file, fields.grid, time, test.load); },
         [&](std::size_t first, const PointFields<2>& piece) { all->take(first, piece); },
         [&] {
           all->commit();

@@ -11,7 +11,7 @@ std::vector<std::string> FieldRecord::names() const {
 }
 
 std::vector<FieldRecord> StageRecord::fields_of(const TestId& test) const {
-  const auto found = std::ranges::find(fields, test, &TestFields::test);
+  const auto found = std::ranges::find(fields, test, &TestFieldFiles::test);
   return found == fields.end() ? std::vector<FieldRecord>() : found->files;
 }
 

@@ -116,15 +116,12 @@ class FieldsOfCube {
 
 }  // namespace
 
-std::vector<FieldRecord> write_volume_fields(const fs::path& directory, const Study& study, const Stage& stage,
-                                             const TestId& test, const Discretisation<3>& discretisation,
-                                             const std::vector<TimedFields<3>>& fields) {
-  std::vector<double> times;
-  for (const auto& timed : fields) times.push_back(timed.time);
-  auto records = field_records(study, test, times);
-  const auto& grid = discretisation.grid();
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto& [time, own] = fields[i];
+std::vector<FieldRecord> write_fields(const fs::path& directory, const Study& study, const Stage& stage,
+                                      const TestId& test, const GridFields<3>& fields) {
+  auto records = field_records(study, test, times_of(fields));
+  const auto& grid = fields.grid;
+  for (std::size_t i = 0; i < fields.at_times.size(); ++i) {
+    const auto& [time, own] = fields.at_times[i];
     const auto& record = records[i];
     std::optional<FieldsOfCube> all;
     const auto draw = [&, title = field_title(stage, test, time)](const std::string& file, FieldCutsPicture picture) {

@@ -159,10 +159,11 @@ class DynamicRun {
         rules_(rules_of(test)),
         bounds_(test.discretisation, test.materials),
         sequence_(rules_, least_modulus(test, bounds_)),
-        furthest_(test.times.begin) {
+        furthest_(test.times.begin),
+        fields_{test.discretisation.grid(), {}} {
     if (earlier_ == nullptr) return;
     past_ = read_domains(*earlier_);
-    fields_of_result() = read_fields(*earlier_, "/fields", test.discretisation, cells_with_fields(test));
+    fields_.at_times = read_fields(*earlier_, "/fields", test.discretisation, cells_with_fields(test));
   }
 
   DynamicTestResult run() {
@@ -171,9 +172,11 @@ class DynamicRun {
       const bool is_past = result_.domains.size() < past_.size();
       result_.domains.push_back(is_past ? take_over(past_[result_.domains.size()]) : run(std::move(prepared)));
       if (observer_.finished) observer_.finished(result_.domains.back());
-      if (sequence_.is_complete()) return std::move(result_);
+      if (sequence_.is_complete()) break;
       sequence_.advance();
     }
+    result_.fields = std::move(fields_);
+    return std::move(result_);
   }
 
  private:
@@ -183,7 +186,7 @@ class DynamicRun {
   }
 
   TimeDomain run(PreparedDomain<dim> prepared) {
-    const auto field_times = std::span(test_.field_times).subspan(fields_of_result().size());
+    const auto field_times = std::span(test_.field_times).subspan(fields_.at_times.size());
     DomainRun<dim> domain(test_, std::move(prepared), field_times);
     bool is_over = false;
     if (earlier_ != nullptr && result_.domains.size() == past_.size() && earlier_->has("/running")) {
@@ -224,7 +227,7 @@ class DynamicRun {
     if (checkpoint_ == nullptr || !checkpoint_->is_due()) return;
     checkpoint_->save([&](StateWriter& state) {
       save_domains(state, result_.domains);
-      save(state, "/fields", test_.discretisation.grid(), fields_of_result());
+      save(state, "/fields", fields_.grid, fields_.at_times);
       domain.save(state);
     });
   }
@@ -233,15 +236,7 @@ class DynamicRun {
   void keep_fields(DomainRun<dim>& domain, std::span<const double> times) {
     auto& fields = domain.fields();
     for (std::size_t i = 0; i < fields.size() && times[i] <= domain.domain().window.end; ++i) {
-      fields_of_result().push_back(std::move(fields[i]));
-    }
-  }
-
-  [[nodiscard]] std::vector<TimedFields<dim>>& fields_of_result() noexcept {
-    if constexpr (dim == 2) {
-      return result_.fields;
-    } else {
-      return result_.volume_fields;
+      fields_.at_times.push_back(std::move(fields[i]));
     }
   }
 
@@ -254,6 +249,7 @@ class DynamicRun {
   DomainSequence sequence_;
   double furthest_;               // latest time that a domain has reached [s]
   std::vector<TimeDomain> past_;  // domains that the earlier run has finished
+  GridFields<dim> fields_;        // those that the finished domains have left
   DynamicTestResult result_;
 };
 

@@ -84,13 +84,6 @@ TrainingPath training_set(const QuasistaticTest& test, const std::vector<Materia
   return path;
 }
 
-std::vector<TimedFields<2>>& fields_of(QuasistaticTestResult& result, const Discretisation<2>& /*composite*/) {
-  return result.fields;
-}
-std::vector<TimedFields<3>>& fields_of(QuasistaticTestResult& result, const Discretisation<3>& /*composite*/) {
-  return result.volume_fields;
-}
-
 /// Grains and films under the boundary of the test.
 FilmProblem problem_of(const QuasistaticTest& test, FilmProblem films) {
   films.boundary = test.boundary;
@@ -108,7 +101,9 @@ std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticT
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
   auto sampled = sample_film_responses(problem_of(test, films), test.loads, of_binder, test.options.sampling, follow,
                                        checkpoint, path.target);
-  for (const double time : test.field_times) result.film_fields.push_back({time, sampled.fields(0, materials, time)});
+  NetworkFields fields;
+  for (const double time : test.field_times) fields.at_times.push_back({time, sampled.fields(0, materials, time)});
+  result.fields = std::move(fields);
   result.effort = sampled.effort;
   return std::move(sampled.responses);
 }
@@ -121,8 +116,9 @@ std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, c
                                     QuasistaticTestResult& result) {
   const auto problem = problem_of(test, discretisation);
   auto sampled = sample_responses(problem, test.loads, path, test.options.sampling, follow, checkpoint);
-  auto& fields = fields_of(result, discretisation);
-  for (const double time : test.field_times) fields.push_back({time, sampled.fields(0, materials, time)});
+  GridFields<dim> fields{discretisation.grid(), {}};
+  for (const double time : test.field_times) fields.at_times.push_back({time, sampled.fields(0, materials, time)});
+  result.fields = std::move(fields);
   result.effort = sampled.effort;
   return std::move(sampled.responses);
 }
@@ -209,7 +205,7 @@ std::vector<SteppedResponse> step(const FilmProblem& films, const QuasistaticTes
                                   const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
   const auto& binder = test.materials[test.varying.front().index];
   auto stepped = run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
-  result.film_fields = std::move(stepped.fields);
+  result.fields = NetworkFields{std::move(stepped.fields)};
   result.effort = stepped.effort;
   return std::move(stepped.responses);
 }
@@ -221,7 +217,7 @@ std::vector<SteppedResponse> step(const Discretisation<dim>& discretisation, con
                                   const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
   auto stepped =
       run_log_time_stepping(problem_of(test, discretisation), test.loads, steps, follow, field_steps, checkpoint);
-  fields_of(result, discretisation) = std::move(stepped.fields);
+  result.fields = GridFields<dim>{discretisation.grid(), std::move(stepped.fields)};
   result.effort = stepped.effort;
   return std::move(stepped.responses);
 }

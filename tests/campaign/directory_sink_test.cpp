@@ -159,7 +159,7 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
   {
     auto sink = sink_in(place);
     finish_stage(sink);
-    EXPECT_TRUE(sink.take_fields(fine(), in_shear, Discretisation<2>(Grid<2>{{12, 12}, 0.5e-3}), {}));
+    EXPECT_TRUE(sink.store_fields(fine(), in_shear, GridFields<2>{{{12, 12}, 0.5e-3}, {}}));
   }
   fs::path told;
   observer.taken_over = [&](const StageResult& stage, const fs::path& files) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -74,7 +75,8 @@ Stiffness stiffness_of(const Stage& stage) {
   const auto stress = [&](Load load) {
     study.tests.loads = {load};  // fields are those of the first load
     const auto result = solve(study);
-    const auto& fields = preferred_test(result.stages.front().tests, load, Boundary::periodic).fields.front().fields;
+    const auto& test = preferred_test(result.stages.front().tests, load, Boundary::periodic);
+    const auto& fields = std::get<GridFields<2>>(test.fields).at_times.front().fields;
     std::array<double, 4> mean{};
     for (const auto& one : fields.stress) {
       for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += one[k] / static_cast<double>(fields.stress.size());

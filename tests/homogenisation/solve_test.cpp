@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -21,6 +22,7 @@ namespace breccia {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::SizeIs;
 
 // Without particles the box is its matrix: the modulus is that of the material at all times.
@@ -69,9 +71,9 @@ TEST(Solve, KeepsFieldsInTheMemoryAndWritesNoFile) {
   const auto result = solve(study);
   EXPECT_EQ(entries(), before);
   const auto& in_shear = result.stages.back().tests.front();
-  ASSERT_THAT(in_shear.fields, SizeIs(1));
-  EXPECT_EQ(in_shear.fields.front().time, study.tests.last_time);
-  EXPECT_THAT(in_shear.fields.front().fields.stress, SizeIs(result.stages.back().points));
+  EXPECT_THAT(times_of(in_shear.fields), ElementsAre(study.tests.last_time));
+  const auto& fields = std::get<GridFields<2>>(in_shear.fields);
+  EXPECT_THAT(fields.at_times.front().fields.stress, SizeIs(result.stages.back().points));
 }
 
 /// A sink that records its calls.
@@ -132,27 +134,26 @@ TEST(Solve, TakesOverStagesThatASinkKnows) {
   }
 }
 
-/// Takes the fields of tests.
-class FieldTaker final : public StudySink {
+/// Stores the fields of tests.
+class FieldStore final : public StudySink {
  public:
-  bool take_fields(const Stage&, const TestId& test, const Discretisation<2>&,
-                   const std::vector<TimedFields<2>>& fields) override {
-    if (!fields.empty()) taken.push_back(test);
+  bool store_fields(const Stage&, const TestId& test, const TestFields& fields) override {
+    if (!times_of(fields).empty()) stored.push_back(test);
     return true;
   }
 
-  std::vector<TestId> taken;
+  std::vector<TestId> stored;
 };
 
-TEST(Solve, FieldsThatASinkTakesDoNotStayInTheMemory) {
+TEST(Solve, FieldsThatASinkStoresDoNotStayInTheMemory) {
   auto study = test::two_stages();
   study.stages.pop_back();
   study.tests.boundaries = {Boundary::displacement};
   study.tests.field_times = {study.tests.last_time};
-  FieldTaker taker;
-  const auto result = solve(study, {}, {}, taker);
-  EXPECT_THAT(taker.taken, ElementsAre(TestId{.grid = TestGrid(12)}));
-  EXPECT_TRUE(result.stages.front().tests.front().fields.empty());
+  FieldStore store;
+  const auto result = solve(study, {}, {}, store);
+  EXPECT_THAT(store.stored, ElementsAre(TestId{.grid = TestGrid(12)}));
+  EXPECT_THAT(times_of(result.stages.front().tests.front().fields), IsEmpty());
 }
 
 TEST(Solve, TellsWhichTestItIsAt) {

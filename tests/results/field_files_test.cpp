@@ -29,7 +29,7 @@ class FieldFiles : public testing::Test {
   /// Writes the fields of a test at 10 ms.
   [[nodiscard]] std::vector<FieldRecord> write(Load load, Boundary boundary) const {
     return write_fields(directory.path(), study, study.stages[0], {load, boundary, Method::quasistatic, TestGrid(2)},
-                        discretisation, {{10e-3, fields}});
+                        GridFields<2>{discretisation.grid(), {{10e-3, fields}}});
   }
   [[nodiscard]] std::string picture(const std::string& name) const { return read_text(directory.path() / name); }
 
@@ -71,10 +71,10 @@ TEST_F(FieldFiles, HoldEachComponentInItsPlace) {
 
 TEST_F(FieldFiles, AreNamedByWhatTellsThemApart) {
   const auto names = [&](const TestId& test, std::size_t times) {
-    std::vector<TimedFields<2>> timed;
-    for (std::size_t i = 0; i < times; ++i) timed.push_back({1e-3 * static_cast<double>(i + 1), fields});
+    GridFields<2> timed{discretisation.grid(), {}};
+    for (std::size_t i = 0; i < times; ++i) timed.at_times.push_back({1e-3 * static_cast<double>(i + 1), fields});
     std::vector<std::string> files;
-    for (const auto& record : write_fields(directory.path(), study, study.stages[0], test, discretisation, timed)) {
+    for (const auto& record : write_fields(directory.path(), study, study.stages[0], test, timed)) {
       EXPECT_EQ(record.time, 1e-3 * static_cast<double>(files.size() + 1));
       for (const auto& name : {record.file, record.stress_picture, record.strain_picture}) {
         EXPECT_TRUE(is_of_fields(name)) << name;
@@ -112,8 +112,8 @@ TEST_F(FieldFiles, AreCopiedWithTheirStage) {
 // Those of a test that was done before are not written again.
 TEST_F(FieldFiles, HaveTheSameNamesWithoutTheirNumbers) {
   const TestId test{Load::shear, Boundary::traction, Method::quasistatic, TestGrid(2)};
-  const auto written =
-      write_fields(directory.path(), study, study.stages[0], test, discretisation, {{1e-3, fields}, {10e-3, fields}});
+  const auto written = write_fields(directory.path(), study, study.stages[0], test,
+                                    GridFields<2>{discretisation.grid(), {{1e-3, fields}, {10e-3, fields}}});
   const auto named = field_records(study, test, {1e-3, 10e-3});
   ASSERT_EQ(named.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {

@@ -46,8 +46,9 @@ class FilmFieldFiles : public testing::Test {
                     {.part = FilmPart::junction, .corners = 5, .area = 18e-6, .strain = {0.0, 0.0, 0.75}, .work = 1e6}};
   }
   [[nodiscard]] std::vector<FieldRecord> write(Boundary boundary) const {
-    return write_film_fields(directory.path(), study, study.stages[0],
-                             {Load::shear, boundary, Method::quasistatic, TestGrid::films()}, {{10e-3, fields}});
+    return write_fields(directory.path(), study, study.stages[0],
+                        {Load::shear, boundary, Method::quasistatic, TestGrid::films()},
+                        NetworkFields{{{10e-3, fields}}});
   }
 
   test::TemporaryDirectory directory;

@@ -163,9 +163,9 @@ void write_field(const std::filesystem::path& folder, int cells, const Stress& s
     fields.phase[at] = static_cast<PhaseIndex>(cell[0] == 1 ? 1 : 0);
   });
   const auto study = test::two_stages();
-  static_cast<void>(write_volume_fields(folder, study, study.stages[0],
-                                        {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(cells)},
-                                        discretisation, {{1e-3, fields}}));
+  static_cast<void>(write_fields(folder, study, study.stages[0],
+                                 {Load::shear, Boundary::displacement, Method::quasistatic, TestGrid(cells)},
+                                 GridFields<3>{discretisation.grid(), {{1e-3, fields}}}));
 }
 
 TEST_F(SpaceViews, OfFieldsHoldTheirColours) {

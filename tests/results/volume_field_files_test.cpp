@@ -33,8 +33,8 @@ class VolumeFieldFiles : public testing::Test {
   }
   /// Writes the fields of a test at 10 ms.
   [[nodiscard]] FieldRecord write(Load load, Boundary boundary) const {
-    return write_volume_fields(directory.path(), study, study.stages[0],
-                               {load, boundary, Method::quasistatic, TestGrid(2)}, discretisation, {{10e-3, fields}})
+    return write_fields(directory.path(), study, study.stages[0], {load, boundary, Method::quasistatic, TestGrid(2)},
+                        GridFields<3>{discretisation.grid(), {{10e-3, fields}}})
         .front();
   }
   [[nodiscard]] std::string picture(const std::string& name) const { return read_text(directory.path() / name); }
@@ -113,9 +113,9 @@ TEST(VolumeFieldPictures, ShowTheCellsAboveTheMiddlePlanes) {
   });
   const test::TemporaryDirectory directory;
   const auto study = test::two_stages();
-  const auto record = write_volume_fields(directory.path(), study, study.stages[0],
-                                          {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)},
-                                          discretisation, {{1.0, fields}})
+  const auto record = write_fields(directory.path(), study, study.stages[0],
+                                   {Load::shear, Boundary::traction, Method::quasistatic, TestGrid(cells)},
+                                   GridFields<3>{discretisation.grid(), {{1.0, fields}}})
                           .front();
   // Seen along z, along x and along y; across and up follow in the cycle x, y, z.
   std::array<std::vector<double>, 3> cuts;

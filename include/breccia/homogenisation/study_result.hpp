@@ -6,7 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/films/film_fields.hpp"
 #include "breccia/homogenisation/stage_microstructure.hpp"
 #include "breccia/study/test_id.hpp"
 #include "breccia/virtual_test/dynamic_test.hpp"
@@ -31,12 +30,10 @@ struct ExtrapolationRecord {
 /// The result of one virtual test of one stage under one load.
 struct TestResult {
   TestId id;
-  Curve modulus = {};                              ///< relaxation modulus; for a creep test by interconversion
-  Creep compliance = {};                           ///< creep compliance, for a creep test only
-  PronySeries series = {};                         ///< relaxation modulus
-  std::vector<TimedFields<2>> fields = {};         ///< of the material points; empty where a sink has taken them
-  std::vector<TimedFields<3>> volume_fields = {};  ///< of the cells of a cube; empty where a sink has taken them
-  std::vector<TimedFilmFields> film_fields = {};   ///< of grains and films; empty where a sink has taken them
+  Curve modulus = {};       ///< relaxation modulus; for a creep test by interconversion
+  Creep compliance = {};    ///< creep compliance, for a creep test only
+  PronySeries series = {};  ///< relaxation modulus
+  TestFields fields = {};   ///< without times where a sink has stored them
   std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
 };
 

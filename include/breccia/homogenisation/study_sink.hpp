@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "breccia/films/film_fields.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/study/stage.hpp"
 #include "breccia/study/test_id.hpp"
@@ -41,22 +40,12 @@ class StudySink {
   virtual void packed(const Stage&, const StudyResult&) {}
   /// Is called when a time domain of a dynamic test is finished; the number counts from 1.
   virtual void domain_finished(const Stage&, const TestId&, std::size_t /*number*/, const TimeDomain&) {}
-  /// A test has found fields on a discretisation, each process those of its cells. Returns whether they were taken, the
-  /// same on every process of a group; where not, they stay in the result. States of tests do not hold fields: a sink
-  /// that leaves states must take the fields, or they are lost to whoever goes on from there.
-  virtual bool take_fields(const Stage&, const TestId&, const Discretisation<2>&, const std::vector<TimedFields<2>>&) {
-    return false;
-  }
-  /// The same for the fields of the cells of a cube.
-  virtual bool take_volume_fields(const Stage&, const TestId&, const Discretisation<3>&,
-                                  const std::vector<TimedFields<3>>&) {
-    return false;
-  }
-  /// The same for a test of grains and films.
-  virtual bool take_film_fields(const Stage&, const TestId&, const std::vector<TimedFilmFields>&) { return false; }
-  /// Called if the saved state of a test shows that it was finished, and that a sink took its fields at these times
-  /// [s].
-  virtual void fields_taken_before(const Stage&, const TestId&, const std::vector<double>& /*times*/) {}
+  /// Stores the fields of a test, of which each process has those of its cells. Returns whether it has, alike on every
+  /// process of a group; where not, the fields stay in the result. The state of a finished test does not hold its
+  /// fields: a sink with checkpoints must store them, or a resumed study has none.
+  virtual bool store_fields(const Stage&, const TestId&, const TestFields&) { return false; }
+  /// Called for a test that an earlier run has finished, with the times [s] of the fields that were stored then.
+  virtual void fields_stored_before(const Stage&, const TestId&, const std::vector<double>& /*times*/) {}
   /// Is called when a test, or the extrapolation of several, has been added to the last stage of the result.
   virtual void tested(const Stage&, const StudyResult&) {}
   /// Is called when all loads of a quasi-static test have been added to the last stage of the result.

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "breccia/discretisation/discretisation.hpp"
 #include "breccia/results/stage_record.hpp"
 #include "breccia/study/study.hpp"
+#include "breccia/virtual_test/test_fields.hpp"
 
 namespace breccia {
 
@@ -19,8 +19,7 @@ std::vector<FieldRecord> field_records(const Study& study, const TestId& test, c
 /// of these names. Every process calls it with the fields of its cells; the first one writes, and holds a piece of them
 /// at a time. Throws FileError there.
 std::vector<FieldRecord> write_fields(const std::filesystem::path& directory, const Study& study, const Stage& stage,
-                                      const TestId& test, const Discretisation<2>& discretisation,
-                                      const std::vector<TimedFields<2>>& fields);
+                                      const TestId& test, const GridFields<2>& fields);
 
 /// Copies the files of the fields of a stage from one directory to another. Throws FileError.
 void copy_fields(const std::filesystem::path& from, const std::filesystem::path& to, const StageRecord& stage);

@@ -20,14 +20,14 @@ struct FieldRecord {
 };
 
 /// The files of all fields of a test.
-struct TestFields {
+struct TestFieldFiles {
   TestId test;
   std::vector<FieldRecord> files;
 };
 
 /// What a directory tells of a stage beside its result.
 struct StageRecord {
-  std::vector<TestFields> fields = {};
+  std::vector<TestFieldFiles> fields = {};
   /// The task of a sweep from whose reduced responses these tests were obtained; empty if they were computed.
   std::string answered_from = {};
 

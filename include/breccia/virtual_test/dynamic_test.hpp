@@ -10,6 +10,7 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 #include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/test_fields.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -67,8 +68,7 @@ struct DynamicTestResult {
   Curve curve;       ///< stitched relaxation modulus at logarithmic times; under a traction boundary by interconversion
   Creep compliance;  ///< stitched creep compliance at the same times, under a traction boundary only
   /// By field time: the state after the steps whose mean is the first sample at or after that time.
-  std::vector<TimedFields<2>> fields;
-  std::vector<TimedFields<3>> volume_fields;  ///< the same in 3 dimensions
+  TestFields fields;
 };
 
 /// Progress of a running test.

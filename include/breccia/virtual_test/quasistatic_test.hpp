@@ -7,12 +7,12 @@
 #include <variant>
 #include <vector>
 
-#include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/virtual_test/curve.hpp"
+#include "breccia/virtual_test/test_fields.hpp"
 #include "breccia/words.hpp"
 
 namespace breccia {
@@ -89,10 +89,7 @@ struct QuasistaticResponse {
 /// The result of a quasi-static test.
 struct QuasistaticTestResult {
   std::vector<QuasistaticResponse> responses;  ///< by load
-  /// Fields of the points of cells in 2 dimensions, first load; on the first process, zero on the others.
-  std::vector<TimedFields<2>> fields;
-  std::vector<TimedFields<3>> volume_fields;  ///< the same of the cells in 3 dimensions (CellFields)
-  std::vector<TimedFilmFields> film_fields;   ///< of grains and films, first load
+  TestFields fields;                           ///< under the first load
   LinearEffort effort;
   double seconds = 0.0;  ///< wall time [s]
 };

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "breccia/discretisation/grid.hpp"
+#include "breccia/discretisation/point_fields.hpp"
+#include "breccia/films/film_fields.hpp"
+
+namespace breccia {
+
+/// Fields of a test on a grid at rising times: of the points of a square, or of the cells of a cube. Each process has
+/// those of its own cells.
+template <int dim>
+struct GridFields {
+  Grid<dim> grid;
+  std::vector<TimedFields<dim>> at_times;
+};
+
+/// Fields of a test of grains and films at rising times.
+struct NetworkFields {
+  std::vector<TimedFilmFields> at_times;
+};
+
+/// Fields of a test; without times where none were asked for.
+using TestFields = std::variant<GridFields<2>, GridFields<3>, NetworkFields>;
+
+/// The times of fields [s].
+[[nodiscard]] std::vector<double> times_of(const TestFields& fields);
+
+}  // namespace breccia
