@@ -45,19 +45,19 @@ std::shared_ptr<Solution> solve_study(const std::shared_ptr<const Study>& study,
                                       py::object show) {
   const auto options = options_of(threads, ignore_memory);
   Following following(std::move(show));
-  return calculate([&] { return solution_of(*study, solve(*study, options, following.observer())); });
+  FollowingSink sink(following);
+  return calculate([&] { return solution_of(*study, solve(*study, options, sink)); });
 }
 
 std::shared_ptr<Solution> pack_in_memory(const std::shared_ptr<const Study>& study, py::object show) {
   Following following(std::move(show));
   return calculate([&] {
     require_sound(*study);
-    const auto observer = following.observer();
+    const auto follow = [&](const Progress& now) { following.follow(now); };
     const auto begin = std::chrono::steady_clock::now();
     StudyResult result;
     result.study_hash = provenance_of(*study).hash;
     for (const auto& stage : study->stages) {
-      const auto follow = [&](const PackingProgress& progress) { observer.packing(stage, progress); };
       result.stages.push_back(packed_stage(*study, stage, make_microstructure(stage, follow)));
     }
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

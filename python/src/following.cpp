@@ -3,8 +3,7 @@
 #include <atomic>
 #include <mutex>
 #include <thread>
-
-#include <fmt/format.h>
+#include <variant>
 
 #include "breccia/error.hpp"
 #include "breccia/parallel/blas_threads.hpp"
@@ -68,40 +67,27 @@ void Following::look_for_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-void Following::report(const std::string& what, double share, const std::string& details) {
+void Following::report(const Progress& now) {
   constexpr milliseconds pause(100);
   if (!is_due(shown_, pause)) return;
   const py::gil_scoped_acquire lock;
-  if (!show_.is_none()) show_(what, share, details);
+  if (!show_.is_none()) show_(now.what, now.share, now.details);
 }
 
-void Following::add_progress(StudyObserver& observer, bool ends_at_once) {
-  observer.packing = [this, ends_at_once](const Stage& stage, const PackingProgress& packing) {
-    if (ends_at_once) look_for_signals();
-    report(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
-           fmt::format("{} events", packing.events));
-  };
-  observer.progress = [this, ends_at_once](const Stage& stage, const TestId& test, double share,
-                                           const std::string& details) {
-    if (ends_at_once) look_for_signals();
-    report(fmt::format("{}: {}", stage.name, calculation_of(test)), share, details);
-  };
-}
-
-StudyObserver Following::observer() {
-  StudyObserver observer;
-  add_progress(observer, true);
-  return observer;
+void Following::follow(const Progress& now) {
+  look_for_signals();
+  report(now);
 }
 
 RunObserver Following::run_observer() {
-  RunObserver observer;
-  add_progress(observer, false);
-  observer.noted = [](const std::string& note) {
-    const py::gil_scoped_acquire lock;
-    if (PyErr_WarnEx(PyExc_UserWarning, note.c_str(), 1) != 0) throw py::error_already_set();
-  };
-  return observer;
+  return {.progress = [this](const Progress& now) { report(now); },
+          .event =
+              [](const RunEvent& event) {
+                const auto* const note = std::get_if<Note>(&event);
+                if (note == nullptr) return;
+                const py::gil_scoped_acquire lock;
+                if (PyErr_WarnEx(PyExc_UserWarning, note->text.c_str(), 1) != 0) throw py::error_already_set();
+              }};
 }
 
 bool Following::stop() {

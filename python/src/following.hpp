@@ -8,6 +8,7 @@
 #include <pybind11/pybind11.h>
 
 #include "breccia/campaign/run.hpp"
+#include "breccia/homogenisation/study_sink.hpp"
 
 namespace breccia::python {
 
@@ -18,8 +19,8 @@ class Following {
   /// `show`: the function, or None.
   explicit Following(pybind11::object show) : show_(std::move(show)) {}
 
-  /// Functions for a calculation in memory, which a signal ends at once: they throw KeyboardInterrupt.
-  [[nodiscard]] StudyObserver observer();
+  /// Follows a calculation in memory, which a signal ends at once: it throws KeyboardInterrupt.
+  void follow(const Progress& now);
   /// Functions for a run in a directory, which a signal ends after a checkpoint (stop).
   [[nodiscard]] RunObserver run_observer();
   /// Whether the run shall end: the stop of a CheckpointSchedule.
@@ -33,12 +34,22 @@ class Following {
   [[nodiscard]] bool is_due(Clock::time_point& last, std::chrono::milliseconds pause) const;
   /// Looks for signals, and throws what they raise.
   void look_for_signals();
-  void report(const std::string& what, double share, const std::string& details);
-  void add_progress(StudyObserver& observer, bool ends_at_once);
+  void report(const Progress& now);
 
   pybind11::object show_;
   Clock::time_point looked_ = Clock::now(), shown_ = Clock::now() - std::chrono::hours(1);
   std::optional<pybind11::error_already_set> interruption_ = {};
+};
+
+/// Follows a solution in memory.
+class FollowingSink final : public StudySink {
+ public:
+  /// The argument must outlive this object.
+  explicit FollowingSink(Following& following) : following_(following) {}
+  void progress(const Progress& now) override { following_.follow(now); }
+
+ private:
+  Following& following_;
 };
 
 /// The turn of a calculation. Solvers keep state of their own in the process, so one thread calculates at a time;

@@ -29,7 +29,7 @@ std::unique_ptr<Checkpoint> Checkpoints::open(const Stage& stage, const std::str
       std::make_unique<Checkpoint>(*directory_ / stage.name / (name + ".checkpoint.h5"), owner, options_->checkpoints);
   if (!options_->resume) return checkpoint;
   for (const auto& problem : checkpoint->look_for_earlier()) {
-    if (observer_->noted) observer_->noted(problem);
+    observer_->tell(Note{problem});
   }
   return checkpoint;
 }

@@ -37,6 +37,14 @@ std::string DirectorySink::hash_of(const Stage& stage) const {
   return index < stage_hashes_.size() ? stage_hashes_[index] : std::string();
 }
 
+void DirectorySink::progress(const Progress& now) {
+  if (observer_.progress) observer_.progress(now);
+}
+
+void DirectorySink::happened(const StudyEvent& event) {
+  std::visit([this](const auto& one) { write(one); }, event);
+}
+
 std::optional<StageResult> DirectorySink::known_stage(const Stage& stage) {
   kept_if_not_empty_.emplace_back(directory_ / stage.name);
   present_hash_ = hash_of(stage);
@@ -44,28 +52,6 @@ std::optional<StageResult> DirectorySink::known_stage(const Stage& stage) {
   if (known == nullptr) return std::nullopt;
   if (known->failure) std::rethrow_exception(known->failure);
   return known->result;
-}
-
-void DirectorySink::stage_adopted(const Stage& stage, const StudyResult& result) {
-  const auto& known = *shared_.find(present_hash_);
-  present_hash_.clear();
-  const auto& done = result.stages.back();
-  records_[stage.name] = known.record;
-  if (known.record.answered_from.empty()) {
-    if (observer_.taken_over) observer_.taken_over(done, known.directory);
-  } else if (observer_.answered) {
-    observer_.answered(done, known.record.answered_from);
-  }
-  write_once([&] {
-    const auto directory = directory_ / stage.name;
-    make_directory(directory);
-    write_microstructure(directory, stage, done.microstructure);
-    write_responses(directory, responses_of(study_, stage, done));
-    write_histories(directory, study_, stage, done.tests);
-    copy_fields(known.directory, directory, known.record);
-    write_curves(directory_, result, FrequencyRows::of(study_.tests));
-    write_finished_stage(stage, result);
-  });
 }
 
 std::unique_ptr<Checkpoint> DirectorySink::packing_checkpoint(const Stage& stage) {
@@ -77,51 +63,81 @@ std::unique_ptr<Checkpoint> DirectorySink::test_checkpoint(const Stage& stage, c
   return checkpoints_.of_test(stage, test);
 }
 
-void DirectorySink::packed(const Stage& stage, const StudyResult& result) {
-  write_once([&] {
-    write_microstructure(directory_ / stage.name, stage, result.stages.back().microstructure);
-    write_record(result);
-  });
-}
-
-void DirectorySink::domain_finished(const Stage& stage, const TestId& test, std::size_t number,
-                                    const TimeDomain& domain) {
-  write_once([&] { write_history(directory_ / stage.name, study_, stage, test, number, domain); });
-}
-
 bool DirectorySink::store_fields(const Stage& stage, const TestId& test, const TestFields& fields) {
-  const auto write = [&](const auto& of_model) {
+  const auto store = [&](const auto& of_model) {
     return write_fields(directory_ / stage.name, study_, stage, test, of_model);
   };
-  records_[stage.name].fields.push_back({test, std::visit(write, fields)});
+  records_[stage.name].fields.push_back({test, std::visit(store, fields)});
   return true;
 }
 
-void DirectorySink::fields_stored_before(const Stage& stage, const TestId& test, const std::vector<double>& times) {
-  records_[stage.name].fields.push_back({test, field_records(study_, test, times)});
-}
-
-void DirectorySink::tested(const Stage& /*stage*/, const StudyResult& result) {
+void DirectorySink::write(const StageAdopted& event) {
+  const auto& stage = event.stage;
+  const auto& known = *shared_.find(present_hash_);
+  present_hash_.clear();
+  const auto& done = event.result.stages.back();
+  records_[stage.name] = known.record;
+  if (known.record.answered_from.empty()) {
+    observer_.tell(StageTakenOver{done, known.directory});
+  } else {
+    observer_.tell(StageFromResponses{done, known.record.answered_from});
+  }
   write_once([&] {
-    write_curves(directory_, result, FrequencyRows::of(study_.tests));
-    write_record(result);
+    const auto directory = directory_ / stage.name;
+    make_directory(directory);
+    write_microstructure(directory, stage, done.microstructure);
+    write_responses(directory, responses_of(study_, stage, done));
+    write_histories(directory, study_, stage, done.tests);
+    copy_fields(known.directory, directory, known.record);
+    write_curves(directory_, event.result, FrequencyRows::of(study_.tests));
+    write_finished_stage(stage, event.result);
   });
 }
 
-void DirectorySink::all_loads_tested(const Stage& stage, const StudyResult& result) {
-  write_once([&] { write_responses(directory_ / stage.name, responses_of(study_, stage, result.stages.back())); });
+void DirectorySink::write(const StagePacked& event) {
+  write_once([&] {
+    write_microstructure(directory_ / event.stage.name, event.stage, event.result.stages.back().microstructure);
+    write_record(event.result);
+  });
+  observer_.tell(event);
 }
 
-void DirectorySink::stage_finished(const Stage& stage, const StudyResult& result) {
-  write_once([&] { write_finished_stage(stage, result); });
+void DirectorySink::write(const DomainFinished& event) {
+  write_once([&] {
+    write_history(directory_ / event.stage.name, study_, event.stage, event.test, event.number, event.domain);
+  });
+  observer_.tell(event);
+}
+
+void DirectorySink::write(const FieldsStoredBefore& event) {
+  records_[event.stage.name].fields.push_back({event.test, field_records(study_, event.test, event.times)});
+}
+
+void DirectorySink::write(const TestFinished& event) {
+  write_once([&] {
+    write_curves(directory_, event.result, FrequencyRows::of(study_.tests));
+    write_record(event.result);
+  });
+  observer_.tell(event);
+}
+
+void DirectorySink::write(const AllLoadsFinished& event) {
+  write_once([&] {
+    write_responses(directory_ / event.stage.name, responses_of(study_, event.stage, event.result.stages.back()));
+  });
+}
+
+void DirectorySink::write(const StageFinished& event) {
+  write_once([&] { write_finished_stage(event.stage, event.result); });
+  const auto& name = event.stage.name;
   shared_.keep(present_hash_,
-               {.result = result.stages.back(), .record = records_[stage.name], .directory = directory_ / stage.name});
+               {.result = event.result.stages.back(), .record = records_[name], .directory = directory_ / name});
   present_hash_.clear();
 }
 
-void DirectorySink::finished(const StudyResult& result) {
+void DirectorySink::write(const StudyFinished& event) {
   write_once([&] {
-    write_record(result);
+    write_record(event.result);
     write_study_report(directory_);
     remove_checkpoints(study_, directory_);
   });
@@ -139,7 +155,7 @@ void DirectorySink::write_finished_stage(const Stage& stage, const StudyResult& 
   write_comparisons(directory_, result);
   write_record(result);
   for (const auto& note : write_plots(directory_ / stage.name, study_, stage, result)) {
-    if (observer_.noted) observer_.noted(note);
+    observer_.tell(Note{note});
   }
   write_study_report(directory_);
 }

@@ -26,23 +26,26 @@ class DirectorySink final : public StudySink {
   DirectorySink(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
                 const RunObserver& observer, SharedStages& shared);
 
+  void progress(const Progress& now) override;
+  void happened(const StudyEvent& event) override;
   std::optional<StageResult> known_stage(const Stage& stage) override;
-  void stage_adopted(const Stage& stage, const StudyResult& result) override;
   std::unique_ptr<Checkpoint> packing_checkpoint(const Stage& stage) override;
   std::unique_ptr<Checkpoint> test_checkpoint(const Stage& stage, const TestId& test) override;
-  void packed(const Stage& stage, const StudyResult& result) override;
-  void domain_finished(const Stage& stage, const TestId& test, std::size_t number, const TimeDomain& domain) override;
   bool store_fields(const Stage& stage, const TestId& test, const TestFields& fields) override;
-  void fields_stored_before(const Stage& stage, const TestId& test, const std::vector<double>& times) override;
-  void tested(const Stage& stage, const StudyResult& result) override;
-  void all_loads_tested(const Stage& stage, const StudyResult& result) override;
-  void stage_finished(const Stage& stage, const StudyResult& result) override;
-  void finished(const StudyResult& result) override;
 
   /// Leaves the reason why the present stage could not be computed for others that have it.
   void keep_failure(const std::exception_ptr& failure);
 
  private:
+  void write(const StageAdopted& event);
+  void write(const StagePacked& event);
+  void write(const DomainFinished& event);
+  void write(const FieldsStoredBefore& event);
+  void write(const TestFinished& event);
+  void write(const AllLoadsFinished& event);
+  void write(const StageFinished& event);
+  void write(const StudyFinished& event);
+
   [[nodiscard]] std::string hash_of(const Stage& stage) const;
   void write_record(const StudyResult& result) const;
   void write_finished_stage(const Stage& stage, const StudyResult& result) const;

@@ -1,5 +1,7 @@
 #include "breccia/campaign/pack.hpp"
 
+#include <variant>
+
 #include "breccia/campaign/resume.hpp"
 #include "breccia/homogenisation/solve_stage.hpp"
 #include "breccia/io/text_file.hpp"
@@ -20,25 +22,37 @@ namespace {
 class PackingSink final : public StudySink {
  public:
   /// All arguments must outlive this object.
-  PackingSink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints)
-      : study_(study), directory_(directory), checkpoints_(checkpoints), has_tests_(holds_tests(directory)) {}
+  PackingSink(const Study& study, const std::filesystem::path& directory, const Checkpoints& checkpoints,
+              const RunObserver& observer)
+      : study_(study),
+        directory_(directory),
+        checkpoints_(checkpoints),
+        observer_(observer),
+        has_tests_(holds_tests(directory)) {}
+
+  void progress(const Progress& now) override {
+    if (observer_.progress) observer_.progress(now);
+  }
 
   std::unique_ptr<Checkpoint> packing_checkpoint(const Stage& stage) override {
     write_once([&] { make_directory(directory_ / stage.name); });
     return checkpoints_.of_packing(stage);
   }
 
-  void packed(const Stage& stage, const StudyResult& result) override {
+  void happened(const StudyEvent& event) override {
+    const auto& packed = std::get<StagePacked>(event);  // all that happens without tests
     write_once([&] {
-      write_microstructure(directory_ / stage.name, stage, result.stages.back().microstructure);
-      if (!has_tests_) write_provenance(directory_, study_, result);
+      write_microstructure(directory_ / packed.stage.name, packed.stage, packed.result.stages.back().microstructure);
+      if (!has_tests_) write_provenance(directory_, study_, packed.result);
     });
+    observer_.tell(packed);
   }
 
  private:
   const Study& study_;
   const std::filesystem::path& directory_;
   const Checkpoints& checkpoints_;
+  const RunObserver& observer_;
   bool has_tests_;
 };
 
@@ -53,12 +67,12 @@ StudyResult pack_study(const Study& study, const std::filesystem::path& director
   auto how = options;
   how.resume = options.resume || holds_tests(place);
   const Checkpoints checkpoints(study, place, how, observer);
-  PackingSink sink(study, place, checkpoints);
+  PackingSink sink(study, place, checkpoints, observer);
   StudyResult result;
   result.study_hash = provenance_of(study).hash;
   for (const auto& stage : study.stages) {
     const RemoveIfEmpty kept_stage(place / stage.name);
-    pack_stage(study, stage, observer, sink, result);
+    pack_stage(study, stage, sink, result);
   }
   results.commit();
   return result;

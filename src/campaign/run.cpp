@@ -23,11 +23,11 @@ StudyResult run_study(const Study& study, const std::filesystem::path& directory
   require_solvable(study, options.solve);
   const ResultPlace results(study, directory, [&] { return directory_to_run_in(study, directory, options); });
   const auto& place = results.place();
-  if (place != directory && observer.writes_beside) observer.writes_beside(place);
+  if (place != directory) observer.tell(ResultsKeptBeside{place});
   DirectorySink sink(study, place, options, observer, shared);
   StudyResult result;
   try {
-    result = solve(study, options.solve, observer, sink);
+    result = solve(study, options.solve, sink);
   } catch (const NumericalError&) {
     sink.keep_failure(std::current_exception());
     throw;

@@ -33,7 +33,7 @@ namespace {
 class SweepRun {
  public:
   SweepRun(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
-           const SweepObserver& observer)
+           const RunObserver& observer)
       : sweep_(sweep),
         directory_(directory),
         options_(options),
@@ -55,10 +55,10 @@ class SweepRun {
     for (std::size_t task = 0; task < sweep_.tasks.size(); ++task) {
       if (!is_ours(task)) continue;
       if (options_.resume && result_[task].state == TaskState::done) {
-        if (observer_.skipped) observer_.skipped(task);
+        observer_.tell(TaskSkipped{sweep_, task});
         continue;
       }
-      if (observer_.begun) observer_.begun(task);
+      observer_.tell(TaskBegun{sweep_, task});
       run(task);
       write();
     }
@@ -163,7 +163,7 @@ class SweepRun {
   void run(std::size_t task) {
     try {
       auto answers = answered(task);
-      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_of_[task], observer_.study,
+      const auto done = run_study(sweep_.tasks[task].study, directory_of(task), options_of_[task], observer_,
                                   answers ? *answers : shared_);
       result_[task] = {TaskState::done, curves_of(done), done.seconds.value_or(0.0)};
     } catch (const NumericalError& error) {
@@ -177,7 +177,7 @@ class SweepRun {
 
   void fail(std::size_t task, const Error& error) {
     result_[task] = {.state = TaskState::failed, .error = error.what()};
-    if (observer_.failed) observer_.failed(task, error.what());
+    observer_.tell(TaskFailed{sweep_, task, error.what()});
   }
 
   void write() {
@@ -191,7 +191,7 @@ class SweepRun {
 
   /// The plot is written after each task; what is wrong with it is told once.
   void note_of_plot(const std::optional<std::string>& note) {
-    if (note && note != last_note_ && observer_.study.noted) observer_.study.noted(*note);
+    if (note && note != last_note_) observer_.tell(Note{*note});
     last_note_ = note;
   }
 
@@ -204,7 +204,7 @@ class SweepRun {
   const Sweep& sweep_;
   const std::filesystem::path& directory_;
   const RunOptions& options_;
-  const SweepObserver& observer_;
+  const RunObserver& observer_;
   SharedStages shared_;
   std::vector<RunOptions> options_of_;  ///< options of each task
   SweepResult result_;
@@ -214,7 +214,7 @@ class SweepRun {
 }  // namespace
 
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
-                      const SweepObserver& observer) {
+                      const RunObserver& observer) {
   return SweepRun(sweep, directory, options, observer).run();
 }
 

@@ -15,7 +15,7 @@
 #include "bench_results.hpp"
 #include "command.hpp"
 #include "interruption.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 
 namespace breccia::cli {
 namespace {
@@ -100,7 +100,7 @@ std::vector<KernelCase> cases_of(const BenchArguments& arguments) {
 
 void run_bench(const BenchArguments& arguments) {
   watch_for_interruption();
-  Progress progress(!parallel::is_first());
+  ProgressLine progress(!parallel::is_first());
   const BenchmarkPlan plan = {cases_of(arguments), arguments.seconds, arguments.rounds,
                               arguments.processor_time ? Clock::processor : Clock::wall};
   const auto result = run_benchmark(plan, [&](double share) {

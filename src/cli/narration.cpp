@@ -15,6 +15,9 @@
 #include "breccia/io/units.hpp"
 #include "breccia/study/gap.hpp"
 
+#include "interruption.hpp"
+#include "sweep_summary.hpp"
+
 namespace breccia::cli {
 namespace {
 
@@ -68,56 +71,80 @@ std::string describe_error(const QuasistaticResponse& response) {
   return fmt::format("error of the basis (at Laplace variables, {}) about {:.1g} %", fmt::join(phases, ", "), per_cent);
 }
 
-/// A line about a quasi-static test; for dynamic tests there is a line for each time domain instead.
-std::string describe(const Stage& stage, const TestResult& test) {
+// The line that tells the user of an event; empty where there is none.
+
+std::string line_of(const StagePacked& event) {
+  return describe(event.stage, event.result.stages.back());
+}
+
+std::string line_of(const DomainFinished& event) {
+  const auto& domain = event.domain;
+  const auto points = point_count(event.stage, event.test.grid.cells().value());
+  return fmt::format(
+      "{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
+      "points x steps/s",
+      event.stage.name, name_of(event.test.load), bound_of(event.test.boundary), domain.density_factor,
+      domain.window.begin, domain.window.end, domain.steps, display_count(domain.terms, "term"), domain.seconds,
+      domain.point_steps_per_second(points) / 1e6);
+}
+
+/// Of a quasi-static test; of dynamic tests there is a line for each time domain instead.
+std::string line_of(const TestFinished& event) {
+  const auto& test = event.result.stages.back().tests.back();
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   if (record == nullptr) return {};
   const auto& [response, effort, seconds] = *record;
   const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
                                     : fmt::format("{} solves", effort.solves);
-  return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", stage.name, name_of(test.id.load),
+  return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", event.stage.name, name_of(test.id.load),
                      bound_of(test.id.boundary), words_of(test.id.grid), how, seconds, describe_error(response));
 }
 
+std::string line_of(const ResultsKeptBeside& event) {
+  return fmt::format("The earlier results are kept until the new ones, in {}, are complete", event.directory.string());
+}
+
+std::string line_of(const StageTakenOver& event) {
+  return fmt::format("{}: the same as in {}", event.stage.name, event.directory.string());
+}
+
+std::string line_of(const StageFromResponses& event) {
+  return fmt::format("{}: computed from the reduced responses of task {}, at another temperature, without field maps",
+                     event.stage.name, event.task);
+}
+
+std::string line_of(const TaskBegun& event) {
+  return heading_of(event.sweep, event.task);
+}
+
+std::string line_of(const TaskSkipped& event) {
+  return fmt::format("{}, complete already", heading_of(event.sweep, event.task));
+}
+
+std::string line_of(const TaskFailed& event) {
+  return fmt::format("{} has failed: {}", heading_of(event.sweep, event.task), event.error);
+}
+
+/// Prints the line of an event.
+struct PrintEvent {
+  ProgressLine& line;
+
+  void operator()(const Note& note) const { line.note(note.text); }
+  template <class Event>
+  void operator()(const Event& event) const {
+    if (const auto text = line_of(event); !text.empty()) line.print(text);
+  }
+};
+
 }  // namespace
 
-RunObserver narrate(Progress& progress) {
-  RunObserver observer;
-  observer.packing = [&progress](const Stage& stage, const PackingProgress& packing) {
-    progress.update(stage.name + ": packing", packing.fraction / packing.fraction_to_reach,
-                    fmt::format("{} events", packing.events));
-  };
-  observer.packed = [&progress](const Stage& stage, const StageResult& result) {
-    progress.print(describe(stage, result));
-  };
-  observer.progress = [&progress](const Stage& stage, const TestId& test, double share, const std::string& details) {
-    progress.update(fmt::format("{} {}", stage.name, calculation_of(test)), share, details);
-  };
-  observer.finished = [&progress](const Stage& stage, const TestResult& test) {
-    if (const auto line = describe(stage, test); !line.empty()) progress.print(line);
-  };
-  observer.domain_finished = [&progress](const Stage& stage, const TestId& test, const TimeDomain& domain) {
-    const auto points = point_count(stage, test.grid.cells().value());
-    progress.print(
-        fmt::format("{} {}, {}: density x {:<8.3g} valid {:.3g} to {:.3g} s, {} steps, {}, {:.1f} s, {:.0f} million "
-                    "points x steps/s",
-                    stage.name, name_of(test.load), bound_of(test.boundary), domain.density_factor, domain.window.begin,
-                    domain.window.end, domain.steps, display_count(static_cast<std::size_t>(domain.terms), "term"),
-                    domain.seconds, domain.point_steps_per_second(points) / 1e6));
-  };
-  observer.writes_beside = [&progress](const std::filesystem::path& place) {
-    progress.print(fmt::format("The earlier results are kept until the new ones, in {}, are complete", place.string()));
-  };
-  observer.taken_over = [&progress](const StageResult& stage, const std::filesystem::path& directory) {
-    progress.print(fmt::format("{}: the same as in {}", stage.name, directory.string()));
-  };
-  observer.answered = [&progress](const StageResult& stage, const std::string& task) {
-    progress.print(
-        fmt::format("{}: computed from the reduced responses of task {}, at another temperature, without field maps",
-                    stage.name, task));
-  };
-  observer.noted = [&progress](const std::string& note) { progress.note(note); };
-  return observer;
+RunObserver narrate(ProgressLine& line) {
+  return {.progress = [&line](const Progress& now) { line.update(now.what, now.share, now.details); },
+          .event =
+              [&line](const RunEvent& event) {
+                if (std::holds_alternative<TaskBegun>(event)) stop_if_interrupted();
+                std::visit(PrintEvent{line}, event);
+              }};
 }
 
 }  // namespace breccia::cli

@@ -2,11 +2,12 @@
 
 #include "breccia/campaign/run.hpp"
 
-#include "progress.hpp"
+#include "progress_line.hpp"
 
 namespace breccia::cli {
 
-/// An observer that prints the progress of a study, and ends the study when the user interrupts it.
-RunObserver narrate(Progress& progress);
+/// An observer that prints the progress and the events of a study or a sweep, and ends a sweep before its next task
+/// when the user interrupts it.
+RunObserver narrate(ProgressLine& line);
 
 }  // namespace breccia::cli

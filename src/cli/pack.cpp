@@ -18,7 +18,8 @@
 namespace breccia::cli {
 namespace {
 
-void pack(const Study& study, const std::filesystem::path& directory, const RunOptions& options, Progress& progress) {
+void pack(const Study& study, const std::filesystem::path& directory, const RunOptions& options,
+          ProgressLine& progress) {
   if (take_over_complete_run(study, directory)) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
     return;
@@ -31,7 +32,7 @@ void pack(const Study& study, const std::filesystem::path& directory, const RunO
 
 /// Packs all tasks of a sweep. If some cannot be packed, the others still are.
 void pack_all(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
-              Progress& progress) {
+              ProgressLine& progress) {
   SweepResult result(sweep.tasks.size());
   const auto fail = [&](std::size_t task, const Error& error) {
     result[task] = {.state = TaskState::failed, .error = error.what()};
@@ -64,7 +65,7 @@ void add_pack(CLI::App& application) {
     const auto options = arguments->options();
     watch_for_interruption();
     const auto sweep = arguments->deck.read();
-    Progress progress(arguments->quiet || !parallel::is_first());
+    ProgressLine progress(arguments->quiet || !parallel::is_first());
     const auto lock = hold_sweep_directory(sweep, arguments->results());
     if (lock) refuse_objections(sweep, arguments->results(), options);
     if (sweep.keys.empty()) {

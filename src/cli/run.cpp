@@ -35,7 +35,7 @@ std::vector<std::string> tables_in(const std::filesystem::path& directory) {
   return tables;
 }
 
-void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
+void run_single(const Study& study, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
   if (arguments.resume && take_over_complete_run(study, directory)) {
     progress.print(fmt::format("The results in {} are complete", directory.string()));
@@ -56,25 +56,9 @@ void run_single(const Study& study, const RunArguments& arguments, const RunOpti
   }
 }
 
-SweepObserver narrate(const Sweep& sweep, Progress& progress) {
-  SweepObserver observer;
-  observer.begun = [&](std::size_t task) {
-    stop_if_interrupted();
-    progress.print(heading_of(sweep, task));
-  };
-  observer.skipped = [&](std::size_t task) {
-    progress.print(fmt::format("{}, complete already", heading_of(sweep, task)));
-  };
-  observer.failed = [&](std::size_t task, const std::string& error) {
-    progress.print(fmt::format("{} has failed: {}", heading_of(sweep, task), error));
-  };
-  observer.study = narrate(progress);
-  return observer;
-}
-
-void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, Progress& progress) {
+void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions& options, ProgressLine& progress) {
   const auto directory = arguments.results();
-  const auto result = run_sweep(sweep, directory, options, narrate(sweep, progress));
+  const auto result = run_sweep(sweep, directory, options, narrate(progress));
   progress.print(closing_table(sweep, result));
   progress.print(fmt::format("Results are in {}", directory.string()));
   for (const auto* file : {"report.html", "sweep.csv", "spread.csv", "sweep.json", "sweep.svg"}) {
@@ -84,7 +68,7 @@ void run_all(const Sweep& sweep, const RunArguments& arguments, const RunOptions
 }
 
 /// Names the options that PETSc has not used: those of another solver, or misspelt ones.
-void note_unused_petsc_options(Progress& progress) {
+void note_unused_petsc_options(ProgressLine& progress) {
   const auto unused = parallel::unused_petsc_options();
   if (!unused.empty()) progress.print(fmt::format("note: PETSc has not used {}", fmt::join(unused, ", ")));
 }
@@ -123,7 +107,7 @@ void add_run(CLI::App& application) {
     }
     if (!arguments->petsc_options.empty()) parallel::set_petsc_options(arguments->petsc_options);
     warn_of_missing_plots("; report.html draws every curve without it");
-    Progress progress(arguments->quiet || !parallel::is_first());
+    ProgressLine progress(arguments->quiet || !parallel::is_first());
     if (sweep.keys.empty()) {
       run_single(sweep.tasks.front().study, *arguments, options, progress);
     } else {

@@ -25,8 +25,8 @@ struct SampledFilms {
 
 FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                     std::span<const Moduli> training_set, const SamplingOptions& options,
-                                    const std::function<void(const SamplingProgress&)>& observer,
-                                    Checkpoint* checkpoint, const std::optional<TargetCurve>& target) {
+                                    const ProgressObserver& observer, Checkpoint* checkpoint,
+                                    const std::optional<TargetCurve>& target) {
   constexpr PhaseIndex binder = 0;
   auto path = matrix_path(binder, training_set);
   path.target = target;

@@ -11,7 +11,7 @@
 namespace breccia {
 
 FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material& binder, std::span<const Load> loads,
-                                     std::span<const double> times, const ShareObserver& observer,
+                                     std::span<const double> times, const ProgressObserver& observer,
                                      std::span<const double> field_times, Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
   const films::FilmComposite composite(problem);

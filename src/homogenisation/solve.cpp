@@ -16,16 +16,15 @@ namespace breccia {
 namespace {
 
 /// Adds a stage to the result: the one that the sink knows, or else computed.
-void solve_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
-                 StudyResult& result) {
+void solve_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (auto known = sink.known_stage(stage)) {
     known->comparisons = compare(study, stage, known->tests);
     result.stages.push_back(std::move(*known));
-    sink.stage_adopted(stage, result);
+    sink.happened(StageAdopted{stage, result});
     return;
   }
-  pack_stage(study, stage, observer, sink, result);
-  test_stage(study, stage, threads, observer, sink, result);
+  pack_stage(study, stage, sink, result);
+  test_stage(study, stage, threads, sink, result);
 }
 
 }  // namespace
@@ -35,19 +34,19 @@ void require_solvable(const Study& study, const SolveOptions& options) {
   if (!options.ignore_memory && parallel::is_alone()) require_memory(study, available_memory());
 }
 
-StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer) {
+StudyResult solve(const Study& study, const SolveOptions& options) {
   StudySink nothing_is_kept;
-  return solve(study, options, observer, nothing_is_kept);
+  return solve(study, options, nothing_is_kept);
 }
 
-StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink) {
+StudyResult solve(const Study& study, const SolveOptions& options, StudySink& sink) {
   const auto begin = std::chrono::steady_clock::now();
   require_solvable(study, options);
   StudyResult result;
   result.study_hash = provenance_of(study).hash;
-  for (const auto& stage : study.stages) solve_stage(study, stage, options.threads, observer, sink, result);
+  for (const auto& stage : study.stages) solve_stage(study, stage, options.threads, sink, result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  sink.finished(result);
+  sink.happened(StudyFinished{result});
   return result;
 }
 

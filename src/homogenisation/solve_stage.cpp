@@ -26,9 +26,8 @@ namespace {
 /// Runs the tests of the last stage of a result and adds each to the result when it is finished.
 class StageSolution {
  public:
-  StageSolution(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result)
-      : study_(study), stage_(stage), observer_(observer), sink_(sink), result_(result), done_(result.stages.back()) {}
+  StageSolution(const Study& study, const Stage& stage, StudySink& sink, StudyResult& result)
+      : study_(study), stage_(stage), sink_(sink), result_(result), done_(result.stages.back()) {}
 
   void run(int threads) {
     if (model_of(study_.tests, stage_) == Model::films) {
@@ -44,7 +43,7 @@ class StageSolution {
     }
     if (serves_as_matrix(study_, stage_)) done_.materials = materials_from(study_, stage_, result_.stages, done_);
     done_.comparisons = compare(study_, stage_, done_.tests);
-    sink_.stage_finished(stage_, result_);
+    sink_.happened(StageFinished{stage_, result_});
   }
 
  private:
@@ -62,36 +61,33 @@ class StageSolution {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, method);
     if (method == Method::quasistatic) {
       auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
-      add_all_loads(run_quasistatic(grid, matrix, std::move(moduli), boundary, observer_, sink_));
+      add_all_loads(run_quasistatic(grid, matrix, std::move(moduli), boundary, sink_));
       return;
     }
     for (const auto load : loads_of(study_, stage_)) {
-      add(run_dynamic(grid, matrix, boundary, load, observer_, sink_));
+      add(run_dynamic(grid, matrix, boundary, load, sink_));
     }
   }
 
   void run(const StageFilms& films, Boundary boundary) {
     const auto& matrix = matrix_of(stage_, result_.stages, boundary, Method::quasistatic);
     auto moduli = varying_moduli(study_, stage_, result_.stages, boundary);
-    add_all_loads(run_films(films, matrix, std::move(moduli), boundary, observer_, sink_));
+    add_all_loads(run_films(films, matrix, std::move(moduli), boundary, sink_));
   }
 
   void add_all_loads(std::vector<TestResult> tests) {
     for (auto& test : tests) add(std::move(test));
-    sink_.all_loads_tested(stage_, result_);
+    sink_.happened(AllLoadsFinished{stage_, result_});
   }
 
   void add(TestResult test) {
     done_.tests.push_back(std::move(test));
-    const auto& added = done_.tests.back();
-    std::ranges::copy(warnings_of(stage_, added), std::back_inserter(done_.warnings));
-    sink_.tested(stage_, result_);
-    if (observer_.finished) observer_.finished(stage_, added);
+    std::ranges::copy(warnings_of(stage_, done_.tests.back()), std::back_inserter(done_.warnings));
+    sink_.happened(TestFinished{stage_, result_});
   }
 
   const Study& study_;
   const Stage& stage_;
-  const StudyObserver& observer_;
   StudySink& sink_;
   StudyResult& result_;
   StageResult& done_;
@@ -99,25 +95,20 @@ class StageSolution {
 
 }  // namespace
 
-void pack_stage(const Study& study, const Stage& stage, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result) {
+void pack_stage(const Study& study, const Stage& stage, StudySink& sink, StudyResult& result) {
   const auto checkpoint = sink.packing_checkpoint(stage);
-  const auto follow = [&](const PackingProgress& progress) {
-    if (observer.packing) observer.packing(stage, progress);
-  };
+  const auto follow = [&](const Progress& progress) { sink.progress(progress); };
   auto microstructure = make_microstructure(stage, follow, checkpoint.get());
   result.stages.push_back(packed_stage_together(study, stage, std::move(microstructure)));
-  sink.packed(stage, result);
-  if (observer.packed) observer.packed(stage, result.stages.back());
+  sink.happened(StagePacked{stage, result});
 }
 
-void test_stage(const Study& study, const Stage& stage, int threads, const StudyObserver& observer, StudySink& sink,
-                StudyResult& result) {
+void test_stage(const Study& study, const Stage& stage, int threads, StudySink& sink, StudyResult& result) {
   if (result.stages.empty() || result.stages.back().name != stage.name) {
     throw InputError(
         fmt::format("stage {} is not the last one of the result, so that it cannot be tested", stage.name));
   }
-  StageSolution(study, stage, observer, sink, result).run(threads);
+  StageSolution(study, stage, sink, result).run(threads);
 }
 
 }  // namespace breccia

@@ -41,8 +41,9 @@ Overloaded(Functions...) -> Overloaded<Functions...>;  // which clang 14 does no
 /// and measures the time.
 class StagePacking {
  public:
-  StagePacking(const PackingFollower& follow, Checkpoint* checkpoint)
-      : follow_(follow),
+  StagePacking(const Stage& stage, const ProgressObserver& follow, Checkpoint* checkpoint)
+      : stage_(stage),
+        follow_(follow),
         checkpoint_(checkpoint),
         earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
         seconds_before_(earlier_ != nullptr ? earlier_->number(packing_seconds_name) : 0.0) {}
@@ -52,7 +53,7 @@ class StagePacking {
     auto packing = earlier_ != nullptr ? go_on<dim>(request) : PackingRun<dim>(request);
     while (!packing.is_done()) {
       packing.advance();
-      if (follow_) follow_(packing.progress());
+      report(packing.progress());
       if (checkpoint_ == nullptr || !checkpoint_->is_due()) continue;
       checkpoint_->save([&](StateWriter& state) {
         save(state, packing.state());
@@ -67,7 +68,7 @@ class StagePacking {
   void run(SequentialRun<Request>& packing) {
     while (!packing.is_done()) {
       packing.advance();
-      if (follow_) follow_(packing.progress());
+      report(packing.progress());
       if (checkpoint_ == nullptr || !checkpoint_->is_due()) continue;
       checkpoint_->save([&](StateWriter& state) { state.write(packing_seconds_name, seconds()); });
     }
@@ -88,7 +89,15 @@ class StagePacking {
     }
   }
 
-  const PackingFollower& follow_;
+  void report(const PackingProgress& packing) const {
+    if (!follow_) return;
+    follow_({.what = stage_.name + ": packing",
+             .share = packing.fraction / packing.fraction_to_reach,
+             .details = fmt::format("{} events", packing.events)});
+  }
+
+  const Stage& stage_;
+  const ProgressObserver& follow_;
   Checkpoint* checkpoint_;
   const StateReader* earlier_;
   double seconds_before_;
@@ -296,11 +305,11 @@ std::optional<double> StageMicrostructure::size_deviation() const {
   return largest;
 }
 
-StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow, Checkpoint* checkpoint) {
+StageMicrostructure make_microstructure(const Stage& stage, const ProgressObserver& follow, Checkpoint* checkpoint) {
   if (checkpoint != nullptr && checkpoint->is_finished())
     return read_stage_microstructure(*checkpoint->earlier(), stage);
   StageMicrostructure result;
-  StagePacking packing(follow, checkpoint);
+  StagePacking packing(stage, follow, checkpoint);
   name_errors(stage.name, [&] { place(stage, packing, result); });
   result.seconds = packing.seconds();
   if (checkpoint != nullptr) checkpoint->finish([&](StateWriter& state) { save(state, result); });

@@ -28,7 +28,7 @@ TestGrid grid_of(const StageGrid& grid) {
 template <class Found>
 void finish(const Stage& stage, const Found& found, TestResult& result, Checkpoint* checkpoint, StudySink& sink) {
   if (checkpoint != nullptr && checkpoint->is_finished()) {
-    sink.fields_stored_before(stage, result.id, read_field_times(*checkpoint->earlier()));
+    sink.happened(FieldsStoredBefore{stage, result.id, read_field_times(*checkpoint->earlier())});
     return;
   }
   std::vector<double> times_stored;
@@ -40,18 +40,25 @@ void finish(const Stage& stage, const Found& found, TestResult& result, Checkpoi
   });
 }
 
+/// "fine lower bound, 50 cells per side, quasi-static": for errors and the progress.
+std::string name_of(const Stage& stage, const TestId& test) {
+  return fmt::format("{} {}", stage.name, calculation_of(test));
+}
+
+/// Passes the progress of a calculation of this name to the sink.
+ProgressObserver progress_to(StudySink& sink, const std::string& what) {
+  return [&sink, what](const Progress& of_test) { sink.progress({what, of_test.share, of_test.details}); };
+}
+
 /// Runs a quasi-static test of all loads, with its checkpoint. Its results by load; the first has the fields.
-std::vector<TestResult> run_all_loads(const Stage& stage, const QuasistaticTest& test, TestGrid grid,
-                                      const StudyObserver& observer, StudySink& sink) {
+std::vector<TestResult> run_all_loads(const Stage& stage, const QuasistaticTest& test, TestGrid grid, StudySink& sink) {
   const auto id_of = [&](Load load) { return TestId{load, test.boundary, Method::quasistatic, grid}; };
   const auto first = id_of(test.loads.front());
   const auto checkpoint = sink.test_checkpoint(stage, first);
-  const auto follow = [&](const std::string& details, double share) {
-    if (observer.progress) observer.progress(stage, first, share, details);
-  };
-  auto found = name_errors(fmt::format("{} {}", stage.name, calculation_of(first)), [&] {
-    follow("begun", 0.0);  // the first elastic solution may take long
-    return run_quasistatic_test(test, follow, checkpoint.get());
+  const auto name = name_of(stage, first);
+  auto found = name_errors(name, [&] {
+    sink.progress({.what = name, .details = "begun"});  // the first elastic solution may take long
+    return run_quasistatic_test(test, progress_to(sink, name), checkpoint.get());
   });
   std::vector<TestResult> results;
   for (const auto& response : found.responses) results.push_back({.id = id_of(response.load)});
@@ -80,42 +87,33 @@ PronySeries fitted(const Curve& curve) {
 
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
-                                        const StudyObserver& observer, StudySink& sink) {
+                                        StudySink& sink) {
   auto test = make_quasistatic_test(*grid.study, *grid.stage, matrix, grid.discretisation, boundary, grid.threads);
   test.relaxation = std::move(relaxation);
-  return run_all_loads(*grid.stage, test, grid_of(grid), observer, sink);
+  return run_all_loads(*grid.stage, test, grid_of(grid), sink);
 }
 
 std::vector<TestResult> run_films(const StageFilms& films, const Material& matrix,
-                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
-                                  const StudyObserver& observer, StudySink& sink) {
+                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary, StudySink& sink) {
   auto test = make_film_test(*films.study, *films.stage, matrix, *films.grains, boundary, films.threads);
   test.relaxation = std::move(relaxation);
-  return run_all_loads(*films.stage, test, TestGrid::films(), observer, sink);
+  return run_all_loads(*films.stage, test, TestGrid::films(), sink);
 }
 
-TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
-                       const StudyObserver& observer, StudySink& sink) {
+TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load, StudySink& sink) {
   const auto& stage = *grid.stage;
   TestResult result{.id = {load, boundary, Method::dynamic, grid_of(grid)}};
+  const auto name = name_of(stage, result.id);
   std::size_t number = 0;
-  DynamicObserver follow;
-  follow.progress = [&](const DynamicProgress& progress) {
-    if (!observer.progress) return;
-    observer.progress(stage, result.id, progress.share,
-                      fmt::format("time domain {} at {:.3g} s, {:.0f} million points x steps/s", progress.domain + 1,
-                                  progress.time, progress.point_steps_per_second / 1e6));
-  };
-  follow.finished = [&](const TimeDomain& domain) {
-    sink.domain_finished(stage, result.id, ++number, domain);
-    if (observer.domain_finished) observer.domain_finished(stage, result.id, domain);
+  const auto finished = [&](const TimeDomain& domain) {
+    sink.happened(DomainFinished{stage, result.id, ++number, domain});
   };
   const auto checkpoint = sink.test_checkpoint(stage, result.id);
   auto found = std::visit(
       [&](const auto& discretisation) {
         const auto test = make_dynamic_test(*grid.study, stage, matrix, discretisation, boundary, load, grid.threads);
-        return name_errors(fmt::format("{} {}", stage.name, calculation_of(result.id)),
-                           [&] { return run_dynamic_test(test, follow, checkpoint.get()); });
+        return name_errors(name,
+                           [&] { return run_dynamic_test(test, progress_to(sink, name), finished, checkpoint.get()); });
       },
       grid.discretisation);
   result.fields = std::exchange(found.fields, {});

@@ -5,7 +5,6 @@
 
 #include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/homogenisation/stage_discretisation.hpp"
-#include "breccia/homogenisation/study_observer.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
 #include "breccia/study/study.hpp"
@@ -32,16 +31,14 @@ struct StageFilms {
 /// relaxation.
 std::vector<TestResult> run_quasistatic(const StageGrid& grid, const Material& matrix,
                                         std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
-                                        const StudyObserver& observer, StudySink& sink);
+                                        StudySink& sink);
 
 /// The same by the model of grains and films.
 std::vector<TestResult> run_films(const StageFilms& films, const Material& matrix,
-                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary,
-                                  const StudyObserver& observer, StudySink& sink);
+                                  std::vector<std::vector<Moduli>> relaxation, Boundary boundary, StudySink& sink);
 
 /// Runs one load under one boundary by the dynamic method.
-TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load,
-                       const StudyObserver& observer, StudySink& sink);
+TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary boundary, Load load, StudySink& sink);
 
 /// A Prony series fitted to a curve.
 PronySeries fitted(const Curve& curve);

@@ -151,9 +151,11 @@ void convert_creep(DynamicTestResult& result) {
 template <int dim>
 class DynamicRun {
  public:
-  DynamicRun(const DynamicTest<dim>& test, const DynamicObserver& observer, Checkpoint* checkpoint)
+  DynamicRun(const DynamicTest<dim>& test, const ProgressObserver& observer, const DomainObserver& finished,
+             Checkpoint* checkpoint)
       : test_(test),
         observer_(observer),
+        finished_(finished),
         checkpoint_(checkpoint),
         earlier_(checkpoint != nullptr ? checkpoint->earlier() : nullptr),
         rules_(rules_of(test)),
@@ -171,7 +173,7 @@ class DynamicRun {
       auto prepared = prepare(test_, rules_, bounds_, sequence_);
       const bool is_past = result_.domains.size() < past_.size();
       result_.domains.push_back(is_past ? take_over(past_[result_.domains.size()]) : run(std::move(prepared)));
-      if (observer_.finished) observer_.finished(result_.domains.back());
+      if (finished_) finished_(result_.domains.back());
       if (sequence_.is_complete()) break;
       sequence_.advance();
     }
@@ -211,16 +213,14 @@ class DynamicRun {
   }
 
   void tell(const TimeDomain& running, double time) {
-    if (!observer_.progress) return;
+    if (!observer_) return;
     furthest_ = std::max(furthest_, time);
-    const auto points = static_cast<double>(test_.discretisation.points());
     const double log_range = std::log(test_.times.end / test_.times.begin);
     const double done = std::log(furthest_ / test_.times.begin);
-    observer_.progress({.domain = result_.domains.size(),
-                        .density_factor = running.density_factor,
-                        .time = time,
-                        .share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
-                        .point_steps_per_second = points * static_cast<double>(running.steps) / running.seconds});
+    const double speed = running.point_steps_per_second(test_.discretisation.points());
+    observer_({.share = log_range > 0.0 ? std::min(1.0, done / log_range) : 0.0,
+               .details = fmt::format("time domain {} at {:.3g} s, {:.0f} million points x steps/s",
+                                      result_.domains.size() + 1, time, speed / 1e6)});
   }
 
   void save_if_due(const DomainRun<dim>& domain) {
@@ -241,7 +241,8 @@ class DynamicRun {
   }
 
   const DynamicTest<dim>& test_;
-  const DynamicObserver& observer_;
+  const ProgressObserver& observer_;
+  const DomainObserver& finished_;
   Checkpoint* checkpoint_;
   const StateReader* earlier_;
   DomainRules rules_;
@@ -256,20 +257,21 @@ class DynamicRun {
 }  // namespace
 
 template <int dim>
-DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const DynamicObserver& observer,
-                                   Checkpoint* checkpoint) {
+DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const ProgressObserver& observer,
+                                   const DomainObserver& finished, Checkpoint* checkpoint) {
   require_complete(test);
-  auto result = DynamicRun<dim>(test, observer, checkpoint).run();
+  auto result = DynamicRun<dim>(test, observer, finished, checkpoint).run();
   result.overlaps = compare_overlaps(result.domains, test.points_per_decade);
   result.curve = stitch(result.domains, test.times, test.points_per_decade);
   if (test.boundary == Boundary::traction) convert_creep(result);
   return result;
 }
 
-#define BRECCIA_INSTANTIATE(dim)                                                                             \
-  template DynamicPlan plan_dynamic_test(const DynamicTest<dim>&, double);                                   \
-  template DynamicTestResult run_dynamic_test(const DynamicTest<dim>&, const DynamicObserver&, Checkpoint*); \
-  template double trial_speed(const DynamicTest<dim>&);                                                      \
+#define BRECCIA_INSTANTIATE(dim)                                                                                       \
+  template DynamicPlan plan_dynamic_test(const DynamicTest<dim>&, double);                                             \
+  template DynamicTestResult run_dynamic_test(const DynamicTest<dim>&, const ProgressObserver&, const DomainObserver&, \
+                                              Checkpoint*);                                                            \
+  template double trial_speed(const DynamicTest<dim>&);                                                                \
   template double mean_density(const Discretisation<dim>&, const std::vector<Material>&);
 BRECCIA_INSTANTIATE(2)
 BRECCIA_INSTANTIATE(3)

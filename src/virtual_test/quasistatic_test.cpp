@@ -90,12 +90,10 @@ FilmProblem problem_of(const QuasistaticTest& test, FilmProblem films) {
   return films;
 }
 
-using SamplingObserver = std::function<void(const SamplingProgress&)>;
-
 /// Samples the reduced responses of grains and films by load, and takes the fields of the first.
 std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
-                                    const SamplingObserver& follow, Checkpoint* checkpoint,
+                                    const ProgressObserver& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
   std::vector<Moduli> of_binder;
   for (const auto& moduli : path.points) of_binder.push_back(moduli.front());
@@ -112,7 +110,7 @@ std::vector<ReducedResponse> sample(const FilmProblem& films, const QuasistaticT
 template <int dim>
 std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
                                     const std::vector<Material>& materials, const TrainingPath& path,
-                                    const SamplingObserver& follow, Checkpoint* checkpoint,
+                                    const ProgressObserver& follow, Checkpoint* checkpoint,
                                     QuasistaticTestResult& result) {
   const auto problem = problem_of(test, discretisation);
   auto sampled = sample_responses(problem, test.loads, path, test.options.sampling, follow, checkpoint);
@@ -123,16 +121,10 @@ std::vector<ReducedResponse> sample(const Discretisation<dim>& discretisation, c
   return std::move(sampled.responses);
 }
 
-void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+void run_reduced(const QuasistaticTest& test, QuasistaticTestResult& result, const ProgressObserver& follow,
                  Checkpoint* checkpoint) {
   const auto materials = varying_materials(test);
   const auto path = training_set(test, materials);
-  const double orders = std::log10(1.0 / test.options.sampling.tolerance);
-  const auto follow = [&](const SamplingProgress& progress) {
-    if (!observer) return;
-    observer(fmt::format("snapshot {}, error {:.0e}", progress.snapshots, progress.error),
-             std::clamp(std::log10(1.0 / progress.error) / orders, 0.0, 1.0));
-  };
   auto responses = std::visit(
       [&](const auto& composite) { return sample(composite, test, materials, path, follow, checkpoint, result); },
       test.composite);
@@ -202,7 +194,8 @@ double worst_from(std::size_t first, const std::vector<double>& data, const FitQ
 /// Steps grains and films through time, and takes the fields of the first load.
 std::vector<SteppedResponse> step(const FilmProblem& films, const QuasistaticTest& test,
                                   const std::vector<double>& steps, const std::vector<double>& field_steps,
-                                  const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
+                                  const ProgressObserver& follow, Checkpoint* checkpoint,
+                                  QuasistaticTestResult& result) {
   const auto& binder = test.materials[test.varying.front().index];
   auto stepped = run_film_stepping(problem_of(test, films), binder, test.loads, steps, follow, field_steps, checkpoint);
   result.fields = NetworkFields{std::move(stepped.fields)};
@@ -214,7 +207,8 @@ std::vector<SteppedResponse> step(const FilmProblem& films, const QuasistaticTes
 template <int dim>
 std::vector<SteppedResponse> step(const Discretisation<dim>& discretisation, const QuasistaticTest& test,
                                   const std::vector<double>& steps, const std::vector<double>& field_steps,
-                                  const ShareObserver& follow, Checkpoint* checkpoint, QuasistaticTestResult& result) {
+                                  const ProgressObserver& follow, Checkpoint* checkpoint,
+                                  QuasistaticTestResult& result) {
   auto stepped =
       run_log_time_stepping(problem_of(test, discretisation), test.loads, steps, follow, field_steps, checkpoint);
   result.fields = GridFields<dim>{discretisation.grid(), std::move(stepped.fields)};
@@ -222,16 +216,13 @@ std::vector<SteppedResponse> step(const Discretisation<dim>& discretisation, con
   return std::move(stepped.responses);
 }
 
-void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const QuasistaticObserver& observer,
+void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, const ProgressObserver& follow,
                   Checkpoint* checkpoint) {
   auto steps = step_times(test);
   // The first time of the curve and the times of the fields are added to the steps.
   make_step_at(steps, test.times.begin);
   std::vector<double> field_steps;
   for (const double time : test.field_times) field_steps.push_back(make_step_at(steps, time));
-  const auto follow = [&](double share) {
-    if (observer) observer(fmt::format("{} steps", steps.size()), share);
-  };
   const auto stepped = std::visit(
       [&](const auto& composite) { return step(composite, test, steps, field_steps, follow, checkpoint, result); },
       test.composite);
@@ -269,7 +260,7 @@ void run_stepping(const QuasistaticTest& test, QuasistaticTestResult& result, co
 
 }  // namespace
 
-QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer,
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const ProgressObserver& observer,
                                            Checkpoint* checkpoint) {
   require_times("quasi-static test", test.times, test.points_per_decade, test.field_times);
   if (test.loads.empty()) throw InputError("quasi-static test: no loads");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -69,10 +70,10 @@ class DirectorySinkTest : public testing::Test {
     const auto result = solved();
     static_cast<void>(sink.known_stage(fine()));
     static_cast<void>(sink.packing_checkpoint(fine()));
-    sink.packed(fine(), result);
-    sink.tested(fine(), result);
-    sink.all_loads_tested(fine(), result);
-    sink.stage_finished(fine(), result);
+    sink.happened(StagePacked{fine(), result});
+    sink.happened(TestFinished{fine(), result});
+    sink.happened(AllLoadsFinished{fine(), result});
+    sink.happened(StageFinished{fine(), result});
   }
 
   const Study study = test::study_of_deck("two scales");
@@ -93,20 +94,20 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
 
   auto packed = result;
   packed.stages.front().tests.clear();
-  sink.packed(fine(), packed);
+  sink.happened(StagePacked{fine(), packed});
   EXPECT_THAT(files(place), ElementsAre("study.json"));
   EXPECT_THAT(files(place / "fine"),
               UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv", "microstructure.svg"));
   EXPECT_FALSE(read_study_record(place).has_tests);
 
-  sink.tested(fine(), result);
+  sink.happened(TestFinished{fine(), result});
   EXPECT_THAT(files(place), UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv"));
   EXPECT_TRUE(read_study_record(place).has_tests);
 
-  sink.all_loads_tested(fine(), result);
+  sink.happened(AllLoadsFinished{fine(), result});
   EXPECT_EQ(read_responses(place / "fine" / "response.h5").entries.size(), 1U);
 
-  sink.stage_finished(fine(), result);
+  sink.happened(StageFinished{fine(), result});
   EXPECT_THAT(files(place),
               UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv", "report.html"));
   EXPECT_FALSE(read_study_record(place).is_complete);
@@ -114,7 +115,7 @@ TEST_F(DirectorySinkTest, WritesEachPartAsItIsFound) {
   write_text(place / "fine" / "packing.checkpoint.h5", "");
   auto complete = result;
   complete.seconds = 2.5;
-  sink.finished(complete);
+  sink.happened(StudyFinished{complete});
   EXPECT_TRUE(read_study_record(place).is_complete_run_of(study));
   EXPECT_THAT(files(place / "fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                           "microstructure.svg", "response.h5"));
@@ -125,7 +126,7 @@ TEST_F(DirectorySinkTest, WritesTheHistoryOfEachTimeDomain) {
   fs::create_directory(place / "fine");
   TimeDomain domain;
   domain.history = {{0.0, 1.0}, {1.0, 0.5}};
-  sink.domain_finished(fine(), {Load::bulk, Boundary::displacement, Method::dynamic, TestGrid(12)}, 2, domain);
+  sink.happened(DomainFinished{fine(), {Load::bulk, Boundary::displacement, Method::dynamic, TestGrid(12)}, 2, domain});
   const auto history = read_history(place / "fine" / "bulk-displacement-dynamic-12-2.h5");
   EXPECT_THAT(history.values, ElementsAre(1.0, 0.5));
   EXPECT_EQ(history.deck_hash, study.provenance.hash);
@@ -162,16 +163,19 @@ TEST_F(DirectorySinkTest, TakesAStageOverFromAnotherTask) {
     EXPECT_TRUE(sink.store_fields(fine(), in_shear, GridFields<2>{{{12, 12}, 0.5e-3}, {}}));
   }
   fs::path told;
-  observer.taken_over = [&](const StageResult& stage, const fs::path& files) {
-    EXPECT_EQ(stage.name, "fine");
-    told = files;
+  observer.event = [&](const RunEvent& event) {
+    const auto* taken_over = std::get_if<StageTakenOver>(&event);
+    if (taken_over == nullptr) return;
+    EXPECT_EQ(taken_over->stage.name, "fine");
+    told = taken_over->directory;
   };
   fs::create_directory(other);
   auto sink = sink_in(other);
   const auto known = sink.known_stage(fine());
   ASSERT_TRUE(known);
   EXPECT_EQ(known->tests.front().modulus, solved().stages.front().tests.front().modulus);
-  sink.stage_adopted(fine(), {{*known}, {}});
+  const StudyResult adopted{{*known}, {}};
+  sink.happened(StageAdopted{fine(), adopted});
   EXPECT_EQ(told, place / "fine");
   EXPECT_THAT(files(other),
               UnorderedElementsAre("study.json", "curves.csv", "prony.csv", "quality.csv", "report.html"));

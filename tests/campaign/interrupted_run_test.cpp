@@ -1,6 +1,7 @@
 // What stands in a directory of results when a run ends halfway, and how another goes on from there.
 
 #include <filesystem>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,11 +43,11 @@ class InterruptedRun : public testing::Test {
   }
   /// Runs the study until a test of a stage is done.
   void run_until_tested(const std::string& name) const {
-    RunObserver observer;
-    observer.finished = [&](const Stage& stage, const TestResult&) {
-      if (stage.name == name) throw Interrupted("enough");
+    const auto stop = [&](const RunEvent& event) {
+      const auto* tested = std::get_if<TestFinished>(&event);
+      if (tested != nullptr && tested->stage.name == name) throw Interrupted("enough");
     };
-    EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), Interrupted);
+    EXPECT_THROW(static_cast<void>(run_study(study, results, {}, {.event = stop})), Interrupted);
   }
 
   Study study;
@@ -55,20 +56,20 @@ class InterruptedRun : public testing::Test {
 };
 
 TEST_F(InterruptedRun, LeavesNothingBeforeTheFirstPacking) {
-  RunObserver observer;
-  observer.packing = [](const Stage&, const PackingProgress&) { throw Interrupted("enough"); };
+  const auto stop = [](const Progress&) { throw Interrupted("enough"); };
   study.stages[0].packing = LubachevskyStillingerPacking{};
   study.stages[0].fillers[0].fraction = 0.3;
   study.stages[0].fillers[0].sizes = SingleSize{1e-3};
   test::give_provenance(study, "random");
-  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), Interrupted);
+  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, {.progress = stop})), Interrupted);
   EXPECT_FALSE(fs::exists(results));
 }
 
 TEST_F(InterruptedRun, LeavesAPackingAndItsRecord) {
-  RunObserver observer;
-  observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
-  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), Interrupted);
+  const auto stop = [](const RunEvent& event) {
+    if (std::holds_alternative<StagePacked>(event)) throw Interrupted("enough");
+  };
+  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, {.event = stop})), Interrupted);
   EXPECT_THAT(files("fine"), UnorderedElementsAre("labels.npy", "labels.vti", "microstructure.csv",
                                                   "microstructure.svg", "packing.checkpoint.h5"));
   EXPECT_FALSE(fs::exists(results / "coarse"));
@@ -93,9 +94,10 @@ TEST_F(InterruptedRun, GoesOnToTheSameBits) {
   const auto in_one_go = run_study(study, whole);
   run_until_tested("coarse");
   std::vector<std::string> packed, tested;
-  RunObserver observer;
-  observer.finished = [&](const Stage& stage, const TestResult&) { tested.push_back(stage.name); };
-  const auto resumed = run_study(study, results, {.resume = true}, observer);
+  const auto note = [&](const RunEvent& event) {
+    if (const auto* one = std::get_if<TestFinished>(&event)) tested.push_back(one->stage.name);
+  };
+  const auto resumed = run_study(study, results, {.resume = true}, {.event = note});
   EXPECT_THAT(tested, ElementsAre("fine", "fine", "coarse")) << "those that were done are told again";
   EXPECT_TRUE(resumed.seconds);
   for (const auto* table : {"curves.csv", "dynamic.csv", "engineering.csv", "prony.csv", "quality.csv"}) {
@@ -113,10 +115,11 @@ TEST_F(InterruptedRun, LeavesEarlierResultsAsTheyWere) {
   static_cast<void>(run_study(study, results));
   const auto record = read_text(results / "study.json");
   fs::path beside;
-  RunObserver observer;
-  observer.writes_beside = [&](const fs::path& place) { beside = place; };
-  observer.finished = [](const Stage&, const TestResult&) { throw NumericalError("unstable"); };
-  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, observer)), NumericalError);
+  const auto fail = [&](const RunEvent& event) {
+    if (const auto* kept = std::get_if<ResultsKeptBeside>(&event)) beside = kept->directory;
+    if (std::holds_alternative<TestFinished>(event)) throw NumericalError("unstable");
+  };
+  EXPECT_THROW(static_cast<void>(run_study(study, results, {}, {.event = fail})), NumericalError);
   EXPECT_EQ(beside, results / "unfinished");
   EXPECT_EQ(read_text(results / "study.json"), record);
   EXPECT_TRUE(read_study_record(beside).has_tests);

@@ -172,7 +172,7 @@ TEST(Fillers, AreInTheCheckpointOfTheirPacking) {
   const auto packed = make_microstructure(stage, {}, &checkpoint);
   EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
   const auto again = make_microstructure(
-      stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
+      stage, [](const Progress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
   EXPECT_EQ(again.content<Microstructure<2>>()->particles, packed.content<Microstructure<2>>()->particles);
   EXPECT_EQ(again.content<Microstructure<2>>()->fillers, packed.content<Microstructure<2>>()->fillers);
   EXPECT_EQ(again.fillers.at(0).size_deviation, packed.fillers.at(0).size_deviation);

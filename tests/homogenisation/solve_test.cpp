@@ -77,31 +77,40 @@ TEST(Solve, KeepsFieldsInTheMemoryAndWritesNoFile) {
 }
 
 /// A sink that records its calls.
-class Recorder final : public StudySink {
+class Recorder : public StudySink {
  public:
-  void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }
-  void tested(const Stage& stage, const StudyResult& result) override {
-    calls.push_back("tested " + stage.name + " " + name_of(result.stages.back().tests.back().id.load));
+  void happened(const StudyEvent& event) override {
+    std::visit([this](const auto& one) { note(one); }, event);
   }
-  void all_loads_tested(const Stage& stage, const StudyResult&) override { calls.push_back("all of " + stage.name); }
-  void stage_finished(const Stage& stage, const StudyResult&) override { calls.push_back("finished " + stage.name); }
 
   std::vector<std::string> calls;
+
+ private:
+  void note(const StageAdopted& event) { calls.push_back("adopted " + event.stage.name); }
+  void note(const StagePacked& event) { calls.push_back("packed " + event.stage.name); }
+  void note(const TestFinished& event) {
+    calls.push_back("tested " + event.stage.name + " " + name_of(event.result.stages.back().tests.back().id.load));
+  }
+  void note(const AllLoadsFinished& event) { calls.push_back("all of " + event.stage.name); }
+  void note(const StageFinished& event) { calls.push_back("finished " + event.stage.name); }
+  void note(const StudyFinished& event) { calls.emplace_back(event.result.seconds ? "finished" : "too early"); }
+  void note(const DomainFinished& /*event*/) {}
+  void note(const FieldsStoredBefore& /*event*/) {}
 };
 
 TEST(Solve, PassesItsPartsToASinkAsTheyAreComputed) {
   auto study = test::two_stages();
   study.tests.boundaries = {Boundary::displacement};
   Recorder recorder;
-  const auto result = solve(study, {.threads = 1}, {}, recorder);
+  const auto result = solve(study, {.threads = 1}, recorder);
   EXPECT_THAT(recorder.calls,
               ElementsAre("packed fine", "tested fine shear", "tested fine bulk", "all of fine", "finished fine",
-                          "packed coarse", "tested coarse shear", "all of coarse", "finished coarse"));
+                          "packed coarse", "tested coarse shear", "all of coarse", "finished coarse", "finished"));
   EXPECT_TRUE(result.seconds.has_value());
 }
 
 /// Knows the results of stages that were solved before.
-class Memory final : public StudySink {
+class Memory final : public Recorder {
  public:
   explicit Memory(StudyResult before) : before_(std::move(before)) {}
 
@@ -109,11 +118,6 @@ class Memory final : public StudySink {
     const auto known = std::ranges::find(before_.stages, stage.name, &StageResult::name);
     return known == before_.stages.end() ? std::nullopt : std::optional(*known);
   }
-  void stage_adopted(const Stage& stage, const StudyResult&) override { calls.push_back("adopted " + stage.name); }
-  void packed(const Stage& stage, const StudyResult&) override { calls.push_back("packed " + stage.name); }
-  void finished(const StudyResult& result) override { calls.emplace_back(result.seconds ? "finished" : "too early"); }
-
-  std::vector<std::string> calls;
 
  private:
   StudyResult before_;
@@ -125,8 +129,9 @@ TEST(Solve, TakesOverStagesThatASinkKnows) {
   auto first_alone = solved;
   first_alone.stages.pop_back();
   Memory memory(first_alone);
-  const auto result = solve(study, {}, {}, memory);
-  EXPECT_THAT(memory.calls, ElementsAre("adopted fine", "packed coarse", "finished"));
+  const auto result = solve(study, {}, memory);
+  EXPECT_THAT(memory.calls, ElementsAre("adopted fine", "packed coarse", "tested coarse shear", "all of coarse",
+                                        "tested coarse shear", "all of coarse", "finished coarse", "finished"));
   ASSERT_THAT(result.stages, SizeIs(2));
   for (std::size_t stage = 0; stage < 2; ++stage) {
     ASSERT_EQ(result.stages[stage].tests.size(), solved.stages[stage].tests.size());
@@ -151,31 +156,40 @@ TEST(Solve, FieldsThatASinkStoresDoNotStayInTheMemory) {
   study.tests.boundaries = {Boundary::displacement};
   study.tests.field_times = {study.tests.last_time};
   FieldStore store;
-  const auto result = solve(study, {}, {}, store);
+  const auto result = solve(study, {}, store);
   EXPECT_THAT(store.stored, ElementsAre(TestId{.grid = TestGrid(12)}));
   EXPECT_THAT(times_of(result.stages.front().tests.front().fields), IsEmpty());
 }
+
+/// Keeps the calculations that it was told of, each once.
+class Follower final : public StudySink {
+ public:
+  void progress(const Progress& now) override {
+    if (std::ranges::find(begun, now.what) == begun.end()) begun.push_back(now.what);
+  }
+  void happened(const StudyEvent& event) override {
+    const auto* domain = std::get_if<DomainFinished>(&event);
+    if (domain != nullptr && std::ranges::find(domains, domain->test) == domains.end()) domains.push_back(domain->test);
+  }
+
+  std::vector<std::string> begun;
+  std::vector<TestId> domains;
+};
 
 TEST(Solve, TellsWhichTestItIsAt) {
   auto study = test::two_stages();
   study.stages = {{.name = "plain", .matrix = test::binder, .side = 6e-3, .cells = 6, .coarser_cells = {4}}};
   study.tests.boundaries = {Boundary::displacement};
   study.tests.methods = {Method::quasistatic, Method::dynamic};
-  std::vector<TestId> begun, domains;
-  StudyObserver observer;
-  observer.progress = [&](const Stage&, const TestId& test, double, const std::string&) {
-    if (std::ranges::find(begun, test) == begun.end()) begun.push_back(test);
-  };
-  observer.domain_finished = [&](const Stage&, const TestId& test, const TimeDomain&) {
-    if (std::ranges::find(domains, test) == domains.end()) domains.push_back(test);
-  };
-  static_cast<void>(solve(study, {.threads = 1}, observer));
+  Follower follower;
+  static_cast<void>(solve(study, {.threads = 1}, follower));
   const auto test_on = [](Method method, int cells) {
     return TestId{Load::shear, Boundary::displacement, method, TestGrid(cells)};
   };
-  EXPECT_THAT(begun, ElementsAre(test_on(Method::quasistatic, 4), test_on(Method::dynamic, 4),
-                                 test_on(Method::quasistatic, 6), test_on(Method::dynamic, 6)));
-  EXPECT_THAT(domains, ElementsAre(test_on(Method::dynamic, 4), test_on(Method::dynamic, 6)));
+  const auto name_on = [&](Method method, int cells) { return "plain " + calculation_of(test_on(method, cells)); };
+  EXPECT_THAT(follower.begun, ElementsAre(name_on(Method::quasistatic, 4), name_on(Method::dynamic, 4),
+                                          name_on(Method::quasistatic, 6), name_on(Method::dynamic, 6)));
+  EXPECT_THAT(follower.domains, ElementsAre(test_on(Method::dynamic, 4), test_on(Method::dynamic, 6)));
 }
 
 TEST(Solve, RefusesAStudyThatIsNotSound) {
@@ -184,10 +198,15 @@ TEST(Solve, RefusesAStudyThatIsNotSound) {
   EXPECT_THROW(static_cast<void>(solve(study)), InputError);
 }
 
-TEST(Solve, AnExceptionOfAnObserverEndsIt) {
-  StudyObserver observer;
-  observer.packed = [](const Stage&, const StageResult&) { throw Interrupted("enough"); };
-  EXPECT_THROW(static_cast<void>(solve(test::two_stages(), {}, observer)), Interrupted);
+/// Ends a solution at its first event.
+class Stopper final : public StudySink {
+ public:
+  void happened(const StudyEvent& /*event*/) override { throw Interrupted("enough"); }
+};
+
+TEST(Solve, AnExceptionOfASinkEndsIt) {
+  Stopper stopper;
+  EXPECT_THROW(static_cast<void>(solve(test::two_stages(), {}, stopper)), Interrupted);
 }
 
 }  // namespace

@@ -205,7 +205,7 @@ TEST(MakeMicrostructure, TheResultIsInItsCheckpoint) {
   const auto packed = make_microstructure(stage, {}, &checkpoint);
   EXPECT_THAT(checkpoint.look_for_earlier(), IsEmpty());
   const auto again = make_microstructure(
-      stage, [](const PackingProgress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
+      stage, [](const Progress&) { ADD_FAILURE() << "packs once more"; }, &checkpoint);
   EXPECT_EQ(again.content<Microstructure<2>>()->particles, packed.content<Microstructure<2>>()->particles);
   EXPECT_EQ(again.gap, packed.gap);
 }

@@ -151,11 +151,11 @@ TEST(RunDynamicTest, TimesThatWouldTakeForeverAreRefused) {
 TEST(RunDynamicTest, ProgressMayInterrupt) {
   const auto test = relaxation(model_composite(24), {binder, particle}, {1e-3, 0.05});
   int calls = 0;
-  const auto stop = [&](const DynamicProgress& progress) {
+  const auto stop = [&](const Progress& progress) {
     EXPECT_GE(progress.share, 0.0);
     if (++calls == 10) throw Interrupted("stop");
   };
-  EXPECT_THROW(run_dynamic_test(test, {.progress = stop}), Interrupted);
+  EXPECT_THROW(run_dynamic_test(test, stop), Interrupted);
 }
 
 TEST(RunDynamicTest, FieldsAverageToTheModulus) {

@@ -1,27 +1,15 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "breccia/campaign/run_observer.hpp"
 #include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/homogenisation/solve.hpp"
 #include "breccia/study/study.hpp"
 
 namespace breccia {
-
-/// Functions that are called while a study is run in a directory.
-struct RunObserver : StudyObserver {
-  /// Is called with the directory to which results that replace earlier ones are written until they are complete.
-  std::function<void(const std::filesystem::path&)> writes_beside = {};
-  /// Is called when another task of a sweep has computed this stage already, with the directory of its files.
-  std::function<void(const StageResult&, const std::filesystem::path&)> taken_over = {};
-  /// Called if a stage was computed from the reduced responses of a task of a sweep at another temperature.
-  std::function<void(const StageResult&, const std::string& task)> answered = {};
-  /// Called with notes for the user: on damaged files that are not used, and on plots that gnuplot could not draw.
-  std::function<void(const std::string&)> noted = {};
-};
 
 /// Options of a run in a directory.
 struct RunOptions {

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <functional>
-#include <string>
 
 #include "breccia/campaign/run.hpp"
 #include "breccia/deck/sweep.hpp"
 #include "breccia/results/sweep_result.hpp"
 
 namespace breccia {
-
-/// Functions that are called during a sweep. An exception that they throw ends the sweep.
-struct SweepObserver {
-  std::function<void(std::size_t task)> begun = {};
-  std::function<void(std::size_t task)> skipped = {};  ///< called for a task that is already complete
-  std::function<void(std::size_t task, const std::string& error)> failed = {};
-  RunObserver study = {};  ///< called during each task
-};
 
 /// Runs the tasks of a sweep, each in the directory of its name. Each group of processes (parallel::divide) runs its
 /// tasks one after the other. After each task it rewrites `sweep.csv`, `sweep.json`, `sweep.svg` and, if seeds are
@@ -26,6 +15,6 @@ struct SweepObserver {
 /// Interrupted, DirectoryInUse if another process writes to the directory or to that of a task, and InputError as
 /// refuse_objections().
 SweepResult run_sweep(const Sweep& sweep, const std::filesystem::path& directory, const RunOptions& options,
-                      const SweepObserver& observer = {});
+                      const RunObserver& observer = {});
 
 }  // namespace breccia

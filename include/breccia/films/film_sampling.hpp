@@ -8,6 +8,7 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/quasistatic/target_curve.hpp"
@@ -36,7 +37,7 @@ struct FilmResponses {
 [[nodiscard]] FilmResponses sample_film_responses(const FilmProblem& problem, std::span<const Load> loads,
                                                   std::span<const Moduli> training_set,
                                                   const SamplingOptions& options = {},
-                                                  const std::function<void(const SamplingProgress&)>& observer = {},
+                                                  const ProgressObserver& observer = {},
                                                   Checkpoint* checkpoint = nullptr,
                                                   const std::optional<TargetCurve>& target = {});
 

@@ -6,6 +6,7 @@
 #include "breccia/discretisation/load.hpp"
 #include "breccia/films/film_fields.hpp"
 #include "breccia/films/film_problem.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 #include "breccia/viscoelasticity/material.hpp"
 
@@ -25,7 +26,7 @@ struct FilmSteppingResult {
 /// be solved.
 [[nodiscard]] FilmSteppingResult run_film_stepping(const FilmProblem& problem, const Material& binder,
                                                    std::span<const Load> loads, std::span<const double> times,
-                                                   const ShareObserver& observer = {},
+                                                   const ProgressObserver& observer = {},
                                                    std::span<const double> field_times = {},
                                                    Checkpoint* checkpoint = nullptr);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "breccia/homogenisation/study_observer.hpp"
 #include "breccia/homogenisation/study_result.hpp"
 #include "breccia/homogenisation/study_sink.hpp"
 #include "breccia/study/study.hpp"
@@ -20,8 +19,8 @@ void require_solvable(const Study& study, const SolveOptions& options = {});
 /// Solves a study: packs its stages and runs their tests, one stage after the other, each as the matrix of the stages
 /// that build on it. Everything stays in the memory but for what a sink takes; no file is written. Throws InputError as
 /// require_solvable does and where listed or regular particles overlap or sizes are invalid, NumericalError where a
-/// random packing jams or another calculation fails, and what observer and sink throw.
-StudyResult solve(const Study& study, const SolveOptions& options = {}, const StudyObserver& observer = {});
-StudyResult solve(const Study& study, const SolveOptions& options, const StudyObserver& observer, StudySink& sink);
+/// random packing jams or another calculation fails, and what the sink throws.
+StudyResult solve(const Study& study, const SolveOptions& options = {});
+StudyResult solve(const Study& study, const SolveOptions& options, StudySink& sink);
 
 }  // namespace breccia

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "breccia/homogenisation/filler_statistics.hpp"
 #include "breccia/microstructure/packing.hpp"
 #include "breccia/nested_variant.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/study/stage.hpp"
 
 namespace breccia {
@@ -45,15 +45,12 @@ struct StageMicrostructure {
   [[nodiscard]] std::optional<double> size_deviation() const;
 };
 
-/// Is called repeatedly with the progress of a packing.
-using PackingFollower = std::function<void(const PackingProgress&)>;
-
 /// Makes the microstructure of a stage: packs the particles of all its fillers together, arranges them regularly, or
 /// takes them from its list or its image. With a checkpoint, an earlier state is resumed, and the state and finally the
 /// result are saved; a random sequential packing, which takes seconds, begins anew and comes to the same bits. Throws
 /// InputError when the sizes are invalid, or when particles of a list or a regular array overlap or leave the box;
 /// NumericalError when the packing is impossible; Interrupted when the run shall end (CheckpointSchedule::stop).
-StageMicrostructure make_microstructure(const Stage& stage, const PackingFollower& follow = {},
+StageMicrostructure make_microstructure(const Stage& stage, const ProgressObserver& follow = {},
                                         Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

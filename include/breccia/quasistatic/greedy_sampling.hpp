@@ -199,6 +199,10 @@ void require_complete(std::span<const Load> loads, const TrainingPath& training_
 /// Throws NumericalError when as many snapshots as allowed have not met the tolerance.
 void require_more_snapshots(int snapshots, double error, const SamplingOptions& options);
 
+/// Progress of the greedy selection: the share of the orders of magnitude by which the error is to fall. `error` is the
+/// relative error at the last snapshot before it was added, 1 before one was measured [-].
+Progress progress_of(int snapshots, double error, const SamplingOptions& options);
+
 /// Whether bases that meet the tolerance at Laplace variables have changed the target little by their last vectors, or
 /// would gain nothing more: because what is left of a load at Laplace variables is far below the tolerance, or as small
 /// as the error of the linear solver.
@@ -223,8 +227,8 @@ template <AffineComposite Composite>
 /// go on.
 template <AffineComposite Composite, CompositeSolver<typename Composite::Vector> Solver, class SaveOthers>
 void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingPath& training_set,
-            const SamplingOptions& options, const std::function<void(const SamplingProgress&)>& observer,
-            Checkpoint* checkpoint, const SaveOthers& save_others) {
+            const SamplingOptions& options, const ProgressObserver& observer, Checkpoint* checkpoint,
+            const SaveOthers& save_others) {
   const auto save_if_due = [&] {
     if (checkpoint == nullptr || !checkpoint->is_due()) return;
     checkpoint->save([&](StateWriter& state) {
@@ -233,7 +237,7 @@ void sample(GreedySampling<Composite>& sampling, Solver& solver, const TrainingP
     });
   };
   const auto report = [&] {
-    if (observer) observer({sampling.snapshots(), sampling.error()});
+    if (observer) observer(progress_of(sampling.snapshots(), sampling.error(), options));
   };
   const auto initial = initial_snapshots(training_set);
   for (auto i = static_cast<std::size_t>(sampling.snapshots()); i < initial.size(); ++i) {

@@ -108,15 +108,16 @@ class LogTimeRuns {
       : composite_(&composite),
         loads_(loads.begin(), loads.end()),
         kept_times_(kept_times.begin(), kept_times.end()),
+        steps_(times.size()),
         places_(every_other(times.size())),
         fine_(composite, series, loads, {times.begin(), times.end()}),
         coarse_(composite, series, loads, at_places(times, places_)) {}
 
   [[nodiscard]] bool is_over() const noexcept { return fine_.is_over() && coarse_.is_over(); }
-  /// Finished share of the work, 0 to 1.
-  [[nodiscard]] double share() const {
+  [[nodiscard]] Progress progress() const {
     constexpr double share_of_fine = 2.0 / 3.0;
-    return share_of_fine * fine_.share() + (1.0 - share_of_fine) * coarse_.share();
+    return {.share = share_of_fine * fine_.share() + (1.0 - share_of_fine) * coarse_.share(),
+            .details = fmt::format("{} steps", steps_)};
   }
 
   /// Takes the next step.
@@ -175,6 +176,7 @@ class LogTimeRuns {
   const Composite* composite_;
   std::vector<Load> loads_;
   std::vector<double> kept_times_;
+  std::size_t steps_;
   std::vector<std::size_t> places_;  ///< indices of the times of the coarse run among all times
   LogTimeRun<Composite> fine_;
   LogTimeRun<Composite> coarse_;
@@ -184,8 +186,8 @@ class LogTimeRuns {
 /// Takes all steps. With a checkpoint, the state is saved between steps when that is due: save_others(state) adds what
 /// the caller needs to go on.
 template <SteppableComposite Composite, StepSolver<typename Composite::Vector> Solver, class SaveOthers>
-void take_all_steps(LogTimeRuns<Composite>& runs, Solver& solver, const ShareObserver& observer, Checkpoint* checkpoint,
-                    const SaveOthers& save_others) {
+void take_all_steps(LogTimeRuns<Composite>& runs, Solver& solver, const ProgressObserver& observer,
+                    Checkpoint* checkpoint, const SaveOthers& save_others) {
   while (!runs.is_over()) {
     if (checkpoint != nullptr && checkpoint->is_due()) {
       checkpoint->save([&](StateWriter& state) {
@@ -194,7 +196,7 @@ void take_all_steps(LogTimeRuns<Composite>& runs, Solver& solver, const ShareObs
       });
     }
     runs.step(solver);
-    if (observer) observer(runs.share());
+    if (observer) observer(runs.progress());
   }
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/discretisation/point_fields.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 
 namespace breccia {
@@ -30,9 +31,6 @@ struct SteppingResult {
   LinearEffort effort;
 };
 
-/// Is called with the finished share of the work, 0 to 1. An exception that it throws ends the work.
-using ShareObserver = std::function<void(double)>;
-
 /// Applies each load as a step at time 0 and integrates the response over the times given [s], which are positive and
 /// rising; the displacements are linear in time between them (theory, Eq. 17). The materials are integrated exactly;
 /// the error of second order in the time steps is estimated from a second run over every other time. Any of the
@@ -42,7 +40,7 @@ using ShareObserver = std::function<void(double)>;
 /// and 3 dimensions.
 template <int dim>
 SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
-                                          std::span<const double> times, const ShareObserver& observer = {},
+                                          std::span<const double> times, const ProgressObserver& observer = {},
                                           std::span<const double> field_times = {}, Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

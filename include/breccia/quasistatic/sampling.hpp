@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "breccia/discretisation/point_fields.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/training_path.hpp"
@@ -17,12 +18,6 @@ class Checkpoint;
 struct SamplingOptions {
   double tolerance = 1e-5;  ///< of the relative error of the modulus at the next snapshot before it is added [-]
   int most_snapshots = 24;
-};
-
-/// Progress of the greedy selection.
-struct SamplingProgress {
-  int snapshots = 0;
-  double error = 1.0;  ///< relative error at the last snapshot before it was added; 1 before one was measured [-]
 };
 
 template <int dim>
@@ -49,7 +44,6 @@ struct SampledResponses {
 template <int dim>
 SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
                                        const TrainingPath& training_set, const SamplingOptions& options = {},
-                                       const std::function<void(const SamplingProgress&)>& observer = {},
-                                       Checkpoint* checkpoint = nullptr);
+                                       const ProgressObserver& observer = {}, Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

@@ -9,6 +9,7 @@
 #include "breccia/discretisation/boundary.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/virtual_test/curve.hpp"
 #include "breccia/virtual_test/test_fields.hpp"
 #include "breccia/virtual_test/virtual_test.hpp"
@@ -71,20 +72,8 @@ struct DynamicTestResult {
   TestFields fields;
 };
 
-/// Progress of a running test.
-struct DynamicProgress {
-  std::size_t domain = 0;  ///< number of the present domain, from 0
-  double density_factor = 1.0;
-  double time = 0.0;   ///< time reached in this domain [s]
-  double share = 0.0;  ///< finished share of the whole test, estimated on the logarithmic time axis, 0 to 1
-  double point_steps_per_second = 0.0;
-};
-
-/// Functions that are called during a test. An exception that they throw ends the test.
-struct DynamicObserver {
-  std::function<void(const DynamicProgress&)> progress = {};  ///< called repeatedly
-  std::function<void(const TimeDomain&)> finished = {};       ///< called for each domain when it is finished
-};
+/// Is called with each time domain that is finished. An exception that it throws ends the test.
+using DomainObserver = std::function<void(const TimeDomain&)>;
 
 /// Estimate of the cost of a test, from an estimate of the composite's modulus (ShearModulusBounds).
 struct DynamicPlan {
@@ -97,13 +86,14 @@ struct DynamicPlan {
 template <int dim>
 DynamicPlan plan_dynamic_test(const DynamicTest<dim>& test, double refinement = 1.0);
 
-/// Runs the time domains that the test needs and stitches their curves. With a checkpoint, the state is saved when that
+/// Runs the time domains that the test needs and stitches their curves. The share of the progress is estimated on the
+/// logarithmic time axis. With a checkpoint, the state is saved when that
 /// is due, and an earlier state is resumed, with the same bits as in one run.
 /// Throws InputError for an incomplete test or a load that there is not in so many dimensions, NumericalError when a
 /// run is unstable or the times cannot be covered.
 template <int dim>
-DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const DynamicObserver& observer = {},
-                                   Checkpoint* checkpoint = nullptr);
+DynamicTestResult run_dynamic_test(const DynamicTest<dim>& test, const ProgressObserver& observer = {},
+                                   const DomainObserver& finished = {}, Checkpoint* checkpoint = nullptr);
 
 /// Speed of this test on this machine in material points x steps per second [1/s], from a short trial.
 template <int dim>

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "breccia/films/film_problem.hpp"
+#include "breccia/progress.hpp"
 #include "breccia/quasistatic/quasistatic_problem.hpp"
 #include "breccia/quasistatic/reduced_response.hpp"
 #include "breccia/quasistatic/sampling.hpp"
@@ -94,15 +93,11 @@ struct QuasistaticTestResult {
   double seconds = 0.0;  ///< wall time [s]
 };
 
-/// Is called with a description of the present work and the finished share of the test, 0 to 1. An exception that it
-/// throws ends the test.
-using QuasistaticObserver = std::function<void(const std::string& details, double share)>;
-
 /// Runs a test. With a checkpoint, the state is saved when that is due, and an earlier state is resumed, with the same
 /// bits as in one run; a finished test returns its result without the fields.
 /// Throws InputError for an incomplete test or field times outside its times, NumericalError when a linear system
 /// cannot be solved or the tolerance cannot be met.
-QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const QuasistaticObserver& observer = {},
+QuasistaticTestResult run_quasistatic_test(const QuasistaticTest& test, const ProgressObserver& observer = {},
                                            Checkpoint* checkpoint = nullptr);
 
 }  // namespace breccia

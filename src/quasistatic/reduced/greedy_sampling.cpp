@@ -39,4 +39,10 @@ void require_more_snapshots(int snapshots, double error, const SamplingOptions& 
                   error, options.most_snapshots, options.tolerance));
 }
 
+Progress progress_of(int snapshots, double error, const SamplingOptions& options) {
+  const double orders = std::log10(1.0 / options.tolerance);
+  return {.share = std::clamp(std::log10(1.0 / error) / orders, 0.0, 1.0),
+          .details = fmt::format("snapshot {}, error {:.0e}", snapshots, error)};
+}
+
 }  // namespace breccia::quasistatic

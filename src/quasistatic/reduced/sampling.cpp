@@ -33,8 +33,7 @@ struct SampledCells {
 template <int dim>
 SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
                                        const TrainingPath& training_set, const SamplingOptions& options,
-                                       const std::function<void(const SamplingProgress&)>& observer,
-                                       Checkpoint* checkpoint) {
+                                       const ProgressObserver& observer, Checkpoint* checkpoint) {
   quasistatic::require_complete(loads, training_set);
   require_loads("reduced basis", dim, loads);
   require_phases_in_cells("reduced basis", problem.discretisation, problem.materials.size());
@@ -55,10 +54,8 @@ SampledResponses<dim> sample_responses(const QuasistaticProblem<dim>& problem, s
 }
 
 template SampledResponses<2> sample_responses(const QuasistaticProblem<2>&, std::span<const Load>, const TrainingPath&,
-                                              const SamplingOptions&,
-                                              const std::function<void(const SamplingProgress&)>&, Checkpoint*);
+                                              const SamplingOptions&, const ProgressObserver&, Checkpoint*);
 template SampledResponses<3> sample_responses(const QuasistaticProblem<3>&, std::span<const Load>, const TrainingPath&,
-                                              const SamplingOptions&,
-                                              const std::function<void(const SamplingProgress&)>&, Checkpoint*);
+                                              const SamplingOptions&, const ProgressObserver&, Checkpoint*);
 
 }  // namespace breccia

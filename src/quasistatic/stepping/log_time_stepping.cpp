@@ -36,7 +36,7 @@ std::vector<const PronySeries*> series_of(const quasistatic::CellComposite<dim>&
 
 template <int dim>
 SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem, std::span<const Load> loads,
-                                          std::span<const double> times, const ShareObserver& observer,
+                                          std::span<const double> times, const ProgressObserver& observer,
                                           std::span<const double> field_times, Checkpoint* checkpoint) {
   quasistatic::require_steps(loads, times);
   require_loads("log-time stepping", dim, loads);
@@ -62,10 +62,10 @@ SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem
 }
 
 template SteppingResult<2> run_log_time_stepping(const QuasistaticProblem<2>&, std::span<const Load>,
-                                                 std::span<const double>, const ShareObserver&, std::span<const double>,
-                                                 Checkpoint*);
+                                                 std::span<const double>, const ProgressObserver&,
+                                                 std::span<const double>, Checkpoint*);
 template SteppingResult<3> run_log_time_stepping(const QuasistaticProblem<3>&, std::span<const Load>,
-                                                 std::span<const double>, const ShareObserver&, std::span<const double>,
-                                                 Checkpoint*);
+                                                 std::span<const double>, const ProgressObserver&,
+                                                 std::span<const double>, Checkpoint*);
 
 }  // namespace breccia

@@ -1,4 +1,4 @@
-#include "cli/progress.hpp"
+#include "cli/progress_line.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -40,7 +40,7 @@ class ProgressTest : public testing::Test {
 };
 
 TEST_F(ProgressTest, PrintsLinesDuringLongSteps) {
-  Progress progress(false, stream.get(), {short_while, short_while});
+  ProgressLine progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.25, "snapshot 3");
   wait_for_lines(3);
   const auto text = shown();
@@ -50,14 +50,14 @@ TEST_F(ProgressTest, PrintsLinesDuringLongSteps) {
 }
 
 TEST_F(ProgressTest, EstimatesNoRemainingTimeAtTheBeginning) {
-  Progress progress(false, stream.get(), {short_while, short_while});
+  ProgressLine progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.0, "begun");
   wait_for_lines(1);
   EXPECT_THAT(shown(), testing::Not(HasSubstr("left")));
 }
 
 TEST_F(ProgressTest, ShowsTheLatestUpdate) {
-  Progress progress(false, stream.get(), {short_while, short_while});
+  ProgressLine progress(false, stream.get(), {short_while, short_while});
   progress.update("HB-1 upper bound", 0.5, "snapshot 5");
   progress.update("HB-1 lower bound", 0.1, "snapshot 1");
   wait_for_lines(1);
@@ -66,7 +66,7 @@ TEST_F(ProgressTest, ShowsTheLatestUpdate) {
 
 TEST_F(ProgressTest, PrintsNothingWhenQuiet) {
   {
-    Progress progress(true, stream.get(), {milliseconds(0), short_while});
+    ProgressLine progress(true, stream.get(), {milliseconds(0), short_while});
     progress.update("HB-1 upper bound", 0.5, "snapshot 5");
     std::this_thread::sleep_for(10 * short_while);
   }
@@ -75,7 +75,7 @@ TEST_F(ProgressTest, PrintsNothingWhenQuiet) {
 
 TEST_F(ProgressTest, PrintsNothingBeforeALineIsDue) {
   {
-    Progress progress(false, stream.get(), {std::chrono::hours(1), short_while});
+    ProgressLine progress(false, stream.get(), {std::chrono::hours(1), short_while});
     progress.update("HB-1 upper bound", 0.5, "snapshot 5");
     std::this_thread::sleep_for(10 * short_while);
   }

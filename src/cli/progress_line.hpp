@@ -13,7 +13,7 @@ namespace breccia::cli {
 
 /// Prints the progress of a computation: one line that is updated on a terminal, elsewhere a plain line every minute,
 /// nothing if quiet. A separate thread prints the lines, so that they also appear during long steps.
-class Progress {
+class ProgressLine {
  public:
   using Clock = std::chrono::steady_clock;
   /// The timing of progress lines.
@@ -22,9 +22,9 @@ class Progress {
     std::chrono::milliseconds beat;  ///< time between two checks of the clock
   };
 
-  explicit Progress(bool quiet);
+  explicit ProgressLine(bool quiet);
   /// Writes progress lines to a stream, which is not closed, with the given timing.
-  Progress(bool quiet, std::FILE* stream, const Pace& pace);
+  ProgressLine(bool quiet, std::FILE* stream, const Pace& pace);
 
   /// Sets the running work, its finished share (0 to 1) and details; may be called as often as needed.
   void update(std::string_view what, double share, std::string_view details);

@@ -1,4 +1,4 @@
-#include "progress.hpp"
+#include "progress_line.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -14,21 +14,21 @@ bool is_terminal(std::FILE* stream) {
   return isatty(fileno(stream)) != 0;
 }
 
-Progress::Pace usual_pace() {
-  return is_terminal(stderr) ? Progress::Pace{milliseconds(0), milliseconds(250)}
-                             : Progress::Pace{std::chrono::minutes(1), milliseconds(5000)};
+ProgressLine::Pace usual_pace() {
+  return is_terminal(stderr) ? ProgressLine::Pace{milliseconds(0), milliseconds(250)}
+                             : ProgressLine::Pace{std::chrono::minutes(1), milliseconds(5000)};
 }
 
 }  // namespace
 
-Progress::Progress(bool quiet) : Progress(quiet, stderr, usual_pace()) {}
+ProgressLine::ProgressLine(bool quiet) : ProgressLine(quiet, stderr, usual_pace()) {}
 
-Progress::Progress(bool quiet, std::FILE* stream, const Pace& pace)
+ProgressLine::ProgressLine(bool quiet, std::FILE* stream, const Pace& pace)
     : quiet_(quiet), stream_(stream), terminal_(is_terminal(stream)), pause_(pace.pause), shown_(Clock::now()) {
   if (!quiet) heartbeat_.emplace(pace.beat, [this] { show(); });
 }
 
-void Progress::update(std::string_view what, double share, std::string_view details) {
+void ProgressLine::update(std::string_view what, double share, std::string_view details) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   if (running_.what != what) {
@@ -41,7 +41,7 @@ void Progress::update(std::string_view what, double share, std::string_view deta
 }
 
 /// Prints a line about the running work, if it is due; called by the heartbeat.
-void Progress::show() {
+void ProgressLine::show() {
   const std::lock_guard lock(mutex_);
   const auto now = Clock::now();
   if (!is_running_ || now - shown_ < pause_ || now - running_.begun < pause_) return;
@@ -59,13 +59,13 @@ void Progress::show() {
   line_is_live_ = terminal_;
 }
 
-void Progress::clear_live_line() {
+void ProgressLine::clear_live_line() {
   if (line_is_live_) (void)std::fputs("\r\x1b[K", stream_);
   (void)std::fflush(stream_);
   line_is_live_ = false;
 }
 
-void Progress::print(std::string_view line) {
+void ProgressLine::print(std::string_view line) {
   if (quiet_) return;
   const std::lock_guard lock(mutex_);
   clear_live_line();
@@ -75,7 +75,7 @@ void Progress::print(std::string_view line) {
   (void)std::fflush(stdout);
 }
 
-void Progress::note(std::string_view line) {
+void ProgressLine::note(std::string_view line) {
   const std::lock_guard lock(mutex_);
   clear_live_line();
   fmt::print(stderr, "{}\n", line);
