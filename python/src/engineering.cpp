@@ -34,7 +34,7 @@ auto column(std::vector<Sample> EngineeringCurves::*samples, Number Sample::*mem
 }
 
 /// What is missing under a boundary condition for Young's modulus.
-std::string lacking(const StageResult& stage, const std::optional<std::string>& boundary) {
+std::string lacking(const StageFindings& stage, const std::optional<std::string>& boundary) {
   bool has_shear = false, has_bulk = false;
   for (const auto& test : stage.tests) {
     if (boundary && *boundary != name_of(test.id.boundary)) continue;
@@ -86,7 +86,7 @@ EngineeringCurves curves_from(const py::tuple& state) {
 
 }  // namespace
 
-EngineeringCurves engineering_of(const StageResult& stage, const std::optional<std::string>& boundary) {
+EngineeringCurves engineering_of(const StageFindings& stage, const std::optional<std::string>& boundary) {
   if (boundary) static_cast<void>(value_of<Boundary>("boundary", *boundary));
   auto all = engineering_curves(stage, FrequencyRows{});
   if (boundary) std::erase_if(all, [&](const auto& one) { return name_of(one.test.boundary) != *boundary; });

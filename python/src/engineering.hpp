@@ -12,7 +12,7 @@ namespace breccia::python {
 
 /// The curves of a stage under a boundary condition, or under the only one. Throws InputError where the stage was not
 /// tested in shear and in bulk under it, with what is missing.
-EngineeringCurves engineering_of(const StageResult& stage, const std::optional<std::string>& boundary);
+EngineeringCurves engineering_of(const StageFindings& stage, const std::optional<std::string>& boundary);
 
 /// Adds Young's modulus and Poisson's ratio of stages to the module.
 void bind_engineering(pybind11::module_& module);

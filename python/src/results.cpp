@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -39,20 +37,6 @@ std::optional<std::string> grid_word(const py::object& grid) {
 py::object grid_of(const TestId& test) {
   if (const auto cells = test.grid.cells()) return py::int_(*cells);
   return py::str(name_of(test.grid));
-}
-
-double error_of(const TestResult& test) {
-  const auto* const record = std::get_if<QuasistaticRecord>(&test.record);
-  return record == nullptr ? std::numeric_limits<double>::quiet_NaN() : record->response.error_estimate;
-}
-
-std::optional<double> seconds_of(const TestResult& test) {
-  if (const auto* const record = std::get_if<QuasistaticRecord>(&test.record)) return record->seconds;
-  const auto* const dynamic = std::get_if<DynamicTestResult>(&test.record);
-  if (dynamic == nullptr) return std::nullopt;
-  double seconds = 0.0;
-  for (const auto& domain : dynamic->domains) seconds += domain.seconds;
-  return seconds;
 }
 
 /// The series of a test; results that were read from a directory have those of the preferred tests alone.
@@ -93,18 +77,17 @@ void bind_test(py::module_& module) {
           "Creep compliance at these times [1/Pa], of a traction boundary; else empty.")
       .def_property_readonly("series", &series_of_test, "Relaxation modulus, a PronySeries.")
       .def_property_readonly(
-          "error_estimate", &error_of,
+          "error_estimate", [](const TestResult& test) { return test.error_estimate; },
           "Estimated relative error of the reduced basis or of the time steps [-]; NaN where unknown.")
       .def_property_readonly(
           "half_bands",
           [](const py::object& self) {
-            static const std::vector<double> none;
-            const auto* const record = std::get_if<ExtrapolationRecord>(&self.cast<const TestResult&>().record);
-            const auto& bands = record == nullptr ? none : record->half_bands;
+            const auto& bands = self.cast<const TestResult&>().half_bands;
             return view_of(bands.data(), {static_cast<py::ssize_t>(bands.size())}, self);
           },
           "Half width of the error band of an extrapolated curve at these times [Pa]; else empty.")
-      .def_property_readonly("seconds", &seconds_of, "Wall time, of all loads together [s]; None of an extrapolation.")
+      .def_property_readonly(
+          "seconds", [](const TestResult& test) { return test.seconds; }, "Wall time, of all loads together [s]; None of an extrapolation.")
       .def_property_readonly(
           "fields", &fields_of_test,
           "Fields at the field times, a dictionary each: time [s], phase, and per unit of the load displacement [m], "

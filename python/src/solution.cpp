@@ -19,7 +19,7 @@ std::string in_words(const TestId& test) {
                      name_of(test.method));
 }
 
-std::string tests_in_words(const StageResult& stage) {
+std::string tests_in_words(const StageFindings& stage) {
   std::vector<std::string> tests;
   for (const auto& test : stage.tests) tests.push_back(in_words(test.id));
   return fmt::format("{}", fmt::join(tests, "; "));
@@ -51,13 +51,12 @@ std::shared_ptr<Solution> solution_of(const Study& study, StudyResult result) {
   for (auto& stage : result.stages) {
     const auto of_study = std::ranges::find(study.stages, stage.name, &Stage::name);
     auto box = box_of(*of_study, stage.microstructure);
-    stage.microstructure = {};
-    solution->stages.push_back({std::move(stage), std::move(box)});
+    solution->stages.push_back({static_cast<StageFindings&&>(stage), std::move(box)});
   }
   return solution;
 }
 
-const TestResult& test_of(const StageResult& stage, const TestWords& words) {
+const TestResult& test_of(const StageFindings& stage, const TestWords& words) {
   require_known(words);
   const TestResult* found = nullptr;
   std::set<Boundary> boundaries;

@@ -16,7 +16,7 @@ namespace breccia::python {
 
 /// The result of a stage, with its box as Python shows it.
 struct SolvedStage {
-  StageResult result;
+  StageFindings result;
   std::optional<Box> box;  ///< of a response to another matrix nothing
 };
 
@@ -38,6 +38,6 @@ struct TestWords {
 
 /// The preferred one (is_preferred) of the tests that these words fit. Throws InputError, with what was tested, where
 /// none fits, or several boundaries do.
-const TestResult& test_of(const StageResult& stage, const TestWords& words);
+const TestResult& test_of(const StageFindings& stage, const TestWords& words);
 
 }  // namespace breccia::python

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -86,36 +86,6 @@ std::vector<Pair> pairs_from(const py::tuple& columns) {
   return pairs;
 }
 
-/// What Python shows of the computation of a test.
-py::tuple record_of(const TestResult& test) {
-  if (const auto* const record = std::get_if<QuasistaticRecord>(&test.record)) {
-    return py::make_tuple("quasistatic", record->response.error_estimate, record->seconds);
-  }
-  if (const auto* const record = std::get_if<ExtrapolationRecord>(&test.record)) {
-    return py::make_tuple("extrapolation", record->cells, array_of(record->half_bands));
-  }
-  double seconds = 0.0;
-  for (const auto& domain : std::get<DynamicTestResult>(test.record).domains) seconds += domain.seconds;
-  return py::make_tuple("dynamic", seconds);
-}
-
-void add_record(TestResult& test, const py::tuple& state) {
-  const auto kind = state[0].cast<std::string>();
-  if (kind == "quasistatic") {
-    QuasistaticRecord record;
-    record.response.load = test.id.load;
-    record.response.error_estimate = state[1].cast<double>();
-    record.seconds = state[2].cast<double>();
-    test.record = std::move(record);
-  } else if (kind == "extrapolation") {
-    test.record = ExtrapolationRecord{state[1].cast<std::vector<int>>(), state[2].cast<std::vector<double>>()};
-  } else {
-    DynamicTestResult record;
-    record.domains.emplace_back().seconds = state[1].cast<double>();
-    test.record = std::move(record);
-  }
-}
-
 py::dict state_of(const TestId& test) {
   py::dict state;
   state["load"] = name_of(test.load);
@@ -140,7 +110,9 @@ py::dict state_of(const TestResult& test) {
   state["compliance"] = columns_of(test.compliance);
   state["series"] = python::state_of(test.series);
   state["fields"] = state_of_fields(test.fields);
-  state["record"] = record_of(test);
+  state["error_estimate"] = test.error_estimate;
+  state["half_bands"] = array_of(test.half_bands);
+  state["seconds"] = test.seconds;
   return state;
 }
 
@@ -156,7 +128,9 @@ TestResult test_from(const py::dict& state) {
   test.compliance = pairs_from<CreepSample>(state["compliance"].cast<py::tuple>());
   test.series = series_from(state["series"].cast<py::tuple>());
   test.fields = fields_from(state["fields"].cast<py::tuple>());
-  add_record(test, state["record"].cast<py::tuple>());
+  test.error_estimate = state["error_estimate"].cast<double>();
+  test.half_bands = state["half_bands"].cast<std::vector<double>>();
+  test.seconds = state["seconds"].cast<std::optional<double>>();
   return test;
 }
 

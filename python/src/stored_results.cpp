@@ -19,9 +19,9 @@ std::shared_ptr<Solution> solution_in(const std::filesystem::path& directory) {
   auto stored = read_stored_study(directory);
   auto solution = std::make_shared<Solution>();
   solution->content = std::move(stored.content);
-  solution->seconds = stored.result.seconds;
+  solution->seconds = stored.seconds;
   solution->responses = std::move(stored.responses);
-  for (auto& stage : stored.result.stages) solution->stages.push_back({std::move(stage), std::nullopt});
+  for (auto& stage : stored.stages) solution->stages.push_back({std::move(stage), std::nullopt});
   return solution;
 }
 

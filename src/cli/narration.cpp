@@ -61,12 +61,12 @@ std::string describe_snapshots(const ReducedResponse& response, std::size_t phas
 }
 
 /// The error of the method in time, in words, and the moduli to which it applies.
-std::string describe_error(const QuasistaticResponse& response) {
-  const double per_cent = 100.0 * response.error_estimate;
-  if (!response.reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
+std::string describe_error(double error_estimate, const std::optional<ReducedResponse>& reduced) {
+  const double per_cent = 100.0 * error_estimate;
+  if (!reduced) return fmt::format("error of the steps about {:.1g} %", per_cent);
   std::vector<std::string> phases;
-  for (std::size_t phase = 0; phase < response.reduced->phases().size(); ++phase) {
-    phases.push_back(describe_snapshots(*response.reduced, phase));
+  for (std::size_t phase = 0; phase < reduced->phases().size(); ++phase) {
+    phases.push_back(describe_snapshots(*reduced, phase));
   }
   return fmt::format("error of the basis (at Laplace variables, {}) about {:.1g} %", fmt::join(phases, ", "), per_cent);
 }
@@ -93,11 +93,11 @@ std::string line_of(const TestFinished& event) {
   const auto& test = event.result.stages.back().tests.back();
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
   if (record == nullptr) return {};
-  const auto& [response, effort, seconds] = *record;
-  const auto how = response.reduced ? fmt::format("{} snapshots", response.reduced->snapshots.size())
-                                    : fmt::format("{} solves", effort.solves);
+  const auto how = record->reduced ? fmt::format("{} snapshots", record->reduced->snapshots.size())
+                                   : fmt::format("{} solves", record->effort.solves);
   return fmt::format("{} {}, {}: {}, {}, {:.2g} s for all loads, {}", event.stage.name, name_of(test.id.load),
-                     bound_of(test.id.boundary), words_of(test.id.grid), how, seconds, describe_error(response));
+                     bound_of(test.id.boundary), words_of(test.id.grid), how, test.seconds.value_or(0.0),
+                     describe_error(test.error_estimate, record->reduced));
 }
 
 std::string line_of(const ResultsKeptBeside& event) {

@@ -219,9 +219,7 @@ void print(const Answer& answer, const TimeWindow& times) {
   double error = 0.0;
   for (const auto& stage : answer.stages) {
     for (const auto& test : stage.tests) {
-      if (const auto* record = std::get_if<QuasistaticRecord>(&test.record)) {
-        error = std::max(error, record->response.error_estimate);
-      }
+      if (!std::isnan(test.error_estimate)) error = std::max(error, test.error_estimate);
     }
   }
   fmt::print(

@@ -131,7 +131,7 @@ std::string closing_tables(const Study& study, const StudyResult& result) {
     // Some warnings were printed when the stage was packed, perhaps hours ago; they are repeated.
     for (const auto& warning : stage.warnings) remarks += "warning: " + warning + "\n";
     for (const auto& test : stage.tests) {
-      const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+      const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
       if (dynamic == nullptr || dynamic->overlaps.empty()) continue;
       double worst = 0.0;
       for (const auto& overlap : dynamic->overlaps) worst = std::max(worst, overlap.mismatch);

@@ -18,11 +18,10 @@ namespace {
 
 /// Half width of the error band of an extrapolated test [Pa], at its time nearest to the given one.
 std::optional<double> half_band(const TestResult& test, double time) {
-  const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
-  if (record == nullptr) return std::nullopt;
+  if (test.half_bands.empty()) return std::nullopt;
   const auto distance = [time](const Sample& sample) { return std::abs(std::log(sample.time / time)); };
   const auto nearest = std::ranges::min_element(test.modulus, {}, distance);
-  return record->half_bands.at(static_cast<std::size_t>(nearest - test.modulus.begin()));
+  return test.half_bands.at(static_cast<std::size_t>(nearest - test.modulus.begin()));
 }
 
 /// The times that two tests have in common; for a single test all of its times.

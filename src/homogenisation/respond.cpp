@@ -28,18 +28,16 @@ namespace {
 TestResult test_of(const StoredResponses::Entry& entry, const std::vector<Material>& materials,
                    const TimeWindow& window, int points_per_decade) {
   const auto& response = entry.response;
-  QuasistaticRecord record;
-  record.response.load = response.load;
-  record.response.error_estimate = largest_error(response, materials, window);
-  record.response.reduced = response;
   const auto compliance = creep_compliance(response, materials);
-  TestResult test{.id = {response.load, response.boundary, Method::quasistatic, entry.grid}};
+  TestResult test{.id = {response.load, response.boundary, Method::quasistatic, entry.grid},
+                  .error_estimate = largest_error(response, materials, window),
+                  .seconds = 0.0,
+                  .record = QuasistaticRecord{.reduced = response}};
   test.series = relaxation_modulus(compliance);
   for (const double time : logarithmic_times(window, points_per_decade)) {
     test.modulus.push_back({time, test.series.at(time)});
     if (response.boundary == Boundary::traction) test.compliance.push_back({time, compliance.at(time)});
   }
-  test.record = std::move(record);
   return test;
 }
 
@@ -223,8 +221,8 @@ StoredResponses responses_of(const Study& study, const Stage& stage, const Stage
                                .entries = {}};
   for (const auto& test : result.tests) {
     const auto* record = std::get_if<QuasistaticRecord>(&test.record);
-    if (record == nullptr || !record->response.reduced) continue;
-    responses.entries.push_back({test.id.grid, *record->response.reduced});
+    if (record == nullptr || !record->reduced) continue;
+    responses.entries.push_back({test.id.grid, *record->reduced});
   }
   return responses;
 }

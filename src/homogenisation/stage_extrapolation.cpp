@@ -71,9 +71,8 @@ TestResult finest_with_band(const std::vector<const TestResult*>& grids) {
   TestResult result{
       .id = finest.id, .modulus = finest.modulus, .compliance = finest.compliance, .series = finest.series};
   result.id.grid = TestGrid::extrapolated();
-  auto record = record_of(grids);
-  record.half_bands = half_bands_of_mixed_cells(moduli_of(*grids[grids.size() - 2]), moduli_of(finest));
-  result.record = std::move(record);
+  result.half_bands = half_bands_of_mixed_cells(moduli_of(*grids[grids.size() - 2]), moduli_of(finest));
+  result.record = record_of(grids);
   return result;
 }
 
@@ -81,27 +80,26 @@ TestResult extrapolate_test(const Stage& stage, const std::vector<const TestResu
   const auto& finest = *grids.back();
   TestResult result{.id = finest.id};
   result.id.grid = TestGrid::extrapolated();
-  auto record = record_of(grids);
   for (std::size_t i = 0; i < finest.modulus.size(); ++i) {
     const double time = finest.modulus[i].time;
     const auto [modulus, half_band] = limit(
         stage, grids, time, [i](const TestResult& grid) { return grid.modulus[i].modulus; }, pascals);
     result.modulus.push_back({time, modulus});
-    record.half_bands.push_back(half_band);
+    result.half_bands.push_back(half_band);
     if (finest.compliance.empty()) continue;
     const auto creep = limit(
         stage, grids, time, [i](const TestResult& grid) { return grid.compliance[i].compliance; }, per_pascal);
     result.compliance.push_back({time, creep.value});
   }
   result.series = fitted(result.modulus);
-  result.record = std::move(record);
+  result.record = record_of(grids);
   return result;
 }
 
 /// Whether the series of a test is exact, from a reduced response, instead of a fit to its curve.
 bool has_exact_series(const TestResult& test) {
   const auto* record = std::get_if<QuasistaticRecord>(&test.record);
-  return record != nullptr && record->response.reduced.has_value();
+  return record != nullptr && record->reduced.has_value();
 }
 
 }  // namespace

@@ -68,8 +68,10 @@ std::vector<TestResult> run_all_loads(const Stage& stage, const QuasistaticTest&
     auto& response = found.responses[i];
     results[i].modulus = std::exchange(response.modulus, {});
     results[i].compliance = std::exchange(response.compliance, {});
-    results[i].series = response.series;
-    results[i].record = QuasistaticRecord{std::move(response), found.effort, found.seconds};
+    results[i].series = std::move(response.series);
+    results[i].error_estimate = response.error_estimate;
+    results[i].seconds = found.seconds;
+    results[i].record = QuasistaticRecord{std::move(response.reduced), response.fit_error, found.effort};
   }
   return results;
 }
@@ -121,14 +123,16 @@ TestResult run_dynamic(const StageGrid& grid, const Material& matrix, Boundary b
   result.modulus = std::exchange(found.curve, {});
   result.compliance = std::exchange(found.compliance, {});
   result.series = fitted(result.modulus);
-  result.record = std::move(found);
+  result.seconds = 0.0;
+  for (const auto& domain : found.domains) *result.seconds += domain.seconds;
+  result.record = DynamicRecord{std::move(found.domains), std::move(found.overlaps), found.fit_error};
   return result;
 }
 
 std::vector<std::string> warnings_of(const Stage& stage, const TestResult& test) {
   constexpr double tolerance = 0.03;
   std::vector<std::string> warnings;
-  const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+  const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
   if (dynamic == nullptr) return warnings;
   for (const auto& [window, mismatch] : dynamic->overlaps) {
     if (mismatch <= tolerance) continue;

@@ -34,9 +34,9 @@ ResponsesOnGrids responses_on_grids(const Stage& stage, const StageResult& resul
       const auto* record = std::get_if<QuasistaticRecord>(&test.record);
       const bool is_on_grid = test.id.grid.is_films() || test.id.grid == TestGrid(cells);
       if (test.id.load != load || test.id.boundary != boundary || !is_on_grid) continue;
-      if (record == nullptr || !record->response.reduced) continue;
+      if (record == nullptr || !record->reduced) continue;
       found.cell_sides.push_back(stage.side / cells);
-      found.responses.push_back(&*record->response.reduced);
+      found.responses.push_back(&*record->reduced);
     }
   }
   return found;

@@ -4,7 +4,7 @@
 
 namespace breccia {
 
-std::vector<const TestResult*> best_tests(const StageResult& stage) {
+std::vector<const TestResult*> best_tests(const StageFindings& stage) {
   std::vector<const TestResult*> best;
   for (const auto& test : stage.tests) {
     const bool is_best = std::ranges::none_of(stage.tests, [&](const TestResult& other) {

@@ -181,7 +181,7 @@ StudyContent study_content(const Study& study, const StudyResult& result) {
   return content;
 }
 
-std::vector<StageSeries> series_of(const StageResult& stage) {
+std::vector<StageSeries> series_of(const StageFindings& stage) {
   std::vector<StageSeries> all;
   for (const auto* const test : best_tests(stage)) {
     all.push_back({stage.name, test->id.load, test->id.boundary, test->series});

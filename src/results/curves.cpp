@@ -45,13 +45,12 @@ void write_extrapolations(const std::filesystem::path& file, const StudyResult& 
   std::vector<double> times, moduli, half_bands;
   for (const auto& stage : result.stages) {
     for (const auto& test : stage.tests) {
-      const auto* record = std::get_if<ExtrapolationRecord>(&test.record);
-      if (record == nullptr) continue;
+      if (test.half_bands.empty()) continue;
       for (std::size_t i = 0; i < test.modulus.size(); ++i) {
         tests.add(stage.name, test.id);
         times.push_back(test.modulus[i].time);
         moduli.push_back(test.modulus[i].modulus);
-        half_bands.push_back(record->half_bands[i]);
+        half_bands.push_back(test.half_bands[i]);
       }
     }
   }

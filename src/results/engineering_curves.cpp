@@ -21,7 +21,7 @@ struct TestPair {
 };
 
 /// Of each boundary condition the pair with the load `shear`, or else with the first load of shear.
-std::vector<TestPair> pairs_of(const StageResult& stage) {
+std::vector<TestPair> pairs_of(const StageFindings& stage) {
   const auto best = best_tests(stage);
   std::vector<TestPair> pairs;
   for (const auto* bulk : best) {
@@ -56,7 +56,7 @@ EngineeringCurves curves_of(const TestPair& pair, int dimensions, const Frequenc
 
 }  // namespace
 
-std::vector<EngineeringCurves> engineering_curves(const StageResult& stage, const FrequencyRows& rows) {
+std::vector<EngineeringCurves> engineering_curves(const StageFindings& stage, const FrequencyRows& rows) {
   std::vector<EngineeringCurves> all;
   for (const auto& pair : pairs_of(stage)) all.push_back(curves_of(pair, stage.dimensions, rows));
   return all;

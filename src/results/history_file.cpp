@@ -83,7 +83,7 @@ void write_history(const std::filesystem::path& directory, const Study& study, c
 void write_histories(const std::filesystem::path& directory, const Study& study, const Stage& stage,
                      const std::vector<TestResult>& tests) {
   for (const auto& test : tests) {
-    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+    const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
     if (dynamic == nullptr) continue;
     std::size_t number = 0;
     for (const auto& domain : dynamic->domains) {

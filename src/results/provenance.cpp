@@ -65,6 +65,10 @@ Json json_of(const ComparedSample& sample) {
   return {{"time_s", sample.time}, {"ratio", sample.ratio()}};
 }
 
+Json json_of(const std::optional<double>& number) {
+  return number ? Json(*number) : Json();
+}
+
 /// A number for JSON, which has no infinity: the gap without two particles is null.
 Json finite_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json();
@@ -121,37 +125,36 @@ Json json_of(const WholeFiller& filler) {
 /// Writes the settings and the accuracy of a test.
 struct DescribeRecord {
   const Tests& options;
-  TestGrid grid;
+  const TestResult& test;
   std::size_t points;  ///< material points of the grid
 
   Json operator()(const QuasistaticRecord& record) const {
-    const auto& response = record.response;
-    Json json = {{"solver", name_of(response.reduced ? Solver::reduced : Solver::stepping)}};
-    if (grid.is_films()) {
+    Json json = {{"solver", name_of(record.reduced ? Solver::reduced : Solver::stepping)}};
+    if (test.id.grid.is_films()) {
       json["face_share"] = options.films.face_share;
       if (options.films.layers) json["layers"] = *options.films.layers;
     } else {
       json["volumetric"] = name_of(options.quasistatic.volumetric);
       json["mixing"] = name_of(options.mixing);
     }
-    json["error_estimate"] = response.error_estimate;
+    json["error_estimate"] = test.error_estimate;
     json["linear"] = json_of(record.effort);
-    json["wall_time_s"] = record.seconds;
-    if (response.fit_error) json["fit_error"] = *response.fit_error;
-    if (!response.reduced) {
+    json["wall_time_s"] = json_of(test.seconds);
+    if (record.fit_error) json["fit_error"] = *record.fit_error;
+    if (!record.reduced) {
       json["steps_per_decade"] = options.quasistatic.steps_per_decade;
       return json;
     }
     json["tolerance"] = options.quasistatic.sampling.tolerance;
     json["range"] = name_of(options.quasistatic.range);
     json["snapshots"] = Json::array();
-    for (const auto& snapshot : response.reduced->snapshots) {
-      json["snapshots"].push_back(json_of(snapshot, response.reduced->phases()));
+    for (const auto& snapshot : record.reduced->snapshots) {
+      json["snapshots"].push_back(json_of(snapshot, record.reduced->phases()));
     }
     return json;
   }
 
-  Json operator()(const DynamicTestResult& record) const {
+  Json operator()(const DynamicRecord& record) const {
     Json domains = Json::array(), overlaps = Json::array();
     for (const auto& domain : record.domains) domains.push_back(json_of(domain, points));
     for (const auto& [window, mismatch] : record.overlaps) {
@@ -168,6 +171,7 @@ struct DescribeRecord {
     return json;
   }
 
+  Json operator()(std::monostate /*record*/) const { return Json::object(); }
   Json operator()(const ExtrapolationRecord& record) const { return {{"from_cells", record.cells}}; }
 };
 
@@ -178,7 +182,7 @@ Json json_of(const TestResult& test, const Study& study, const Stage& stage, con
                {"boundary", name_of(test.id.boundary)},
                {"method", name_of(test.id.method)},
                {"cells", cells ? Json(*cells) : Json(name_of(test.id.grid))}};
-  json.update(std::visit(DescribeRecord{study.tests, test.id.grid, points}, test.record));
+  json.update(std::visit(DescribeRecord{study.tests, test, points}, test.record));
   for (const auto& [time, file, stress, strain, work] : record.fields_of(test.id)) {
     Json field = {{"time_s", time}, {"file", file}, {"stress_picture", stress}, {"strain_picture", strain}};
     if (!work.empty()) field["work_picture"] = work;
@@ -191,10 +195,6 @@ Json json_of(const TestResult& test, const Study& study, const Stage& stage, con
 Json names_of_grids(const Tests& tests, const Stage& stage) {
   if (model_of(tests, stage) == Model::films) return Json::array({name_of(TestGrid::films())});
   return stage.grids();
-}
-
-Json json_of(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
 }
 
 Json json_of(const BoundsAtTime& bounds) {

@@ -52,7 +52,7 @@ ModulusPlot plot_of(const Study& study, const Stage& stage, const StageResult& r
   plot.title = fmt::format("{}: {}", study.title, stage.name);
   bool has_windows = false;
   for (const auto& test : result.tests) {
-    const auto* dynamic = std::get_if<DynamicTestResult>(&test.record);
+    const auto* dynamic = std::get_if<DynamicRecord>(&test.record);
     if (!shown(test)) continue;
     if (dynamic != nullptr && !has_windows) {
       has_windows = true;

@@ -1,7 +1,6 @@
 #include "breccia/results/stored_study.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -29,7 +28,7 @@ namespace fs = std::filesystem;
 }
 
 /// The test of a stage with this identity. Throws FileError, with the place that names it, where there is none.
-TestResult& test_in(std::vector<StageResult>& stages, const std::string& stage, const TestId& id,
+TestResult& test_in(std::vector<StageFindings>& stages, const std::string& stage, const TestId& id,
                     const std::string& place) {
   for (auto& one : stages) {
     const auto found = std::ranges::find(one.tests, id, &TestResult::id);
@@ -48,22 +47,17 @@ TestId id_of_row(const CsvTable& table, std::size_t row) {
   return {*load, *boundary, *method, *grid};
 }
 
-void add_curves(const fs::path& directory, std::vector<StageResult>& stages) {
+void add_curves(const fs::path& directory, std::vector<StageFindings>& stages) {
   for (auto& curve : read_curves(directory)) {
-    const auto stage = std::ranges::find(stages, curve.stage, &StageResult::name);
+    const auto stage = std::ranges::find(stages, curve.stage, &StageFindings::name);
     if (stage == stages.end()) refuse((directory / "curves.csv").string(), ": a stage that study.json has not");
     const TestResult empty{.id = curve.test};
     auto& test = stage->tests.emplace_back(empty);
     test.modulus = std::move(curve.modulus);
-    if (curve.test.grid.is_extrapolated()) {
-      test.record.emplace<ExtrapolationRecord>();
-    } else if (curve.test.method == Method::dynamic) {
-      test.record.emplace<DynamicTestResult>();
-    }
   }
 }
 
-void add_compliances(const fs::path& file, std::vector<StageResult>& stages) {
+void add_compliances(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
   const auto table = read_csv(file, {"stage", "load", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -72,20 +66,20 @@ void add_compliances(const fs::path& file, std::vector<StageResult>& stages) {
   }
 }
 
-void add_half_bands(const fs::path& file, std::vector<StageResult>& stages) {
+void add_half_bands(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
   const auto table = read_csv(file, {"stage", "load", "boundary", "method"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
     auto& test = test_in(stages, table.text("stage")[row], id_of_row(table, row), table.place(row));
-    std::get<ExtrapolationRecord>(test.record).half_bands.push_back(table.numbers("half_band_Pa")[row]);
+    test.half_bands.push_back(table.numbers("half_band_Pa")[row]);
   }
 }
 
-void add_comparisons(const fs::path& file, std::vector<StageResult>& stages) {
+void add_comparisons(const fs::path& file, std::vector<StageFindings>& stages) {
   if (!fs::exists(file)) return;
   const auto table = read_csv(file, {"measurement", "stage", "boundary", "method", "cells"});
   for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto stage = std::ranges::find(stages, table.text("stage")[row], &StageResult::name);
+    const auto stage = std::ranges::find(stages, table.text("stage")[row], &StageFindings::name);
     if (stage == stages.end()) refuse(table.place(row), ": a stage that study.json has not");
     const auto id = id_of_row(table, row);
     const auto& measurement = table.text("measurement")[row];
@@ -98,7 +92,7 @@ void add_comparisons(const fs::path& file, std::vector<StageResult>& stages) {
   }
 }
 
-void add_series(const fs::path& directory, std::vector<StageResult>& stages) {
+void add_series(const fs::path& directory, std::vector<StageFindings>& stages) {
   const auto all = read_stored_series(directory);
   for (auto& stage : stages) {
     for (const auto* const preferred : best_tests(stage)) {
@@ -113,22 +107,20 @@ void add_series(const fs::path& directory, std::vector<StageResult>& stages) {
 
 /// Error and wall time of the computation of a test.
 void read_record(const nlohmann::json& json, TestResult& test) {
-  if (auto* const record = std::get_if<QuasistaticRecord>(&test.record)) {
-    record->response.load = test.id.load;
-    record->response.error_estimate = json.at("error_estimate").is_null() ? std::numeric_limits<double>::quiet_NaN()
-                                                                          : json["error_estimate"].get<double>();
-    record->seconds = json.at("wall_time_s").get<double>();
-  } else if (auto* const extrapolation = std::get_if<ExtrapolationRecord>(&test.record)) {
-    extrapolation->cells = json.at("from_cells").get<std::vector<int>>();
+  if (json.contains("error_estimate") && json["error_estimate"].is_number()) {
+    test.error_estimate = json["error_estimate"].get<double>();
+  }
+  if (test.id.grid.is_extrapolated()) return;
+  test.seconds = 0.0;
+  if (test.id.method == Method::dynamic) {
+    for (const auto& domain : json.at("time_domains")) *test.seconds += domain.at("wall_time_s").get<double>();
   } else {
-    for (const auto& domain : json.at("time_domains")) {
-      std::get<DynamicTestResult>(test.record).domains.emplace_back().seconds = domain.at("wall_time_s").get<double>();
-    }
+    test.seconds = json.at("wall_time_s").get<double>();
   }
 }
 
-StageResult stage_result_of(const nlohmann::json& json) {
-  StageResult stage;
+StageFindings findings_in(const nlohmann::json& json) {
+  StageFindings stage;
   stage.name = json.at("name").get<std::string>();
   if (!is_safe_name(stage.name))
     throw FileError(fmt::format("\"{}\" is not a name that `breccia run` gives to a stage", printable(stage.name)));
@@ -142,7 +134,7 @@ StageResult stage_result_of(const nlohmann::json& json) {
   return stage;
 }
 
-void read_records(const nlohmann::json& json, StageResult& stage) {
+void read_records(const nlohmann::json& json, StageFindings& stage) {
   for (const auto& one : json.at("tests")) {
     const auto& cells = one.at("cells");
     const auto grid =
@@ -160,13 +152,12 @@ void read_records(const nlohmann::json& json, StageResult& stage) {
 StoredStudy read_stored_study(const fs::path& directory) {
   require_stored_study(directory);
   StoredStudy study{.content = read_stored_content(directory)};
-  auto& stages = study.result.stages;
+  auto& stages = study.stages;
   const auto file = directory / "study.json";
   const auto json = nlohmann::json::parse(read_text(file), nullptr, false);
   try {
-    study.result.study_hash = json.at("hash").get<std::string>();
-    if (json.at("wall_time_s").is_number()) study.result.seconds = json["wall_time_s"].get<double>();
-    for (const auto& stage : json.at("stages")) stages.push_back(stage_result_of(stage));
+    if (json.at("wall_time_s").is_number()) study.seconds = json["wall_time_s"].get<double>();
+    for (const auto& stage : json.at("stages")) stages.push_back(findings_in(stage));
     add_curves(directory, stages);
     for (std::size_t i = 0; i < stages.size(); ++i) read_records(json["stages"][i], stages[i]);
   } catch (const nlohmann::json::exception& error) {

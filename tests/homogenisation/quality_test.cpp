@@ -22,7 +22,7 @@ TestResult constant(Boundary boundary, TestGrid grid, double modulus, double las
 
 TestResult extrapolated(Boundary boundary, double modulus, double half_band) {
   auto test = constant(boundary, TestGrid::extrapolated(), modulus);
-  test.record = ExtrapolationRecord{{50, 100}, std::vector<double>(test.modulus.size(), half_band)};
+  test.half_bands.assign(test.modulus.size(), half_band);
   return test;
 }
 

@@ -21,7 +21,7 @@ TestResult linear_test(Load load, const test::LinearComposite& composite, int ce
                        Boundary boundary = Boundary::displacement) {
   TestResult test{.id = {.load = load, .boundary = boundary, .grid = TestGrid(cells)}};
   QuasistaticRecord record;
-  record.response.reduced = test::one_vector_response(load, boundary, composite, {});
+  record.reduced = test::one_vector_response(load, boundary, composite, {});
   test.record = std::move(record);
   return test;
 }
@@ -77,7 +77,7 @@ TEST_F(VaryingModuli, OfAStageWithFillersThatRelaxAreTakenAtOneLaplaceVariable) 
   fine.tests = {linear_test(Load::shear, {3.0, 2.0, 0.0}), linear_test(Load::bulk, {1.0, 1.0, 0.8})};
   const auto one = [](double x) -> Eigen::MatrixXd { return Eigen::MatrixXd::Constant(1, 1, x); };
   for (auto& test : fine.tests) {
-    auto& parts = std::get<QuasistaticRecord>(test.record).response.reduced->parts;
+    auto& parts = std::get<QuasistaticRecord>(test.record).reduced->parts;
     parts.push_back({{"filler", ElasticModulus::shear}, one(4.0)});
     parts.push_back({{"filler", ElasticModulus::bulk}, one(0.0)});
   }

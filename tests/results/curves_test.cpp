@@ -66,7 +66,7 @@ TEST_F(WriteCurves, LeavesTheCompliancesOfCreepTestsAlone) {
 
 TEST_F(WriteCurves, LeavesTheHalfBandsOfExtrapolatedTestsAlone) {
   auto limit = test_with({.grid = TestGrid::extrapolated()}, {{1.0, 3.0}, {2.0, 2.0}});
-  limit.record = ExtrapolationRecord{{12, 24}, {0.5, 0.125}};
+  limit.half_bands = {0.5, 0.125};
   write_curves(directory.path(), {{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}})})}, {}});
   EXPECT_FALSE(has("extrapolation.csv"));
   write_curves(directory.path(), {{stage_with("A", {test_with(on_12_cells, {{1.0, 5.0}}), limit})}, {}});
@@ -105,7 +105,7 @@ TEST_F(WriteCurves, LeavesOneSeriesForEachLoadAndBoundary) {
 // Between samples that are far apart the modulus is linear in ln t: halfway from 10 ms to 1 s it is the mean.
 TEST_F(WriteCurves, LeavesTheDistanceOfTheBounds) {
   auto upper = test_with({.grid = TestGrid::extrapolated()}, {{0.01, 4.0}, {1.0, 2.0}});
-  upper.record = ExtrapolationRecord{{12, 24}, {0.25, 0.5}};
+  upper.half_bands = {0.25, 0.5};
   const auto lower = test_with({.boundary = Boundary::traction, .grid = TestGrid(24)}, {{0.01, 2.0}, {1.0, 1.0}});
   const auto bulk =
       test_with({Load::bulk, Boundary::traction, Method::dynamic, TestGrid(24)}, {{1.0, 8.0}, {2.0, 6.0}});

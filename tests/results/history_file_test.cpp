@@ -85,7 +85,7 @@ TimeDomain domain_with(Curve history) {
 }
 
 TestResult dynamic_test(const TestId& id, std::vector<TimeDomain> domains) {
-  DynamicTestResult record;
+  DynamicRecord record;
   record.domains = std::move(domains);
   auto test = test::test_with(id, {});
   test.record = std::move(record);

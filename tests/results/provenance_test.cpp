@@ -80,9 +80,10 @@ TEST_F(WriteProvenance, HasADateOnceAllIsDone) {
 
 TEST_F(WriteProvenance, TellsHowAReducedResponseWasMade) {
   auto test = test::test_with({Load::bulk, Boundary::traction, Method::quasistatic, TestGrid(12)}, {{1.0, 1.0}});
+  test.error_estimate = 1e-6;
+  test.seconds = 0.5;
   QuasistaticRecord record;
-  record.response.error_estimate = 1e-6;
-  record.response.reduced =
+  record.reduced =
       test::one_vector_response(Load::bulk, Boundary::traction, {},
                                 {{{{.bulk = 2.0, .shear = 1.0}}, 0.0}, {{{.bulk = 2.0, .shear = 0.5}}, 0.01}});
   record.effort = {.is_direct = false,
@@ -92,7 +93,6 @@ TEST_F(WriteProvenance, TellsHowAReducedResponseWasMade) {
                    .iterations = 40,
                    .most_iterations = 12,
                    .largest_residual = 1e-9};
-  record.seconds = 0.5;
   test.record = std::move(record);
   study.tests.quasistatic.sampling.tolerance = 1e-4;
   EXPECT_EQ(written_of(test), json::parse(R"({
@@ -107,7 +107,7 @@ TEST_F(WriteProvenance, TellsHowAReducedResponseWasMade) {
 
 TEST_F(WriteProvenance, TellsHowAnExtrapolationWasMade) {
   auto test = test::test_with({.grid = TestGrid::extrapolated()}, {{1.0, 1.0}});
-  test.record = ExtrapolationRecord{{12, 24}, {0.1}};
+  test.record = ExtrapolationRecord{{12, 24}};
   EXPECT_EQ(written_of(test), json::parse(R"({"load": "shear", "boundary": "displacement", "method": "quasistatic",
                                               "cells": "extrapolated", "from_cells": [12, 24]})"));
 }
@@ -115,7 +115,7 @@ TEST_F(WriteProvenance, TellsHowAnExtrapolationWasMade) {
 // 24 x 24 cells have 2304 points; 1000 steps in 2 s are 1.152 million points x steps/s.
 TEST_F(WriteProvenance, TellsTheTimeDomainsOfADynamicTest) {
   auto test = test::test_with({.method = Method::dynamic, .grid = TestGrid(24)}, {{1.0, 1.0}});
-  DynamicTestResult record;
+  DynamicRecord record;
   auto& domain = record.domains.emplace_back();
   domain.density_factor = 1e4;
   domain.steps = 1000;

@@ -41,7 +41,7 @@ class Report : public testing::Test {
     study.stages.pop_back();
     study.provenance.content = content_of(study);
     auto test = test::test_with(dynamic, {{1e-3, 2.0}, {1e-2, 1.0}});
-    DynamicTestResult record;
+    DynamicRecord record;
     record.domains.resize(2);
     record.domains[0].history = {{-1.0, 0.0}, {1.0, 1.0 / 3.0}};
     test.record = std::move(record);

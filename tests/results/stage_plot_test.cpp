@@ -77,7 +77,7 @@ TEST_F(StagePlot, ShowsOfSeveralGridsTheLimitAlone) {
 TEST_F(StagePlot, NamesTheMethodsAndTheirTimeDomains) {
   study.tests.methods = {Method::quasistatic, Method::dynamic};
   auto dynamic = test::test_with({.method = Method::dynamic, .grid = TestGrid(12)}, falling);
-  DynamicTestResult record;
+  DynamicRecord record;
   for (const double factor : {1.0, 1030.0}) {
     auto& domain = record.domains.emplace_back();
     domain.density_factor = factor;

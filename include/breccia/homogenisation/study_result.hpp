@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <variant>
@@ -14,27 +15,39 @@
 
 namespace breccia {
 
-/// Record of the computation of a quasi-static result.
+/// How a quasi-static result was computed.
 struct QuasistaticRecord {
-  QuasistaticResponse response;  ///< without its curves
-  LinearEffort effort;           ///< of all loads together
-  double seconds = 0.0;          ///< wall time, of all loads together
+  std::optional<ReducedResponse> reduced = {};  ///< of the reduced solver alone
+  std::optional<double> fit_error = {};  ///< largest relative deviation of the series from the steps [-], of stepping
+  LinearEffort effort = {};              ///< of all loads together
 };
 
-/// The grids and the error band of an extrapolated curve.
+/// How a dynamic result was computed.
+struct DynamicRecord {
+  std::vector<TimeDomain> domains = {};
+  std::vector<Overlap> overlaps = {};    ///< of neighbouring domains, in their order
+  std::optional<double> fit_error = {};  ///< of the fit by which a compliance is converted (DynamicTestResult)
+};
+
+/// How a curve was extrapolated.
 struct ExtrapolationRecord {
-  std::vector<int> cells;          ///< cells per side of the grids, rising
-  std::vector<double> half_bands;  ///< half width of the error band of the modulus at each time [Pa]
+  std::vector<int> cells = {};  ///< cells per side of the grids, rising
 };
 
-/// The result of one virtual test of one stage under one load.
+/// The result of one virtual test of one stage under one load: what its readers need, and how it was computed.
 struct TestResult {
   TestId id;
   Curve modulus = {};       ///< relaxation modulus; for a creep test by interconversion
   Creep compliance = {};    ///< creep compliance, for a creep test only
   PronySeries series = {};  ///< relaxation modulus
-  TestFields fields = {};   ///< without times where a sink has stored them
-  std::variant<QuasistaticRecord, DynamicTestResult, ExtrapolationRecord> record = {};
+  /// Largest estimated relative error of the reduced basis, over its training set, or of the time steps [-]; NaN where
+  /// it is unknown.
+  double error_estimate = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> half_bands = {};   ///< half width of the error band of an extrapolated modulus at each time [Pa]
+  std::optional<double> seconds = {};    ///< wall time, of all loads of a quasi-static test together; else none
+  TestFields fields = {};                ///< without times where a sink has stored them
+  /// Nothing where it is not known: in results that were read from their files.
+  std::variant<std::monostate, QuasistaticRecord, DynamicRecord, ExtrapolationRecord> record = {};
 };
 
 /// The test under a load and a boundary on the preferred grid (is_preferred); nullptr if there is no such test.
@@ -72,18 +85,22 @@ struct Comparison {
   [[nodiscard]] const ComparedSample& worst() const;
 };
 
-/// The results of one stage, from the tests that are finished so far.
-struct StageResult {
+/// What the tests of one stage have found so far.
+struct StageFindings {
   std::string name;
   int cells = 0;
   int dimensions = 2;           ///< of the box
   std::size_t points = 0;       ///< material points of the finest grid; none where films are computed without cells
   double point_fraction = 0.0;  ///< share of the material points, or of the box, that is filler [-]
-  StageMicrostructure microstructure;
   std::vector<TestResult> tests;
   std::vector<StageMaterial> materials;  ///< the stage as a material, for later stages
   std::vector<Comparison> comparisons;   ///< with all measurements of the stage
   std::vector<std::string> warnings;     ///< reasons to doubt the results
+};
+
+/// The results of one stage that was computed.
+struct StageResult : StageFindings {
+  StageMicrostructure microstructure;
 };
 
 /// The results of a study.

@@ -72,7 +72,7 @@ struct StageSeries {
 };
 
 /// Of each load and boundary condition of a stage the series of the preferred test (is_preferred).
-std::vector<StageSeries> series_of(const StageResult& stage);
+std::vector<StageSeries> series_of(const StageFindings& stage);
 
 /// The composite that a choice among the series of a study means. Throws InputError with every mistake in the choice,
 /// with what there is to choose from; each line begins with `place`, the name of the results. Throws FileError where

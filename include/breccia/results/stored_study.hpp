@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "breccia/homogenisation/respond.hpp"
@@ -12,10 +13,10 @@ namespace breccia {
 /// The results of a study as its directory has them.
 struct StoredStudy {
   StudyContent content = {};
-  /// Curves, comparisons and warnings. Microstructures, fields and the stages as materials are left out, and of a test
-  /// its record has no more than error, wall time and error band. Of the series there are those of the preferred tests
-  /// (is_preferred); those of others are empty.
-  StudyResult result = {};
+  /// Without fields, the stages as materials, and records of the computation. Of the series there are those of the
+  /// preferred tests (is_preferred); those of others are empty.
+  std::vector<StageFindings> stages = {};
+  std::optional<double> seconds = {};  ///< wall time of the complete study [s]
   std::vector<StoredResponses> responses = {};  ///< of the stages that have left some
 };
 
