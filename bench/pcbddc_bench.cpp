@@ -28,7 +28,7 @@
 #include "operator/elastic_operator.hpp"
 #include "operator/petsc_handle.hpp"
 #include "operator/vector_values.hpp"
-#include "solvers/substructuring_solver.hpp"
+#include "solvers/substructuring/substructuring_solver.hpp"
 #include "waiting.hpp"
 
 namespace {

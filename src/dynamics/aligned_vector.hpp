@@ -17,7 +17,7 @@ struct CacheLineAllocator {
   explicit CacheLineAllocator(const CacheLineAllocator<U>& /*other*/) noexcept {}
 
   [[nodiscard]] T* allocate(std::size_t count) { return static_cast<T*>(::operator new(count * sizeof(T), alignment)); }
-  void deallocate(T* place, std::size_t /*count*/) noexcept { ::operator delete(place, alignment); }
+  void deallocate(T* memory, std::size_t /*count*/) noexcept { ::operator delete(memory, alignment); }
 
   friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) = default;
 };

@@ -34,13 +34,13 @@ class Band {
   /// lowest_forces() are known, and before_last_layer() before it reads the layer of nodes above its last layer of
   /// cells.
   template <class AfterFirstLayer, class BeforeLastLayer>
-  void sweep(LayerStep<dim>& layers, LayerSums<dim>& sums, int place, std::int64_t step,
+  void sweep(LayerStep<dim>& layers, LayerSums<dim>& sums, int index, std::int64_t step,
              AfterFirstLayer&& after_first_layer, BeforeLastLayer&& before_last_layer) {
     for (int layer = first_; layer < end_; ++layer) {
       const bool is_first = layer == first_, is_last = layer + 1 == end_;
       if (is_last) before_last_layer();
       const auto below = (is_first ? lowest_ : bottom_).view();
-      layers.find_forces(layer, below, (is_last ? highest_ : top_).view(), sums, place);
+      layers.find_forces(layer, below, (is_last ? highest_ : top_).view(), sums, index);
       if (is_first) after_first_layer();
       if (!is_first) layers.move_nodes(layer, carried_.view(), below, step);
       std::swap(top_, carried_);

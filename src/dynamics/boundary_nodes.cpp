@@ -22,8 +22,8 @@ bool is_on_upper_side(const Grid<dim>& grid, const Index<dim>& node) noexcept {
 
 template <int dim>
 bool is_on_boundary(const Grid<dim>& grid, const Index<dim>& node) noexcept {
-  for (const int place : node) {
-    if (place == 0) return true;
+  for (const int index : node) {
+    if (index == 0) return true;
   }
   return is_on_upper_side(grid, node);
 }

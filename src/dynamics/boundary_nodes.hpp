@@ -25,7 +25,7 @@ template <int dim>
 template <int dim>
 [[nodiscard]] Vector<dim> affine_motion(const DynamicProblem<dim>& problem, const Index<dim>& node) noexcept;
 
-/// Difference of the affine displacements of two places that are `cells` cell sides apart [m].
+/// Difference of the affine displacements of two positions that are `cells` cell sides apart [m].
 template <int dim>
 [[nodiscard]] Vector<dim> affine_difference(const DynamicProblem<dim>& problem, const Vector<dim>& cells) noexcept;
 

@@ -140,9 +140,9 @@ void Classical<dim>::for_points_around(const Index<dim>& node, Visit&& visit) co
     Index<dim> cell{}, away{};
     bool exists = true;
     for (std::size_t axis = 0; axis < cell.size(); ++axis) {
-      const int place = node[axis] - offset[axis], count = grid.cells[axis];
-      cell[axis] = wraps ? (place + count) % count : place;
-      away[axis] = place - cell[axis];
+      const int index = node[axis] - offset[axis], count = grid.cells[axis];
+      cell[axis] = wraps ? (index + count) % count : index;
+      away[axis] = index - cell[axis];
       exists = exists && cell[axis] >= 0 && cell[axis] < count;
     }
     if (!exists) continue;
@@ -164,20 +164,20 @@ Vector<dim> Classical<dim>::load_velocity(const Index<dim>& node, std::int64_t s
 
 template <int dim>
 void Classical<dim>::extrapolate_momenta(std::int64_t step) {
-  for_nodes([&](Node& node, const Index<dim>& place) {
+  for_nodes([&](Node& node, const Index<dim>& index) {
     node.mass = 0.0;
     node.momentum = {};
     const auto add = [&node](double mass, const Vector<dim>& velocity) {
       for (std::size_t i = 0; i < velocity.size(); ++i) node.momentum[i] += mass * velocity[i];
     };
-    for_points_around(place, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>& away) {
+    for_points_around(index, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>& away) {
       const double mass = s.weight * point.mass;
       node.mass += mass;
       add(mass, point.velocity);
       if (away != Index<dim>{}) add(mass, load_velocity(away, step));
     });
-    if (is_prescribed(problem(), place)) {
-      node.momentum = load_velocity(place, step);
+    if (is_prescribed(problem(), index)) {
+      node.momentum = load_velocity(index, step);
       for (double& p : node.momentum) p *= node.mass;
     }
     node.velocity = {};
@@ -283,13 +283,13 @@ void Classical<dim>::find_forces(std::int64_t step) {
   if (averaged) update_mean_stresses();
   const bool is_pulled = problem().boundary == Boundary::traction;
   const double pull = problem().amplitude * load_at(step);
-  for_nodes([&](Node& node, const Index<dim>& place) {
+  for_nodes([&](Node& node, const Index<dim>& index) {
     node.force = {};
     if (is_pulled) {
-      node.force = traction_force(problem(), place);
+      node.force = traction_force(problem(), index);
       for (double& f : node.force) f *= pull;
     }
-    for_points_around(place, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>&) {
+    for_points_around(index, [&](const Point& point, const ShapeFunction<dim>& s, const Index<dim>&) {
       auto stress = point.deviator;
       // The mean normal stress of averaged points works on the mean volumetric strain of the cell.
       add_to_normal<dim>(
@@ -311,11 +311,11 @@ template <int dim>
 void Classical<dim>::update_momenta(std::int64_t step) {
   const double dt = problem().time_step;
   const bool follows = follows_affinely(problem());
-  for_nodes([&](Node& node, const Index<dim>& place) {
+  for_nodes([&](Node& node, const Index<dim>& index) {
     node.acceleration = {};
     if (node.mass == 0.0) return;
-    const auto before = load_velocity(place, step - 1), after = load_velocity(place, step);
-    const bool prescribed = is_prescribed(problem(), place);
+    const auto before = load_velocity(index, step - 1), after = load_velocity(index, step);
+    const bool prescribed = is_prescribed(problem(), index);
     for (std::size_t i = 0; i < before.size(); ++i) {
       double acceleration = node.force[i] / node.mass;
       if (prescribed) {

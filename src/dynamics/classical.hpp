@@ -55,8 +55,8 @@ class Classical final : public DynamicSolver<dim> {
     double pressure;           ///< tension positive [Pa]
     double mass;               ///< [kg], in 2D per unit thickness [kg/m]
     std::size_t history;       ///< first value in `history_`
-    std::size_t lattice;       ///< place in PointFields
-    int cell;                  ///< place in lists of cells; -1 outside the box
+    std::size_t lattice;       ///< index in PointFields
+    int cell;                  ///< index in lists of cells; -1 outside the box
     PhaseIndex phase;
   };
   struct Node {

@@ -45,9 +45,9 @@ void Classical<dim>::locate_points(std::int64_t step) {
       inside = inside && below >= 0.0 && below < grid.cells[axis];
       if (inside) cell[axis] = static_cast<int>(below);
     }
-    const int place = inside ? static_cast<int>(grid.cell_index(cell)) : -1;
-    sorted = sorted && place == point.cell;
-    point.cell = place;
+    const int index = inside ? static_cast<int>(grid.cell_index(cell)) : -1;
+    sorted = sorted && index == point.cell;
+    point.cell = index;
   }
   if (!sorted) sort_points(step);
 }

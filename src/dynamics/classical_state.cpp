@@ -27,9 +27,9 @@ void visit_numbers(Point& point, const Visit& visit) {
 template <int dim>
 constexpr std::size_t numbers_per_point = 4 * dim + 2 * tensor_components<dim> + 1;
 
-/// Where the values of a point, which has a place in the lattice of all points, stand in the fields of the whole box.
+/// Where the values of a point, which has an index in the lattice of all points, stand in the fields of the whole box.
 template <int dim>
-std::size_t place_in_fields(const Grid<dim>& grid, std::size_t point) {
+std::size_t index_in_fields(const Grid<dim>& grid, std::size_t point) {
   Grid<dim> points = grid;
   for (int& along : points.cells) along *= 2;
   auto cell = points.cell_at(point);
@@ -97,7 +97,7 @@ LatticeFields<dim> Classical<dim>::fields() const {
   auto fields = zero_timed_fields(discretisation, cells);
   if (fields.phase.empty()) return fields;
   for (const auto& point : points_) {
-    const auto place = place_in_fields(discretisation.grid(), point.lattice);
+    const auto index = index_in_fields(discretisation.grid(), point.lattice);
     Vector<dim> displacement{};
     typename decltype(fields.strain)::value_type strain{};
     typename decltype(fields.stress)::value_type stress{};
@@ -112,16 +112,16 @@ LatticeFields<dim> Classical<dim>::fields() const {
       strain[i] = 0.5 * scale * point.strain[i];
       stress[i + 3 - dim] = scale * point.deviator[i];
     }
-    put_in_timed_fields<dim>(displacement, fields.displacement[place]);
-    put_in_timed_fields<dim>(strain, fields.strain[place]);
-    put_in_timed_fields<dim>(stress, fields.stress[place]);
+    put_in_timed_fields<dim>(displacement, fields.displacement[index]);
+    put_in_timed_fields<dim>(strain, fields.strain[index]);
+    put_in_timed_fields<dim>(stress, fields.stress[index]);
   }
   return fields;
 }
 
 template <int dim>
 Vector<dim> Classical<dim>::most_moved() const {
-  Vector<dim> place{};
+  Vector<dim> position{};
   double most = 0.0;
   for (const auto& point : points_) {
     double squared = 0.0;
@@ -129,24 +129,24 @@ Vector<dim> Classical<dim>::most_moved() const {
     const double moved = std::sqrt(squared);
     if (moved <= most) continue;
     most = moved;
-    place = point.position;
-    if (!std::isfinite(moved)) return place;
+    position = point.position;
+    if (!std::isfinite(moved)) return position;
   }
-  return place;
+  return position;
 }
 
 template <int dim>
 void Classical<dim>::save_arrays(StateWriter& state, const std::string& group) const {
-  std::vector<double> numbers, places, cells;
+  std::vector<double> numbers, indices, cells;
   numbers.reserve(numbers_per_point<dim> * points_.size());
   // The order of the points in a cell is part of the state, since sums are taken in it.
   for (const auto& point : points_) {
     visit_numbers(point, [&](double value) { numbers.push_back(value); });
-    places.push_back(static_cast<double>(point.lattice));
+    indices.push_back(static_cast<double>(point.lattice));
     cells.push_back(static_cast<double>(point.cell));
   }
   state.write(group + "/points", numbers);
-  state.write(group + "/places", places);
+  state.write(group + "/places", indices);
   state.write(group + "/cells", cells);
   state.write(group + "/history", history_);
 }
@@ -154,7 +154,7 @@ void Classical<dim>::save_arrays(StateWriter& state, const std::string& group) c
 template <int dim>
 void Classical<dim>::restore_arrays(const StateReader& state, const std::string& group) {
   const auto numbers = state.numbers(group + "/points", numbers_per_point<dim> * points_.size());
-  const auto places = state.numbers(group + "/places", points_.size());
+  const auto indices = state.numbers(group + "/places", points_.size());
   const auto cells = state.numbers(group + "/cells", points_.size());
   history_ = state.numbers(group + "/history", history_.size());
   std::ranges::sort(points_, {}, &Point::lattice);
@@ -163,9 +163,9 @@ void Classical<dim>::restore_arrays(const StateReader& state, const std::string&
   std::vector<Point> restored;
   auto number = numbers.begin();
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const auto place = index_below(problem().discretisation.points(), places[i]);
-    const auto found = std::ranges::lower_bound(points_, place, {}, &Point::lattice);
-    if (found == points_.end() || found->lattice != place) throw FileError("a checkpoint: of other points");
+    const auto lattice = index_below(problem().discretisation.points(), indices[i]);
+    const auto found = std::ranges::lower_bound(points_, lattice, {}, &Point::lattice);
+    if (found == points_.end() || found->lattice != lattice) throw FileError("a checkpoint: of other points");
     const auto index = static_cast<std::size_t>(found - points_.begin());
     if (is_taken[index]) throw FileError("a checkpoint: the same point twice");
     is_taken[index] = true;

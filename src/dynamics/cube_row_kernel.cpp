@@ -25,8 +25,8 @@ struct CubeModes {
   // NOLINTEND(modernize-avoid-c-arrays)
 };
 
-/// Place of the shear of two axes in Voigt's order.
-constexpr int shear_place(int one, int other) {
+/// Index of the shear of two axes in Voigt's order.
+constexpr int shear_index(int one, int other) {
   return 3 + third_axis(one, other);
 }
 
@@ -45,7 +45,7 @@ struct CornerDifferences {
   Pack threefold;
 };
 
-/// Of the values along the four rows of nodes, at the places of the cells.
+/// Differences of the values along the four rows of nodes, at the indices of the cells.
 BRECCIA_INLINE CornerDifferences corner_differences(const NodeValues<3>* rows, int axis, int cell) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): nothing of the standard library here
   Pack step[4], sum[4];  // along x
@@ -290,7 +290,7 @@ BRECCIA_INLINE void node_forces(const CubeModes& f, int c, NodeForces* rows) {
   // NOLINTBEGIN(modernize-avoid-c-arrays): nothing of the standard library here
   Pack single[axes], twofold[axes];
   for (int d = 0; d < axes; ++d) {
-    single[d] = (0.25 * volume) * f.mean[c == d ? c : shear_place(c, d)];
+    single[d] = (0.25 * volume) * f.mean[c == d ? c : shear_index(c, d)];
     twofold[d] = (0.125 * volume) * f.twist[c][d];
   }
   const Pack threefold = (0.0625 * volume) * f.warp[c];

@@ -66,7 +66,7 @@ void DynamicSolver<dim>::require_sound(std::span<const Averages<dim>> averages) 
   const double largest = largest_sound_stress();
   const auto size = [](const auto& tensor) {
     double sum = 0.0;
-    for (int place = 0; place < tensor_components<dim>; ++place) sum += std::abs(component(tensor, place));
+    for (int i = 0; i < tensor_components<dim>; ++i) sum += std::abs(component(tensor, i));
     return sum;
   };
   const auto is_sound = [&](const Averages<dim>& a) {
@@ -75,12 +75,12 @@ void DynamicSolver<dim>::require_sound(std::span<const Averages<dim>> averages) 
   const auto bad = std::ranges::find_if_not(averages, is_sound);
   if (bad == averages.end()) return;
   const auto step = step_ + (bad - averages.begin());
-  const auto place = most_moved();
+  const auto position = most_moved();
   throw NumericalError(fmt::format(
       "dynamic run: unstable at step {}, {:.3e} s after the load: an average stress of {:.1e} Pa for a load of "
       "one, and the fastest motion at ({:.4g}) m; likely cause: a time step above the stable limit "
       "(a smaller tests.dynamic.courant), or moduli that differ by more than numbers hold",
-      step, time_at(step), size(bad->stress), fmt::join(place, ", ")));
+      step, time_at(step), size(bad->stress), fmt::join(position, ", ")));
 }
 
 template <int dim>

@@ -12,7 +12,7 @@
 #include "breccia/parallel/communicator.hpp"
 #include "breccia/parallel/session.hpp"
 
-#include "node_rows.hpp"
+#include "nodal_field.hpp"
 
 namespace breccia::dynamics {
 namespace {
@@ -53,7 +53,7 @@ IndexRange<dim> own_layers(const Grid<dim>& grid) {
 template <int dim>
 LayerExchange<dim>::LayerExchange(const Grid<dim>& grid, bool wraps) : layers_(grid.cells.back()), wraps_(wraps) {
   for (auto* message : {&up_, &down_, &from_below_, &from_above_})
-    message->resize(dim * NodeRows<dim>::length_of_layer(grid));
+    message->resize(dim * NodalField<dim>::length_of_layer(grid));
   if (!parallel::is_under_mpirun()) return;
   parallel::start();
   rank_ = parallel::rank();
@@ -122,7 +122,7 @@ void LayerExchange<dim>::gather_node_layers(std::span<double> values) const {
 }
 
 template <int dim>
-typename LayerExchange<dim>::Place LayerExchange<dim>::place_of(std::size_t own) const {
+typename LayerExchange<dim>::OwnShare LayerExchange<dim>::share_of(std::size_t own) const {
   if (ranks_ == 1) return {parallel::consecutive_places(0, own), own};
   std::vector<std::uint64_t> counts(static_cast<std::size_t>(ranks_));
   const std::uint64_t count = own;

@@ -48,13 +48,12 @@ class LayerExchange {
   /// call each process has the values of its own layers.
   void gather_node_layers(std::span<double> values) const;
 
-  /// The place in an order of the values of all processes, one process after the other, of which this process has
-  /// `own`, and the number of all.
-  struct Place {
+  /// The values that this process has of a list that is made of those of one process after the other.
+  struct OwnShare {
     parallel::OrderedPlaces own;
-    std::size_t count;
+    std::size_t count;  ///< of the values of all processes
   };
-  [[nodiscard]] Place place_of(std::size_t own) const;
+  [[nodiscard]] OwnShare share_of(std::size_t own) const;
 
  private:
   [[nodiscard]] int first_of(int rank) const noexcept;

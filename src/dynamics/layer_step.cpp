@@ -111,15 +111,15 @@ void LayerStep<3>::join_sides(const LayerForces<3>& forces) const {
 
 template <int dim>
 void LayerStep<dim>::find_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above,
-                                 LayerSums<dim>& sums, int place) {
-  find_cell_forces(layer, below, above, sums.of(layer, place));
+                                 LayerSums<dim>& sums, int index) {
+  find_cell_forces(layer, below, above, sums.of(layer, index));
   switch (problem_->boundary) {
     case Boundary::displacement:
       break;
     case Boundary::traction:
-      sums.of(layer, place).strain = boundary_strain(layer);
+      sums.of(layer, index).strain = boundary_strain(layer);
       if (layer + 1 == problem_->discretisation.grid().cells.back()) {
-        sums.of(layer + 1, place).strain = boundary_strain(layer + 1);
+        sums.of(layer + 1, index).strain = boundary_strain(layer + 1);
       }
       break;
     case Boundary::periodic:

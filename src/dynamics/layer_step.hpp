@@ -9,7 +9,7 @@
 #include "cell_row_kernel.hpp"
 #include "cube_row_kernel.hpp"
 #include "layer_sums.hpp"
-#include "node_rows.hpp"
+#include "nodal_field.hpp"
 
 namespace breccia::dynamics {
 
@@ -37,15 +37,15 @@ class LayerStep {
   LayerStep(const DynamicProblem<dim>& problem, InstructionSet instructions, int first_layer, int end_layer);
 
   [[nodiscard]] const DynamicProblem<dim>& problem() const noexcept { return *problem_; }
-  [[nodiscard]] NodeRows<dim>& nodes() noexcept { return nodes_; }
-  [[nodiscard]] const NodeRows<dim>& nodes() const noexcept { return nodes_; }
+  [[nodiscard]] NodalField<dim>& nodes() noexcept { return nodes_; }
+  [[nodiscard]] const NodalField<dim>& nodes() const noexcept { return nodes_; }
   [[nodiscard]] BlockLayout<dim>& layout() noexcept { return layout_; }
   [[nodiscard]] const BlockLayout<dim>& layout() const noexcept { return layout_; }
 
   /// Advances the history of a layer of cells to the present displacement and finds its forces on the nodes below and
-  /// above. Sets the sums of the layer at a place; under a traction boundary also those of the highest layer of nodes.
+  /// above. Sets the sums of the layer at an index; under a traction boundary also those of the highest layer of nodes.
   void find_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above, LayerSums<dim>& sums,
-                   int place);
+                   int index);
 
   /// Moves a layer of nodes from a step to the next.
   void move_nodes(int layer, const LayerForces<dim>& from_cells_below, const LayerForces<dim>& from_cells_above,
@@ -71,7 +71,7 @@ class LayerStep {
   const DynamicProblem<dim>* problem_;
   const KernelTable<dim>* kernels_;
   BlockLayout<dim> layout_;
-  NodeRows<dim> nodes_;
+  NodalField<dim> nodes_;
 };
 
 }  // namespace breccia::dynamics

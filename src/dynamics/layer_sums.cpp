@@ -7,13 +7,13 @@
 namespace breccia::dynamics {
 
 template <int dim>
-Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int place,
+Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int index,
                           std::int64_t step) {
   const auto& grid = problem.discretisation.grid();
   Stress<dim> stress;
   Strain<dim> strain;
   for (int layer = 0; layer <= grid.cells.back(); ++layer) {
-    const auto& of_layer = sums.of(layer, place);
+    const auto& of_layer = sums.of(layer, index);
     for (int i = 0; i < tensor_components<dim>; ++i) {
       component(stress, i) += of_layer.stress[static_cast<std::size_t>(i)];
       component(strain, i) += component(of_layer.strain, i);

@@ -29,8 +29,8 @@ class LayerSums {
 
   /// Steps that there is room for.
   [[nodiscard]] int steps() const noexcept { return steps_; }
-  [[nodiscard]] Sums& of(int layer, int step) noexcept { return sums_[place(layer, step)]; }
-  [[nodiscard]] const Sums& of(int layer, int step) const noexcept { return sums_[place(layer, step)]; }
+  [[nodiscard]] Sums& of(int layer, int step) noexcept { return sums_[index(layer, step)]; }
+  [[nodiscard]] const Sums& of(int layer, int step) const noexcept { return sums_[index(layer, step)]; }
 
   /// All numbers, the same number of them for each layer of nodes.
   [[nodiscard]] std::span<double> numbers() noexcept {
@@ -46,7 +46,7 @@ class LayerSums {
     constexpr int most_sums = 1 << 10;
     return std::max(1, most_sums / (grid.cells.back() + 1));
   }
-  [[nodiscard]] std::size_t place(int layer, int step) const noexcept {
+  [[nodiscard]] std::size_t index(int layer, int step) const noexcept {
     return static_cast<std::size_t>(layer) * static_cast<std::size_t>(steps_) + static_cast<std::size_t>(step);
   }
 
@@ -54,9 +54,9 @@ class LayerSums {
   std::vector<Sums> sums_;
 };
 
-/// Averages at a step of the run, the one at a place among those of the sums. Instantiated for 2 and 3 dimensions.
+/// Averages at a step of the run, the one at an index among those of the sums. Instantiated for 2 and 3 dimensions.
 template <int dim>
-[[nodiscard]] Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int place,
+[[nodiscard]] Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int index,
                                         std::int64_t step);
 
 }  // namespace breccia::dynamics

@@ -19,8 +19,8 @@ namespace {
 
 /// Values at the nodes of a cell, from those along the rows of nodes around it.
 template <int dim, class Components>
-typename CellShape<dim>::Values cell_values(const NodeRows<dim>& nodes, const Index<dim>& cell,
-                                            Components (NodeRows<dim>::*components)(int) const) {
+typename CellShape<dim>::Values cell_values(const NodalField<dim>& nodes, const Index<dim>& cell,
+                                            Components (NodalField<dim>::*components)(int) const) {
   typename CellShape<dim>::Values values;
   for (int n = 0; n < CellShape<dim>::nodes; ++n) {
     auto node = CellShape<dim>::corner(n);
@@ -32,13 +32,13 @@ typename CellShape<dim>::Values cell_values(const NodeRows<dim>& nodes, const In
 }
 
 template <int dim>
-typename CellShape<dim>::Values cell_displacements(const NodeRows<dim>& nodes, const Index<dim>& cell) {
-  return cell_values<dim>(nodes, cell, &NodeRows<dim>::displacement);
+typename CellShape<dim>::Values cell_displacements(const NodalField<dim>& nodes, const Index<dim>& cell) {
+  return cell_values<dim>(nodes, cell, &NodalField<dim>::displacement);
 }
 
 template <int dim>
-typename CellShape<dim>::Values cell_increments(const NodeRows<dim>& nodes, const Index<dim>& cell) {
-  return cell_values<dim>(nodes, cell, &NodeRows<dim>::increment);
+typename CellShape<dim>::Values cell_increments(const NodalField<dim>& nodes, const Index<dim>& cell) {
+  return cell_values<dim>(nodes, cell, &NodalField<dim>::increment);
 }
 
 template <int dim>
@@ -113,8 +113,8 @@ typename decltype(PointFields<dim>::stress)::value_type stress_of(const DynamicP
     for (std::size_t other = 0; other < dim; ++other) others += other != axis ? g[other] : 0.0;
     stress[axis] = pressure + 4.0 / 3.0 * (axis < dim ? g[axis] : 0.0) - 2.0 / 3.0 * others;
   }
-  for (std::size_t shear_place = dim; shear_place < g.size(); ++shear_place) {
-    stress[shear_place + 3 - dim] = g[shear_place];
+  for (std::size_t shear_index = dim; shear_index < g.size(); ++shear_index) {
+    stress[shear_index + 3 - dim] = g[shear_index];
   }
   return stress;
 }
@@ -193,7 +193,7 @@ void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const 
   for (int p = 0; p < Shape::points; ++p) {
     const auto phase = discretisation.cell(cell)[static_cast<std::size_t>(p)];
     if (phase == no_phase) continue;
-    const auto place = place_in_timed_fields(fields.cells, cell, p);
+    const auto index = place_in_timed_fields(fields.cells, cell, p);
     const auto weights = Shape::weights(p);
     Vector<dim> displacement{};
     for (std::size_t node = 0; node < weights.size(); ++node) {
@@ -201,15 +201,15 @@ void TotalLagrangian<dim>::set_fields_of_cell(LatticeFields<dim>& fields, const 
         displacement[i] += weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
       }
     }
-    put_in_timed_fields<dim>(displacement, fields.displacement[place]);
+    put_in_timed_fields<dim>(displacement, fields.displacement[index]);
     const typename Shape::StrainVector strain = Shape::strain_matrix(p, problem().volumetric) * u / grid.cell_side;
     std::array<double, Shape::strains> components{};
     for (int i = 0; i < Shape::strains; ++i) {
       components[static_cast<std::size_t>(i)] = i < dim ? strain[i] : 0.5 * strain[i];
     }
-    put_in_timed_fields<dim>(components, fields.strain[place]);
+    put_in_timed_fields<dim>(components, fields.strain[index]);
     put_in_timed_fields<dim>(stress_of<dim>(problem(), phase, p, strain, layers_.layout().histories(cell, phase)),
-                             fields.stress[place]);
+                             fields.stress[index]);
   }
 }
 
@@ -224,7 +224,7 @@ LatticeFields<dim> TotalLagrangian<dim>::fields() const {
 template <int dim>
 Vector<dim> TotalLagrangian<dim>::most_moved() const {
   const auto& nodes = layers_.nodes();
-  Vector<dim> place{};
+  Vector<dim> position{};
   double most = 0.0;
   for_own_nodes([&](const Index<dim>& node) {
     double moved = 0.0;
@@ -233,13 +233,13 @@ Vector<dim> TotalLagrangian<dim>::most_moved() const {
     if (!std::isfinite(moved)) moved = std::numeric_limits<double>::infinity();
     if (moved <= most) return;
     most = moved;
-    for (std::size_t axis = 0; axis < place.size(); ++axis) {
-      place[axis] = node[axis] * problem().discretisation.grid().cell_side;
+    for (std::size_t axis = 0; axis < position.size(); ++axis) {
+      position[axis] = node[axis] * problem().discretisation.grid().cell_side;
     }
   });
   const bool is_here = parallel::is_first_largest(most);
-  for (double& along : place) along = parallel::sum(is_here ? along : 0.0);
-  return place;
+  for (double& along : position) along = parallel::sum(is_here ? along : 0.0);
+  return position;
 }
 
 /// Number of the values of all layers of nodes of the box.
@@ -256,18 +256,18 @@ void TotalLagrangian<dim>::save_arrays(StateWriter& state, const std::string& gr
   const auto own = nodes.values(exchange_.first(), exchange_.end_of_nodes());
   state.write(group + "/nodes", own, parallel::consecutive_places(first, own.size()), values_of_all_nodes());
   const auto history = layers_.layout().history();
-  const auto [places, count] = exchange_.place_of(history.size());
-  state.write(group + "/history", history, places, count);
+  const auto [indices, count] = exchange_.share_of(history.size());
+  state.write(group + "/history", history, indices, count);
 }
 
 template <int dim>
 void TotalLagrangian<dim>::restore_arrays(const StateReader& state, const std::string& group) {
   // A layer of nodes that several processes hold is read by each of them.
   auto& nodes = layers_.nodes();
-  state.read(group + "/nodes", nodes.values(), nodes.places(), values_of_all_nodes());
+  state.read(group + "/nodes", nodes.values(), nodes.indices(), values_of_all_nodes());
   const auto history = layers_.layout().history();
-  const auto [places, count] = exchange_.place_of(history.size());
-  state.read(group + "/history", history, places, count);
+  const auto [indices, count] = exchange_.share_of(history.size());
+  state.read(group + "/history", history, indices, count);
 }
 
 template std::size_t TotalLagrangian<2>::values_of_all_nodes() const;

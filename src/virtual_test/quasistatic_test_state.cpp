@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/enumeration.hpp"
 #include "breccia/checkpoint/pairs.hpp"
 #include "breccia/quasistatic/linear_effort_state.hpp"
 #include "breccia/quasistatic/reduced_response_state.hpp"
@@ -36,7 +37,7 @@ void save_response(StateWriter& state, const std::string& group, const Quasistat
 
 QuasistaticResponse read_response_to_load(const StateReader& state, const std::string& group) {
   QuasistaticResponse response;
-  response.load = static_cast<Load>(state.integer(group + "/load"));
+  response.load = read_enumeration<Load>(state, group + "/load");
   response.modulus = read_group<Sample>(state, group + "/modulus");
   response.compliance = read_group<CreepSample>(state, group + "/compliance");
   response.series =

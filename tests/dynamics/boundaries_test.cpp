@@ -270,8 +270,8 @@ TEST(PeriodicBox, WhereItsEdgeLiesMakesNoDifference) {
     DynamicProblem<2> problem{Discretisation<2>(Grid<2>{{12, 12}, 1.0 / 12}), {relaxing, stiff}};
     problem.discretisation.paint(
         [&](const Vector<2>& x) {
-          const auto place = [&](double along) { return std::fmod(along + shift / 12.0, 1.0); };
-          return place(x[0]) < 0.5 && place(x[1]) < 0.4;
+          const auto shifted = [&](double along) { return std::fmod(along + shift / 12.0, 1.0); };
+          return shifted(x[0]) < 0.5 && shifted(x[1]) < 0.4;
         },
         1);
     problem.boundary = Boundary::periodic;

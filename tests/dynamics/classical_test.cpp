@@ -87,8 +87,8 @@ TEST(ClassicalInThreeDimensions, HomogeneousCubeShowsItsModuli) {
       run.advance(40, averages);
       const double modulus = (load == Load::bulk ? soft.bulk : soft.shear).equilibrium();
       EXPECT_NEAR(modulus_of(load, averages.back().stress) / modulus, 1.0, 1e-5);
-      for (int place = 0; place < 6; ++place) {
-        EXPECT_NEAR(component(averages.back().strain, place), component(problem.load, place), 1e-5);
+      for (int index = 0; index < 6; ++index) {
+        EXPECT_NEAR(component(averages.back().strain, index), component(problem.load, index), 1e-5);
       }
       const auto energy = run.energy();
       const double volume = problem.discretisation.grid().volume();

@@ -92,9 +92,9 @@ class LayersOfCubes : public testing::TestWithParam<CubeCase> {
         for_each_index(
             Index<3>{0, 0, layer + upper}, Index<3>{cells[0] + 1, cells[1] + 1, layer + upper + 1},
             [&](const Index<3>& node) {
-              const auto place = static_cast<std::size_t>(node[1]) * nodes.stride() + static_cast<std::size_t>(node[0]);
+              const auto index = static_cast<std::size_t>(node[1]) * nodes.stride() + static_cast<std::size_t>(node[0]);
               for (std::size_t i = 0; i < 3; ++i) {
-                found.forces[grid.node_index(node)][i] += sides[static_cast<std::size_t>(upper)].of_axis[i][place];
+                found.forces[grid.node_index(node)][i] += sides[static_cast<std::size_t>(upper)].of_axis[i][index];
               }
             });
       }

@@ -93,9 +93,9 @@ TEST_P(Cubes, UniformStrainIsASolutionOfAnyHomogeneousBox) {
   const auto fields = run->fields();
   for (std::size_t p = 0; p < fields.stress.size(); ++p) {
     for (int i = 0; i < 6; ++i) {
-      const auto place = static_cast<std::size_t>(i);
-      EXPECT_NEAR(fields.strain[p][place], component(some_strain, i), 1e-9);
-      EXPECT_NEAR(fields.stress[p][place], (i < 3 ? lambda * trace : 0.0) + twice_shear * component(some_strain, i),
+      const auto index = static_cast<std::size_t>(i);
+      EXPECT_NEAR(fields.strain[p][index], component(some_strain, i), 1e-9);
+      EXPECT_NEAR(fields.stress[p][index], (i < 3 ? lambda * trace : 0.0) + twice_shear * component(some_strain, i),
                   1e-2);
     }
   }
@@ -253,8 +253,8 @@ TEST(CubicBoxes, TurnedWithTheirLoadHaveTheStressTurned) {
   const auto stress = [](bool is_turned, Boundary boundary) {
     DynamicProblem<3> problem{Discretisation<3>(Grid<3>{{7, 7, 7}, 1.0 / 7}), {relaxing, stiff}};
     problem.discretisation.paint(
-        [is_turned](const Vector<3>& place) {
-          const auto x = is_turned ? place : turned(turned(place));
+        [is_turned](const Vector<3>& position) {
+          const auto x = is_turned ? position : turned(turned(position));
           return x[0] < 0.6 && x[1] < 0.3 && x[2] > 0.2;
         },
         1);

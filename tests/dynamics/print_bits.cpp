@@ -53,9 +53,9 @@ std::string bits_of(DynamicProblem<dim> problem, Boundary boundary, Volumetric v
   for (const auto& [stress, strain] : averages) bits += bits_of(stress) + bits_of(strain) + "\n";
   // Each process has those of its cells.
   const auto fields = run->fields();
-  const auto places = places_of_timed_fields(grid, fields.cells);
+  const auto indices = places_of_timed_fields(grid, fields.cells);
   const auto all = [&](const auto& own) {
-    return parallel::collect(std::span(own), places, 0, size_of_timed_fields(grid));
+    return parallel::collect(std::span(own), indices, 0, size_of_timed_fields(grid));
   };
   const auto phase = all(fields.phase);
   const auto displacement = all(fields.displacement);

@@ -63,12 +63,12 @@ TEST_P(DynamicState, OfAnotherGridIsRefused) {
 
 /// The lists of points in the state of a classical run.
 struct PointLists {
-  std::vector<double> numbers, places, cells, history;
+  std::vector<double> numbers, indices, cells, history;
 };
 
 void write(StateWriter& state, const PointLists& lists) {
   state.write("/solver/points", lists.numbers);
-  state.write("/solver/places", lists.places);
+  state.write("/solver/places", lists.indices);
   state.write("/solver/cells", lists.cells);
   state.write("/solver/history", lists.history);
 }
@@ -102,10 +102,10 @@ TEST_P(DynamicState, OfPointsThatCannotBeIsRefused) {
     changed.cells[3] = cell;
     EXPECT_FALSE(is_taken(changed)) << "cell " << cell;
   }
-  for (const double place : {lists.places[1], -1.0, 0.5, 1e18}) {
+  for (const double index : {lists.indices[1], -1.0, 0.5, 1e18}) {
     auto changed = lists;
-    changed.places[0] = place;
-    EXPECT_FALSE(is_taken(changed)) << "place " << place;
+    changed.indices[0] = index;
+    EXPECT_FALSE(is_taken(changed)) << "index " << index;
   }
 }
 

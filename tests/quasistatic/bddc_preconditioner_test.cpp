@@ -1,4 +1,4 @@
-#include "solvers/bddc_preconditioner.hpp"
+#include "solvers/substructuring/bddc_preconditioner.hpp"
 
 #include <random>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "solvers/block_grid.hpp"
+#include "solvers/substructuring/block_grid.hpp"
 
 #include <algorithm>
 #include <map>
@@ -23,8 +23,8 @@ std::ostream& operator<<(std::ostream& stream, const Cells& cells) {
   return stream << cells.columns << " x " << cells.rows << (cells.wraps ? ", periodic" : "");
 }
 
-/// A node of the boundary of a block, by its place in the box: opposite sides of a periodic box are the same nodes.
-Node place_of(const Cells& cells, const Block& block, const LocalNode& node) {
+/// A node of the boundary of a block, by its position in the box: opposite sides of a periodic box are the same nodes.
+Node position_of(const Cells& cells, const Block& block, const LocalNode& node) {
   const int column = block.first_column + node.x, row = block.first_row + node.y;
   return cells.wraps ? Node{column % cells.columns, row % cells.rows} : Node{column, row};
 }
@@ -87,7 +87,7 @@ TEST_P(Grids, AnUnknownIsOneComponentOfOneNodeBetweenBlocks) {
     const auto numbers = grid_.unknowns_of(b);
     ASSERT_EQ(numbers.size(), 2 * boundary.size());
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-      const std::pair component = {place_of(cells_, block, boundary[i / 2]), static_cast<int>(i % 2)};
+      const std::pair component = {position_of(cells_, block, boundary[i / 2]), static_cast<int>(i % 2)};
       EXPECT_EQ(nodes.emplace(numbers[i], component).first->second, component);
       EXPECT_EQ(unknowns.emplace(component, numbers[i]).first->second, numbers[i]);
     }

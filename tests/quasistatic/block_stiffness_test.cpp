@@ -1,4 +1,4 @@
-#include "solvers/block_stiffness.hpp"
+#include "solvers/substructuring/block_stiffness.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solvers/coarse_solver.hpp"
+#include "solvers/substructuring/coarse_solver.hpp"
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "solvers/edge_averages.hpp"
+#include "solvers/substructuring/edge_averages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,8 +50,8 @@ Eigen::MatrixXd least_energy_of_jumps(const Pair& pair) {
   system.topLeftCorner(n1, n1) = pair.lower;
   system.block(n1, n1, n2, n2) = pair.upper;
   const auto impose = [&](Eigen::Index jump, Eigen::Index of_lower, Eigen::Index of_upper) {
-    for (const auto& [place, sign] : {std::pair(of_lower, 1.0), std::pair(n1 + of_upper, -1.0)}) {
-      system(n1 + n2 + jump, place) = system(place, n1 + n2 + jump) = sign;
+    for (const auto& [index, sign] : {std::pair(of_lower, 1.0), std::pair(n1 + of_upper, -1.0)}) {
+      system(n1 + n2 + jump, index) = system(index, n1 + n2 + jump) = sign;
     }
   };
   for (Eigen::Index i = 0; i < size; ++i) impose(i, pair.lower_edge().begin + i, pair.upper_edge().begin + i);

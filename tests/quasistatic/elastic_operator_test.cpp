@@ -23,9 +23,9 @@ Discretisation<2> of_different_cells(int side, int materials) {
   Discretisation<2> discretisation(grid);
   for (int material = 1; material < materials; ++material) {
     discretisation.paint(
-        [&](const Vector<2>& place) {
-          const int column = static_cast<int>(place[0]), row = static_cast<int>(place[1]);
-          const bool right = place[0] - column > 0.5, upper = place[1] - row > 0.5;
+        [&](const Vector<2>& position) {
+          const int column = static_cast<int>(position[0]), row = static_cast<int>(position[1]);
+          const bool right = position[0] - column > 0.5, upper = position[1] - row > 0.5;
           auto number = grid.cell_index({column, row});
           for (int point = 0; point < (right ? 1 : 0) + (upper ? 2 : 0); ++point) {
             number /= static_cast<std::size_t>(materials);

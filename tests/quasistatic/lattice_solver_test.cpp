@@ -1,5 +1,5 @@
 // The iterative solver of cubes: when it ends, beside sparse factors.
-#include "solvers/lattice_solver.hpp"
+#include "solvers/lattice/lattice_solver.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "breccia/quasistatic/log_time_stepping.hpp"
 
 #include "composites.hpp"
-#include "solvers/assembled_solver.hpp"
+#include "solvers/direct/assembled_solver.hpp"
 
 namespace breccia::quasistatic {
 namespace {

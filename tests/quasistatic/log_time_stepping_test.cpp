@@ -8,10 +8,12 @@
 
 #include <gtest/gtest.h>
 
+#include "breccia/checkpoint/checkpoint.hpp"
 #include "breccia/error.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "temporary_directory.hpp"
 
 namespace breccia {
 namespace {
@@ -122,6 +124,20 @@ TEST(LogTimeStepping, LayersInSeriesAddTheirCompliances) {
   for (std::size_t i = 0; i < times.size(); ++i) {
     EXPECT_NEAR(response.values[i] / expected.at(times[i]), 1.0, 5e-4) << times[i];
   }
+}
+
+TEST(LogTimeStepping, RefusesACheckpointOfMoreStepsThanItHasTimes) {
+  const auto problem = test::homogeneous(polymer, Boundary::periodic);
+  const std::array loads = {Load::shear, Load::bulk};
+  const test::TemporaryDirectory directory;
+  const auto path = directory.path() / "stepping.checkpoint.h5";
+  int asked = 0;
+  Checkpoint stopped(path, {"hash", "version"}, {.interval = 0.0, .stop = [&] { return ++asked > 6; }});
+  const std::vector times = {1e-4, 2e-4, 4e-4, 8e-4, 2e-3, 4e-3, 8e-3, 2e-2};
+  EXPECT_THROW(run_log_time_stepping(problem, loads, times, {}, {}, &stopped), Interrupted);
+  Checkpoint resumed(path, {"hash", "version"}, {});
+  EXPECT_TRUE(resumed.look_for_earlier().empty());
+  EXPECT_THROW(run_log_time_stepping(problem, loads, std::vector{1e-4, 2e-4}, {}, {}, &resumed), FileError);
 }
 
 TEST(LogTimeStepping, RefusesWhatIsIncomplete) {

@@ -1,4 +1,4 @@
-#include "solvers/packed_symmetric.hpp"
+#include "solvers/substructuring/packed_symmetric.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "breccia/discretisation/cell_shape.hpp"
 
-#include "solvers/block_stiffness.hpp"
+#include "solvers/substructuring/block_stiffness.hpp"
 
 namespace breccia::test {
 

@@ -41,7 +41,7 @@ std::vector<AppliedModuli> elastic(const Displacement& displacement, const std::
 // Hooke's law in plane strain, and the affine motion of the points.
 TEST(RecoverFields, OfAUniformStrainAreUniform) {
   Discretisation<2> discretisation(grid);
-  discretisation.paint([](const Vector<2>& place) { return place[0] < 1.0; }, 1);
+  discretisation.paint([](const Vector<2>& position) { return position[0] < 1.0; }, 1);
   const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 3.0}, {.bulk = 20.0, .shear = 0.5}};
   for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
     for (const auto volumetric : {Volumetric::averaged, Volumetric::standard}) {
@@ -54,11 +54,11 @@ TEST(RecoverFields, OfAUniformStrainAreUniform) {
         for (int column = 0; column < grid.columns(); ++column) {
           for (int p = 0; p < CellShape<2>::points; ++p) {
             const auto point = grid.point_index({column, row}, p);
-            const auto place = discretisation.position({column, row}, p);
+            const auto position = discretisation.position({column, row}, p);
             const auto& [bulk, shear] = moduli[fields.phase[point]];
-            EXPECT_EQ(fields.phase[point], place[0] < 1.0 ? 1 : 0);
-            EXPECT_NEAR(fields.displacement[point][0], xx * place[0] + xy * place[1], 1e-14);
-            EXPECT_NEAR(fields.displacement[point][1], xy * place[0] + yy * place[1], 1e-14);
+            EXPECT_EQ(fields.phase[point], position[0] < 1.0 ? 1 : 0);
+            EXPECT_NEAR(fields.displacement[point][0], xx * position[0] + xy * position[1], 1e-14);
+            EXPECT_NEAR(fields.displacement[point][1], xy * position[0] + yy * position[1], 1e-14);
             const double mean = (xx + yy) / 3.0;
             const std::array strain = {xx, yy, xy};
             const std::array stress = {bulk * 3.0 * mean + 2.0 * shear * (xx - mean),
@@ -88,8 +88,8 @@ TEST(RecoverFields, OfABilinearDisplacementHaveItsStrainAtThePoints) {
       for (int column = 0; column < grid.columns(); ++column) {
         for (int p = 0; p < CellShape<2>::points; ++p) {
           const auto point = grid.point_index({column, row}, p);
-          const auto place = discretisation.position({column, row}, p);
-          const double x = place[0] / grid.cell_side, y = place[1] / grid.cell_side;
+          const auto position = discretisation.position({column, row}, p);
+          const double x = position[0] / grid.cell_side, y = position[1] / grid.cell_side;
           const double volume = volumetric == Volumetric::averaged ? row + 0.5 : y;
           EXPECT_NEAR(fields.displacement[point][0], grid.cell_side * x * y, 1e-13);
           EXPECT_NEAR(fields.strain[point][0], y + 0.5 * (volume - y), 1e-13);
@@ -128,7 +128,7 @@ TEST(RecoverFields, OfAPeriodicBoxJoinItsSides) {
 TEST(RecoverFields, OfACubeAreMeansOverItsCells) {
   const Grid<3> cube = {{2, 2, 2}, 0.5};
   Discretisation<3> discretisation(cube);
-  discretisation.paint([](const Vector<3>& place) { return place[2] > 0.75; }, 1);
+  discretisation.paint([](const Vector<3>& position) { return position[2] > 0.75; }, 1);
   const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 3.0}, {.bulk = 20.0, .shear = 0.5}};
   constexpr std::array loads = {Load::shear,          Load::shear_yz,          Load::shear_zx,
                                 Load::diagonal_shear, Load::diagonal_shear_yz, Load::bulk};
@@ -141,20 +141,20 @@ TEST(RecoverFields, OfACubeAreMeansOverItsCells) {
     const auto strain = unit_strain<3>(load);
     const double trace = strain.xx + strain.yy + strain.zz;
     cube.for_each_cell([&](const Index<3>& cell) {
-      const auto place = cube.cell_index(cell);
+      const auto index = cube.cell_index(cell);
       const bool is_mixed = cell[2] == 1;
       const double bulk = is_mixed ? 12.5 : 5.0, shear = is_mixed ? 1.75 : 3.0;
       Vector<3> centre{};
       for (std::size_t axis = 0; axis < 3; ++axis) centre[axis] = 0.5 * (cell[axis] + 0.5);
       const auto moved = product(strain, centre);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(fields.displacement[place].at(axis), moved[axis], 1e-14);
+        EXPECT_NEAR(fields.displacement[index].at(axis), moved[axis], 1e-14);
       }
       for (int k = 0; k < 6; ++k) {
         const double pressure = k < 3 ? (bulk - 2.0 / 3.0 * shear) * trace : 0.0;
         const auto i = static_cast<std::size_t>(k);
-        EXPECT_NEAR(fields.strain[place].at(i), component(strain, k), 1e-14) << name_of(load) << " " << k;
-        EXPECT_NEAR(fields.stress[place].at(i), pressure + 2.0 * shear * component(strain, k), 1e-13)
+        EXPECT_NEAR(fields.strain[index].at(i), component(strain, k), 1e-14) << name_of(load) << " " << k;
+        EXPECT_NEAR(fields.stress[index].at(i), pressure + 2.0 * shear * component(strain, k), 1e-13)
             << name_of(load) << " " << k;
       }
     });

@@ -58,7 +58,7 @@ class Basis {
 /// The left half is hard.
 Discretisation<2> layers() {
   Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
-  discretisation.paint([](const Vector<2>& place) { return place[0] < 4.0; }, 1);
+  discretisation.paint([](const Vector<2>& position) { return position[0] < 4.0; }, 1);
   return discretisation;
 }
 
@@ -66,7 +66,8 @@ Discretisation<2> layers() {
 Discretisation<2> inclusion() {
   Discretisation<2> discretisation(Grid<2>{{8, 8}, 1.0});
   discretisation.paint(
-      [](const Vector<2>& place) { return std::abs(place[0] - 4.0) < 2.0 && std::abs(place[1] - 4.0) < 2.0; }, 1);
+      [](const Vector<2>& position) { return std::abs(position[0] - 4.0) < 2.0 && std::abs(position[1] - 4.0) < 2.0; },
+      1);
   return discretisation;
 }
 

@@ -9,10 +9,12 @@
 #include "breccia/error.hpp"
 #include "breccia/quasistatic/carson_path.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
+#include "breccia/quasistatic/reduced_response_state.hpp"
 #include "breccia/quasistatic/sampling.hpp"
 #include "breccia/viscoelasticity/interconversion.hpp"
 
 #include "quasistatic/composites.hpp"
+#include "temporary_directory.hpp"
 
 namespace breccia {
 namespace {
@@ -181,6 +183,42 @@ TEST(ReducedResponse, DirectAndIterativeSolversAgree) {
       EXPECT_NEAR(iterative[0].modulus(moduli) / direct[0].modulus(moduli), 1.0, 1e-5);
     }
   }
+}
+
+TEST(ReducedResponse, OfElasticMaterialsNeedsASnapshot) {
+  const auto problem = test::model_composite(8, Volumetric::averaged, Boundary::periodic);
+  auto response = sampled(problem).front();
+  const Material elastic = {"elastic", 1000.0, PronySeries(2e6), PronySeries(1e6)};
+  EXPECT_GT(creep_compliance(response, elastic).instantaneous(), 0.0);
+  response.snapshots.clear();
+  EXPECT_THROW(static_cast<void>(creep_compliance(response, elastic)), InputError);
+}
+
+TEST(ReducedResponse, WithANumberThatIsNoLoadOrModulusIsNotReadFromAState) {
+  const test::TemporaryDirectory directory;
+  const auto is_read = [&](const ReducedResponse& response) {
+    const auto path = directory.path() / "state.h5";
+    StateWriter writer(path, {"deck", "version"});
+    save(writer, "/response", response);
+    writer.commit();
+    try {
+      static_cast<void>(read_response(StateReader(path), "/response"));
+    } catch (const FileError&) {
+      return false;
+    }
+    return true;
+  };
+  const auto sound = sampled(test::model_composite(8, Volumetric::averaged, Boundary::periodic)).front();
+  EXPECT_TRUE(is_read(sound));
+  auto changed = sound;
+  changed.load = static_cast<Load>(77);
+  EXPECT_FALSE(is_read(changed));
+  changed = sound;
+  changed.boundary = static_cast<Boundary>(-1);
+  EXPECT_FALSE(is_read(changed));
+  changed = sound;
+  changed.parts.back().parameter.modulus = static_cast<ElasticModulus>(2);
+  EXPECT_FALSE(is_read(changed));
 }
 
 TEST(Sampling, NeedsAnElasticFillerAndCanFailToMeetATolerance) {

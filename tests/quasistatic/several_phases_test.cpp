@@ -43,8 +43,8 @@ std::vector<Material> three_materials() {
 }
 
 /// A coated disc in a square.
-PhaseAt coated_disc(const Vector<2>& place) {
-  const double radius = std::hypot(place[0] - 0.5, place[1] - 0.5);
+PhaseAt coated_disc(const Vector<2>& position) {
+  const double radius = std::hypot(position[0] - 0.5, position[1] - 0.5);
   if (radius < 0.3) return {of_filler};
   return {radius < 0.38 ? of_coating : of_matrix};
 }
@@ -158,10 +158,10 @@ TEST_P(SeveralPhases, HaveTheCarsonTransformOfTheElasticResponse) {
 }
 
 /// The same with a phase of its own for the matrix on the left.
-PhaseAt coated_disc_in_two_halves(const Vector<2>& place) {
+PhaseAt coated_disc_in_two_halves(const Vector<2>& position) {
   constexpr PhaseIndex left = 3;
-  const auto found = coated_disc(place);
-  return found.phase == of_matrix && place[0] < 0.5 ? PhaseAt{left} : found;
+  const auto found = coated_disc(position);
+  return found.phase == of_matrix && position[0] < 0.5 ? PhaseAt{left} : found;
 }
 
 TEST(SeveralPhasesOfOneMaterial, AreOnePhase) {
@@ -184,7 +184,7 @@ TEST(SeveralPhasesOfOneMaterial, AreOnePhase) {
 /// Layers of the three phases, two columns of cells each.
 QuasistaticProblem<2> three_layers(std::vector<Material> of_layers, Boundary boundary) {
   Discretisation<2> discretisation(Grid<2>{{6, 6}, 1.0});
-  discretisation.label([](const Vector<2>& place) { return static_cast<PhaseIndex>(place[0] / 2.0); });
+  discretisation.label([](const Vector<2>& position) { return static_cast<PhaseIndex>(position[0] / 2.0); });
   return {.discretisation = std::move(discretisation), .materials = std::move(of_layers), .boundary = boundary};
 }
 

@@ -1,4 +1,4 @@
-#include "solvers/shared_blocks.hpp"
+#include "solvers/substructuring/shared_blocks.hpp"
 
 #include <array>
 #include <map>
@@ -73,7 +73,7 @@ TEST_P(DividedBlocks, HaveTheNodesThatBelongToTheirProcess) {
   for (const std::size_t axis : {0U, 1U}) {
     const auto nodes = division_.nodes_along(axis);
     int all = 0;
-    for (const int of_place : nodes) all += of_place;
+    for (const int of_process : nodes) all += of_process;
     EXPECT_EQ(all, divided_.cells.at(axis) + (divided_.wraps ? 0 : 1));
   }
 }

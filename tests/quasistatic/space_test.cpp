@@ -26,7 +26,7 @@ constexpr std::array all_loads = {Load::shear,          Load::shear_yz,         
 const Material soft = {"soft", 1.0, PronySeries(3.0), PronySeries(1.0)};
 const Material hard = {"hard", 1.0, PronySeries(40.0), PronySeries(30.0)};
 
-/// Two spheres, of which none lies in a symmetric place, in a box of side 1, with mixed cells.
+/// Two spheres, of which none lies in a symmetric position, in a box of side 1, with mixed cells.
 QuasistaticProblem<3> two_spheres(int cells, Boundary boundary, const std::array<std::size_t, 3>& axes = {0, 1, 2}) {
   Microstructure<3> box = {1.0, Walls::hard, {}};
   constexpr std::array<Vector<3>, 2> centres = {{{0.31, 0.36, 0.42}, {0.72, 0.66, 0.61}}};
@@ -39,12 +39,12 @@ QuasistaticProblem<3> two_spheres(int cells, Boundary boundary, const std::array
       .discretisation = discretise_mixed(box, cells, 0, spheres, 2), .materials = {soft, hard}, .boundary = boundary};
 }
 
-/// Points of material 1 where a place is between two values along an axis, with one point in each half of a cell.
+/// Points of material 1 where a coordinate is between two values along an axis, with one point in each half of a cell.
 Discretisation<3> layers(const Grid<3>& grid, std::size_t axis, double begin, double end) {
-  return discretise<3>(grid, [=](const Vector<3>& place) -> PhaseAt {
-    const bool is_between = place[axis] >= begin && place[axis] < end;
+  return discretise<3>(grid, [=](const Vector<3>& position) -> PhaseAt {
+    const bool is_between = position[axis] >= begin && position[axis] < end;
     return {static_cast<PhaseIndex>(is_between ? 1 : 0),
-            std::min(std::abs(place[axis] - begin), std::abs(place[axis] - end))};
+            std::min(std::abs(position[axis] - begin), std::abs(position[axis] - end))};
   });
 }
 
@@ -82,14 +82,14 @@ std::array<double, 2> space_over_plane(int n, Volumetric volumetric) {
     return {static_cast<PhaseIndex>(is_inside ? 1 : 0), 0.0};
   };
   QuasistaticProblem<3> space = {
-      .discretisation =
-          discretise<3>(Grid<3>{{n, n, 2}, 1.0 / n}, [&](const Vector<3>& place) { return at(place[0], place[1]); }),
+      .discretisation = discretise<3>(Grid<3>{{n, n, 2}, 1.0 / n},
+                                      [&](const Vector<3>& position) { return at(position[0], position[1]); }),
       .materials = {soft, hard},
       .volumetric = volumetric,
       .boundary = Boundary::periodic};
   QuasistaticProblem<2> plane = {
-      .discretisation =
-          discretise<2>(Grid<2>{{n, n}, 1.0 / n}, [&](const Vector<2>& place) { return at(place[0], place[1]); }),
+      .discretisation = discretise<2>(Grid<2>{{n, n}, 1.0 / n},
+                                      [&](const Vector<2>& position) { return at(position[0], position[1]); }),
       .materials = {soft, hard},
       .volumetric = volumetric,
       .boundary = Boundary::periodic};

@@ -50,8 +50,8 @@ Stiffness mandel_rotation(const CubeSymmetry& symmetry) {
   return rotation;
 }
 
-/// Two spheres of different size and stiffness in no symmetric place of a box of side 1, with mixed cells, in a matrix,
-/// after a symmetry of the box.
+/// Two spheres of different size and stiffness in no symmetric position of a box of side 1, with mixed cells, in a
+/// matrix, after a symmetry of the box.
 QuasistaticProblem<3> turned_spheres(const CubeSymmetry& symmetry, Boundary boundary) {
   Microstructure<3> box = {1.0, Walls::hard, {}};
   constexpr std::array<Vector<3>, 2> centres = {{{0.31, 0.36, 0.42}, {0.72, 0.66, 0.61}}};
@@ -59,8 +59,8 @@ QuasistaticProblem<3> turned_spheres(const CubeSymmetry& symmetry, Boundary boun
   for (std::size_t i = 0; i < centres.size(); ++i) {
     Vector<3> centre{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double place = centres[i][static_cast<std::size_t>(symmetry.axes[axis])];
-      centre[axis] = symmetry.is_flipped[axis] ? 1.0 - place : place;
+      const double coordinate = centres[i][static_cast<std::size_t>(symmetry.axes[axis])];
+      centre[axis] = symmetry.is_flipped[axis] ? 1.0 - coordinate : coordinate;
     }
     box.particles.push_back({centre, diameters[i]});
   }

@@ -1,4 +1,4 @@
-#include "solvers/substructures.hpp"
+#include "solvers/substructuring/substructures.hpp"
 
 #include <set>
 #include <vector>
@@ -30,7 +30,7 @@ TEST(Substructures, OfAHomogeneousBoxDifferByTheSidesThatAreHeld) {
 TEST(Substructures, OfOneKindHaveTheSameCellsAndNeighbours) {
   // Stripes of two blocks' width repeat across a periodic box of eight blocks.
   Discretisation<2> discretisation(Grid<2>{{64, 32}, 1.0});
-  discretisation.paint([](const Vector<2>& place) { return static_cast<int>(place[0]) % 16 < 5; }, 1);
+  discretisation.paint([](const Vector<2>& position) { return static_cast<int>(position[0]) % 16 < 5; }, 1);
   const ElasticOperator<2> elastic_operator(discretisation, Volumetric::averaged, Boundary::periodic);
   const Substructures blocks(elastic_operator);
   const std::vector<Moduli> moduli = {{.bulk = 2.0, .shear = 1.0}, {.bulk = 3.0, .shear = 4.0}};

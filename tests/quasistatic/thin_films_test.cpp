@@ -29,8 +29,8 @@ Labelling<2> voronoi_grains() {
   }
   const auto locator = std::make_shared<GrainLocator<2>>(Tessellation<2>(sites), film);
   return [locator](const Vector<2>& position) -> PhaseAt {
-    const auto place = locator->at(position);
-    return {place.is_in_grain() ? grain : binder, std::abs(place.depth)};
+    const auto found = locator->at(position);
+    return {found.is_in_grain() ? grain : binder, std::abs(found.depth)};
   };
 }
 

@@ -1,4 +1,4 @@
-#include "solvers/wall_transform.hpp"
+#include "solvers/lattice/wall_transform.hpp"
 
 #include <cmath>
 #include <cstddef>

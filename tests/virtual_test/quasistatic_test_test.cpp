@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "breccia/error.hpp"
+#include "breccia/virtual_test/quasistatic_test_state.hpp"
 
 #include "messages.hpp"
+#include "temporary_directory.hpp"
 #include "virtual_test/composites.hpp"
 
 namespace breccia {
@@ -35,6 +37,21 @@ TEST(RunQuasistaticTest, AnyPhaseMayBeTheMatrix) {
     ASSERT_EQ(one.size(), other.size());
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_NEAR(one[i].modulus / other[i].modulus, 1.0, 1e-7) << i;
   }
+}
+
+TEST(QuasistaticTestState, WithANumberThatIsNoLoadIsRefused) {
+  const test::TemporaryDirectory directory;
+  const auto read_with = [&](Load load) {
+    QuasistaticTestResult result;
+    result.responses.emplace_back().load = load;
+    const auto path = directory.path() / "result.h5";
+    StateWriter writer(path, {"deck", "version"});
+    save_result(writer, result);
+    writer.commit();
+    return read_quasistatic_result(StateReader(path)).responses.front().load;
+  };
+  EXPECT_EQ(read_with(Load::bulk), Load::bulk);
+  EXPECT_THROW(read_with(static_cast<Load>(6)), FileError);
 }
 
 TEST(RunQuasistaticTest, TheReducedSolverMustKnowTheMatrix) {

@@ -55,7 +55,7 @@ class DynamicSolver {
   DynamicSolver& operator=(DynamicSolver&&) = delete;
 
   /// Takes steps and appends, for each, the averages at the time where the step begins.
-  /// Throws NumericalError when the stress grows beyond any that a stable run has, with the step and the place.
+  /// Throws NumericalError when the stress grows beyond any that a stable run has, with the step and the position.
   void advance(int steps, std::vector<Averages<dim>>& averages);
 
   /// Time where the next step begins [s], counted from the midpoint of the ramp.
@@ -92,7 +92,7 @@ class DynamicSolver {
  private:
   /// Takes steps from `first` on, storing the averages where each begins.
   virtual void take_steps(std::int64_t first, int steps, Averages<dim>* averages) = 0;
-  /// The place where the displacement of a step is largest or not a number [m].
+  /// The position where the displacement of a step is largest or not a number [m].
   [[nodiscard]] virtual Vector<dim> most_moved() const = 0;
   virtual void save_arrays(StateWriter& state, const std::string& group) const = 0;
   virtual void restore_arrays(const StateReader& state, const std::string& group) = 0;

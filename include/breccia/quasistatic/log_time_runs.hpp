@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "breccia/checkpoint/checkpoint.hpp"
+#include "breccia/error.hpp"
 #include "breccia/quasistatic/log_time_integrator.hpp"
 #include "breccia/quasistatic/log_time_stepping.hpp"
 
@@ -57,11 +58,16 @@ class LogTimeRun {
       if (!is_over()) loads_[i].save(state, of_load);
     }
   }
+  /// Throws FileError for values of more steps than there are times, and when loads differ in the number of steps.
   void restore(const StateReader& state, const std::string& group) {
+    taken_ = state.numbers(fmt::format("{}/0/values", group)).size();
+    if (taken_ > times_.size() + 1) {
+      throw FileError(
+          fmt::format("{}: the values of {} steps, expected {} at most", state.path(), taken_, times_.size() + 1));
+    }
     for (std::size_t i = 0; i < loads_.size(); ++i) {
       const auto of_load = fmt::format("{}/{}", group, i);
-      values_[i] = state.numbers(of_load + "/values");
-      taken_ = values_[i].size();
+      values_[i] = state.numbers(of_load + "/values", taken_);
       if (!is_over()) loads_[i].restore(state, of_load);
     }
   }
@@ -74,17 +80,17 @@ class LogTimeRun {
   std::size_t taken_ = 0;  ///< steps taken, the jump included
 };
 
-/// Every other one of so many times, and the last one: their places.
+/// Every other one of so many times, and the last one: their indices.
 [[nodiscard]] std::vector<std::size_t> every_other(std::size_t count);
 
-/// Values at some places of a list.
-[[nodiscard]] std::vector<double> at_places(std::span<const double> values, const std::vector<std::size_t>& places);
+/// Values at some indices of a list.
+[[nodiscard]] std::vector<double> at_indices(std::span<const double> values, const std::vector<std::size_t>& indices);
 
 /// The response to a load of which the values right after the jump and at the times are given, and those of a run over
-/// the times at some places, from which the error is estimated.
+/// the times at some indices, from which the error is estimated.
 [[nodiscard]] SteppedResponse stepped_response(Load load, const std::vector<double>& fine,
                                                const std::vector<double>& coarse,
-                                               const std::vector<std::size_t>& places);
+                                               const std::vector<std::size_t>& indices);
 
 /// Throws InputError unless there are loads and rising positive times.
 void require_steps(std::span<const Load> loads, std::span<const double> times);
@@ -109,9 +115,9 @@ class LogTimeRuns {
         loads_(loads.begin(), loads.end()),
         kept_times_(kept_times.begin(), kept_times.end()),
         steps_(times.size()),
-        places_(every_other(times.size())),
+        indices_(every_other(times.size())),
         fine_(composite, series, loads, {times.begin(), times.end()}),
-        coarse_(composite, series, loads, at_places(times, places_)) {}
+        coarse_(composite, series, loads, at_indices(times, indices_)) {}
 
   [[nodiscard]] bool is_over() const noexcept { return fine_.is_over() && coarse_.is_over(); }
   [[nodiscard]] Progress progress() const {
@@ -136,7 +142,7 @@ class LogTimeRuns {
   [[nodiscard]] std::vector<SteppedResponse> responses() const {
     std::vector<SteppedResponse> responses;
     for (std::size_t l = 0; l < loads_.size(); ++l) {
-      responses.push_back(stepped_response(loads_[l], fine_.values()[l], coarse_.values()[l], places_));
+      responses.push_back(stepped_response(loads_[l], fine_.values()[l], coarse_.values()[l], indices_));
     }
     return responses;
   }
@@ -177,7 +183,7 @@ class LogTimeRuns {
   std::vector<Load> loads_;
   std::vector<double> kept_times_;
   std::size_t steps_;
-  std::vector<std::size_t> places_;  ///< indices of the times of the coarse run among all times
+  std::vector<std::size_t> indices_;  ///< indices of the times of the coarse run among all times
   LogTimeRun<Composite> fine_;
   LogTimeRun<Composite> coarse_;
   std::vector<TimedState<Vector>> kept_;

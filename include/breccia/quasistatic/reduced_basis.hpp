@@ -60,6 +60,8 @@ class ReducedBasis {
   void extend_residual_products();
   /// K_0 u for part 0, then K_i u.
   [[nodiscard]] Vector forces_of_part(Eigen::Index part, const Vector& displacement) const;
+  [[nodiscard]] std::vector<Vector> forces_of_parts(Eigen::Index first, Eigen::Index end,
+                                                    const Vector& displacement) const;
 
   const Composite* composite_;
   Load load_;
@@ -74,6 +76,23 @@ inline void enlarge(Eigen::MatrixXd& matrix) {
   matrix.conservativeResize(size + 1, size + 1);
   matrix.row(size).setZero();
   matrix.col(size).setZero();
+}
+
+/// Products of the parts of the residual, blocks of `count` vectors for each part and then the load, with zeros for
+/// those of a vector more.
+inline Eigen::MatrixXd with_room_for_a_vector(const Eigen::MatrixXd& products, Eigen::Index parts, Eigen::Index count) {
+  const auto size = count + 1, load = parts * count, new_load = parts * size;
+  Eigen::MatrixXd larger = Eigen::MatrixXd::Zero(new_load + 1, new_load + 1);
+  if (count == 0) return larger;
+  for (Eigen::Index a = 0; a < parts; ++a) {
+    for (Eigen::Index b = 0; b < parts; ++b) {
+      larger.block(a * size, b * size, count, count) = products.block(a * count, b * count, count, count);
+    }
+    larger.block(a * size, new_load, count, 1) = products.block(a * count, load, count, 1);
+    larger.block(new_load, a * size, 1, count) = products.block(load, a * count, 1, count);
+  }
+  larger(new_load, new_load) = products(load, load);
+  return larger;
 }
 
 template <AffineComposite Composite>
@@ -159,55 +178,49 @@ void ReducedBasis<Composite>::extend_projection() {
   response.load_forces[last] = vectors_.works(load_forces())[last];
 }
 
-/// Scalar products of the parts of the residual: K_0 v of all vectors v, then K_i v for each part, then the load.
+/// Scalar products of the parts of the residual, R_(a i)(b j) = (K_a v_i)' (K_b v_j), with those of the newest vector.
+/// Few forces are in memory at a time.
 template <AffineComposite Composite>
 void ReducedBasis<Composite>::extend_residual_products() {
   const auto count = static_cast<Eigen::Index>(response_.parts.size()) + 1;
-  const auto size = static_cast<Eigen::Index>(vectors_.size()), last = size - 1;
-  Eigen::MatrixXd products(count * size + 1, count * size + 1);
-  // Index of an earlier product in the smaller matrix.
-  const auto earlier = [&](Eigen::Index index) {
-    return index == count * size ? count * last : index / size * last + index % size;
-  };
-  const auto is_new = [&](Eigen::Index index) { return index < count * size && index % size == last; };
-  for (Eigen::Index i = 0; i < products.rows(); ++i) {
-    for (Eigen::Index j = 0; j < products.cols(); ++j) {
-      if (!is_new(i) && !is_new(j) && last > 0) products(i, j) = response_.residual_products(earlier(i), earlier(j));
-    }
-  }
-  for (Eigen::Index first = 0; first < count; first += static_cast<Eigen::Index>(Composite::forces_at_hand)) {
-    // The forces of some parts on the newest vector, with those of all parts on all vectors.
-    const auto end = std::min(first + static_cast<Eigen::Index>(Composite::forces_at_hand), count);
-    std::vector<Vector> newest;
-    newest.reserve(static_cast<std::size_t>(end - first));
-    for (auto part = first; part < end; ++part) {
-      newest.push_back(forces_of_part(part, vectors_.at(static_cast<std::size_t>(last))));
-    }
+  const auto last = static_cast<Eigen::Index>(vectors_.size()) - 1, load = count * (last + 1);
+  auto& products = response_.residual_products;
+  products = with_room_for_a_vector(products, count, last);
+  const auto row = [last](Eigen::Index part, Eigen::Index vector) { return part * (last + 1) + vector; };
+  const auto vector = [this](Eigen::Index i) -> decltype(auto) { return vectors_.at(static_cast<std::size_t>(i)); };
+
+  constexpr auto at_hand = static_cast<Eigen::Index>(Composite::forces_at_hand);
+  for (Eigen::Index first = 0; first < count; first += at_hand) {
+    const auto end = std::min(first + at_hand, count);
+    const auto of_newest = forces_of_parts(first, end, vector(last));  // K_b v, b from first to end
     const auto multiply = [&](Eigen::Index i, const Vector& forces) {
-      for (auto part = first; part < end; ++part) {
-        const Eigen::Index j = part * size + last;
-        products(i, j) = products(j, i) = product(forces, newest[static_cast<std::size_t>(part - first)]);
+      for (auto b = first; b < end; ++b) {
+        const auto j = row(b, last);
+        products(i, j) = products(j, i) = product(forces, of_newest[static_cast<std::size_t>(b - first)]);
       }
     };
-    for (Eigen::Index i = 0; i < size; ++i) {
-      const auto& vector = vectors_.at(static_cast<std::size_t>(i));
-      // Those on the newest vector itself are symmetric.
-      for (Eigen::Index part = i < last ? 0 : first; part < count; ++part) {
-        const bool is_at_hand = i == last && part < end;
-        if (is_at_hand) {
-          multiply(part * size + i, newest[static_cast<std::size_t>(part - first)]);
-        } else {
-          multiply(part * size + i, forces_of_part(part, vector));
-        }
-      }
+    for (Eigen::Index i = 0; i < last; ++i) {
+      const auto& earlier = vector(i);
+      for (Eigen::Index a = 0; a < count; ++a) multiply(row(a, i), forces_of_part(a, earlier));
     }
-    multiply(count * size, load_forces());
+    // The products of the newest vector with itself are symmetric: those with parts before the first are known.
+    for (auto a = first; a < end; ++a) multiply(row(a, last), of_newest[static_cast<std::size_t>(a - first)]);
+    for (auto a = end; a < count; ++a) multiply(row(a, last), forces_of_part(a, vector(last)));
+    multiply(load, load_forces());
   }
-  if (last == 0) {
-    const auto load = load_forces();
-    products(count, count) = product(load, load);
-  }
-  response_.residual_products = std::move(products);
+  if (last > 0) return;
+  const auto forces = load_forces();
+  products(load, load) = product(forces, forces);
+}
+
+/// The forces of the parts from `first` to `end`.
+template <AffineComposite Composite>
+std::vector<typename Composite::Vector> ReducedBasis<Composite>::forces_of_parts(Eigen::Index first, Eigen::Index end,
+                                                                                 const Vector& displacement) const {
+  std::vector<Vector> forces;
+  forces.reserve(static_cast<std::size_t>(end - first));
+  for (auto part = first; part < end; ++part) forces.push_back(forces_of_part(part, displacement));
+  return forces;
 }
 
 template <AffineComposite Composite>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/viscoelasticity/creep_compliance.hpp"
 #include "breccia/viscoelasticity/material.hpp"
+#include "breccia/words.hpp"
 
 namespace breccia {
 
@@ -26,6 +28,10 @@ struct Snapshot {
 
 /// A modulus of an isotropic solid.
 enum class ElasticModulus { shear, bulk };
+
+template <>
+inline constexpr auto words<ElasticModulus> = std::to_array<Word<ElasticModulus>>({{"shear", ElasticModulus::shear},
+                                                                                   {"bulk", ElasticModulus::bulk}});
 
 /// Name of the phase that a composite's matrix is.
 inline constexpr std::string_view name_of_matrix_phase = "matrix";

@@ -46,24 +46,24 @@ std::optional<BlockDivision> BlockDivision::with_blocks(int side, int processes,
   return best;
 }
 
-std::size_t BlockDivision::first_block(std::size_t axis, int place) const noexcept {
-  return (cuts_[axis].size() - 1) * static_cast<std::size_t>(place) / static_cast<std::size_t>(processes_[axis]);
+std::size_t BlockDivision::first_block(std::size_t axis, int position) const noexcept {
+  return (cuts_[axis].size() - 1) * static_cast<std::size_t>(position) / static_cast<std::size_t>(processes_[axis]);
 }
 
-BlockRow BlockDivision::blocks_along(std::size_t axis, int place) const {
+BlockRow BlockDivision::blocks_along(std::size_t axis, int position) const {
   const bool is_shared = processes_[axis] > 1;
   const auto begin = cuts_[axis].begin();
-  return {.cuts = {begin + static_cast<std::ptrdiff_t>(first_block(axis, place)),
-                   begin + static_cast<std::ptrdiff_t>(first_block(axis, place + 1)) + 1},
+  return {.cuts = {begin + static_cast<std::ptrdiff_t>(first_block(axis, position)),
+                   begin + static_cast<std::ptrdiff_t>(first_block(axis, position + 1)) + 1},
           .wraps = wraps_ && !is_shared,
-          .begins_at_neighbour = is_shared && (wraps_ || place > 0),
-          .ends_at_neighbour = is_shared && (wraps_ || place + 1 < processes_[axis])};
+          .begins_at_neighbour = is_shared && (wraps_ || position > 0),
+          .ends_at_neighbour = is_shared && (wraps_ || position + 1 < processes_[axis])};
 }
 
 std::vector<int> BlockDivision::nodes_along(std::size_t axis) const {
   std::vector<int> nodes;
-  for (int place = 0; place < processes_[axis]; ++place) {
-    nodes.push_back(cuts_[axis][first_block(axis, place + 1)] - cuts_[axis][first_block(axis, place)]);
+  for (int position = 0; position < processes_[axis]; ++position) {
+    nodes.push_back(cuts_[axis][first_block(axis, position + 1)] - cuts_[axis][first_block(axis, position)]);
   }
   if (!wraps_) ++nodes.back();
   return nodes;

@@ -26,17 +26,17 @@ class BlockDivision {
 
   /// Number of processes along each axis. The first axis is the faster one in the ranks of processes.
   [[nodiscard]] const std::array<int, 2>& processes() const noexcept { return processes_; }
-  /// Place of a process in the grid of processes.
-  [[nodiscard]] std::array<int, 2> place_of(int rank) const noexcept {
+  /// Position of a process in the grid of processes.
+  [[nodiscard]] std::array<int, 2> position_of(int rank) const noexcept {
     return {rank % processes_[0], rank / processes_[0]};
   }
-  /// Rank of the process at a place, which may be one beyond the last of a box that wraps around.
-  [[nodiscard]] int rank_at(const std::array<int, 2>& place) const noexcept {
-    return place[1] % processes_[1] * processes_[0] + place[0] % processes_[0];
+  /// Rank of the process at a position, which may be one beyond the last of a box that wraps around.
+  [[nodiscard]] int rank_at(const std::array<int, 2>& position) const noexcept {
+    return position[1] % processes_[1] * processes_[0] + position[0] % processes_[0];
   }
-  /// The blocks of the processes at a place along an axis.
-  [[nodiscard]] BlockRow blocks_along(std::size_t axis, int place) const;
-  /// Number of nodes along an axis that belong to the processes at each place: the nodes at the beginning of a block
+  /// The blocks of the processes at a position along an axis.
+  [[nodiscard]] BlockRow blocks_along(std::size_t axis, int position) const;
+  /// Number of nodes along an axis that belong to the processes at each position: the nodes at the beginning of a block
   /// belong to its process, and those at the end of the box to the last one.
   [[nodiscard]] std::vector<int> nodes_along(std::size_t axis) const;
 
@@ -47,8 +47,8 @@ class BlockDivision {
   BlockDivision(const std::array<int, 2>& processes, const std::array<std::vector<int>, 2>& cuts, bool wraps)
       : processes_(processes), cuts_(cuts), wraps_(wraps) {}
 
-  /// Number of the first block of a place along an axis.
-  [[nodiscard]] std::size_t first_block(std::size_t axis, int place) const noexcept;
+  /// Number of the first block of a position along an axis.
+  [[nodiscard]] std::size_t first_block(std::size_t axis, int position) const noexcept;
 
   std::array<int, 2> processes_;
   std::array<std::vector<int>, 2> cuts_;  ///< of the box along each axis

@@ -117,7 +117,7 @@ void CellRow::distribute(const EdgeRows<double>& forces) const {
   for (std::size_t component = 0; component < 3; ++component) {
     const auto& rows = forces[component];
     double *row_0 = rows[0], *row_1 = rows[1], *row_2 = rows[2], *row_3 = rows[3];
-    // At a place is the force of the cell before a node; the force of the cell behind it is one further.
+    // At an index is the force of the cell before a node; the force of the cell behind it is one further.
     const double* x = forces_.data() + 7 * component * stride_;
     const double *y_upper = x + stride_, *y_lower = y_upper + stride_, *z_upper = y_lower + stride_,
                  *z_lower = z_upper + stride_, *yz_upper = z_lower + stride_, *yz_lower = yz_upper + stride_;

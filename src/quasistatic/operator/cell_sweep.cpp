@@ -43,10 +43,10 @@ void CellSweep::add_slab(const CellModuli& moduli, int first_plane, int end_plan
       EdgeRows<const double> moved{};
       EdgeRows<double> exerted{};
       for (std::size_t edge = 0; edge < 4; ++edge) {
-        const auto place = nodes_.row_at(second + static_cast<int>(edge & 1U), third + static_cast<int>(edge >> 1U));
+        const auto index = nodes_.row_at(second + static_cast<int>(edge & 1U), third + static_cast<int>(edge >> 1U));
         for (std::size_t component = 0; component < 3; ++component) {
-          moved[component][edge] = displacement[component] + place;
-          exerted[component][edge] = forces[component] + place;
+          moved[component][edge] = displacement[component] + index;
+          exerted[component][edge] = forces[component] + index;
         }
       }
       const auto* kinds = moduli.kind_of.row_at(second, third);
@@ -68,23 +68,23 @@ void CellSweep::add_others(const CellModuli& moduli, int first_plane, int end_pl
   for (; other != moduli.others.end() && other->cell[2] < end_plane; ++other) {
     typename Shape::Values values;
     for (int node = 0; node < Shape::nodes; ++node) {
-      const auto place = place_of(other->cell, node);
+      const auto index = index_of(other->cell, node);
       for (int component = 0; component < 3; ++component) {
-        values[3 * node + component] = displacement[static_cast<std::size_t>(component)][place];
+        values[3 * node + component] = displacement[static_cast<std::size_t>(component)][index];
       }
     }
     const typename Shape::Values exerted = moduli.stiffnesses[other->stiffness] * values;
     for (int node = 0; node < Shape::nodes; ++node) {
-      const auto place = place_of(other->cell, node);
+      const auto index = index_of(other->cell, node);
       for (int component = 0; component < 3; ++component) {
-        forces[static_cast<std::size_t>(component)][place] += exerted[3 * node + component];
+        forces[static_cast<std::size_t>(component)][index] += exerted[3 * node + component];
       }
     }
   }
 }
 
-/// Place of a node of a cell in the arrays.
-std::size_t CellSweep::place_of(const Index<3>& cell, int node) const noexcept {
+/// Index of a node of a cell in the arrays.
+std::size_t CellSweep::index_of(const Index<3>& cell, int node) const noexcept {
   const auto corner = CellShape<3>::corner(node);
   return nodes_.row_at(cell[1] + corner[1], cell[2] + corner[2]) + static_cast<std::size_t>(cell[0] + corner[0]);
 }

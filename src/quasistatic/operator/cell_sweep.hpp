@@ -19,9 +19,9 @@ struct NodeArrays {
   std::size_t row = 0;    ///< distance of nodes that are neighbours along the second axis
   std::size_t plane = 0;  ///< distance of nodes that are neighbours along the third axis
 
-  /// Place of the first node of a row of nodes. In a periodic box the rows behind the last ones are the first ones.
+  /// Index of the first node of a row of nodes. In a periodic box the rows behind the last ones are the first ones.
   [[nodiscard]] std::size_t row_at(int second, int third) const noexcept {
-    const auto wrapped = [](int place, int count) { return static_cast<std::size_t>(place == count ? 0 : place); };
+    const auto wrapped = [](int index, int count) { return static_cast<std::size_t>(index == count ? 0 : index); };
     return wrapped(second, nodes[1]) * row + wrapped(third, nodes[2]) * plane;
   }
 };
@@ -43,7 +43,7 @@ struct CellModuli {
   /// A cell whose points are of different materials.
   struct OfManyMaterials {
     Index<3> cell;
-    std::uint32_t stiffness;  ///< its place among the stiffnesses
+    std::uint32_t stiffness;  ///< its index among the stiffnesses
   };
 
   KindsOfCells kind_of;
@@ -87,7 +87,7 @@ class CellSweep {
                 const Output& forces, Row& row) const;
   void add_others(const CellModuli& moduli, int first_plane, int end_plane, const Input& displacement,
                   const Output& forces) const;
-  [[nodiscard]] std::size_t place_of(const Index<3>& cell, int node) const noexcept;
+  [[nodiscard]] std::size_t index_of(const Index<3>& cell, int node) const noexcept;
 
   Index<3> cells_;
   NodeArrays nodes_;

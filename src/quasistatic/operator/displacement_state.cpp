@@ -23,12 +23,12 @@ std::size_t length_of(Vec vector) {
   return static_cast<std::size_t>(length);
 }
 
-void save(StateWriter& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& places) {
-  state.write(name, own(ReadValues(vector), vector), places, length_of(vector));
+void save(StateWriter& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& indices) {
+  state.write(name, own(ReadValues(vector), vector), indices, length_of(vector));
 }
 
-void restore(const StateReader& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& places) {
-  state.read(name, own(WriteValues(vector), vector), places, length_of(vector));
+void restore(const StateReader& state, const std::string& name, Vec vector, const parallel::OrderedPlaces& indices) {
+  state.read(name, own(WriteValues(vector), vector), indices, length_of(vector));
 }
 
 }  // namespace
@@ -36,14 +36,14 @@ void restore(const StateReader& state, const std::string& name, Vec vector, cons
 void save(StateWriter& state, const std::string& group, const Displacement& displacement) {
   const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
   state.write(group + "/affine", displacement.macroscopic());
-  save(state, group + "/nodes", nodes, natural_places_of_nodes(nodes));
-  if (length_of(phases) > 0) save(state, group + "/phases", phases, natural_places(phases));
+  save(state, group + "/nodes", nodes, natural_indices_of_nodes(nodes));
+  if (length_of(phases) > 0) save(state, group + "/phases", phases, natural_indices(phases));
 }
 
 void restore(const StateReader& state, const std::string& group, Displacement& displacement) {
   const Vec nodes = displacement.fluctuation(), phases = displacement.phase_strains();
-  restore(state, group + "/nodes", nodes, natural_places_of_nodes(nodes));
-  if (length_of(phases) > 0) restore(state, group + "/phases", phases, natural_places(phases));
+  restore(state, group + "/nodes", nodes, natural_indices_of_nodes(nodes));
+  if (length_of(phases) > 0) restore(state, group + "/phases", phases, natural_indices(phases));
   displacement.set_macroscopic(state.number(group + "/affine"));
 }
 

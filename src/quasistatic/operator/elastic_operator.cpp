@@ -78,7 +78,7 @@ NodalVector ElasticOperator<dim>::zero_strains_of_phases() const {
   check(
       VecCreateMPI(PETSC_COMM_WORLD, static_cast<PetscInt>(first_strain_.back()), PETSC_DETERMINE, phase_strains.put()),
       "making strains of phases");
-  if (parallel::ranks() > 1) set_natural_places(natural_places_of_strains(), phase_strains.get());
+  if (parallel::ranks() > 1) set_natural_indices(natural_indices_of_strains(), phase_strains.get());
   check(VecSet(phase_strains.get(), 0.0), "making strains of phases");
   return phase_strains;
 }
@@ -89,8 +89,8 @@ Displacement ElasticOperator<dim>::uniform_strain(Load load) const {
   const auto strain = unit_strain<dim>(load);
   const typename Shape::ModeValues of_cell = modes_ * Shape::affine_motion(strain);
   const WriteValues phase_strains(displacement.phase_strains());
-  for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t place) {
-    phase_strains.range(place, mixed.unknowns()) = mixed.uniform(of_cell);
+  for_mixed_cells([&](const Index<dim>&, const MixedCell<dim>& mixed, std::size_t index) {
+    phase_strains.range(index, mixed.unknowns()) = mixed.uniform(of_cell);
   });
   if (boundary() != Boundary::traction) {
     displacement.set_macroscopic(1.0);
@@ -157,7 +157,7 @@ Forces ElasticOperator<dim>::load_forces(Load load) const {
   // The nodal forces of the traction of a uniform stress do the work of that stress on the mean strains of the cells.
   const auto unit = unit_stress<dim>(load);
   typename Shape::StrainVector stress;
-  for (int place = 0; place < Shape::strains; ++place) stress[place] = component(unit, place);
+  for (int i = 0; i < Shape::strains; ++i) stress[i] = component(unit, i);
   CellValues of_cell = CellValues::Zero();
   for (int p = 0; p < Shape::points; ++p) of_cell += Shape::strain_matrix(p).transpose() * stress / Shape::points;
   auto [macroscopic, on_nodes] = sum_over_cells([&](const Index<dim>&) { return std::pair(of_cell, 0.0); });
@@ -209,7 +209,7 @@ template <class OfKind>
 CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   CellModuli cells;
-  std::vector<std::uint32_t> other;  // place among the stiffnesses of the other cells, by kind
+  std::vector<std::uint32_t> other;  // index among the stiffnesses of the other cells, by kind
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
     const auto same = of_kind(kind);
     const auto [bulk, shear] = same.value_or(Moduli{.bulk = 0.0, .shear = 0.0});
@@ -226,9 +226,9 @@ CellModuli ElasticOperator<dim>::collect_cells(std::span<const Moduli> moduli, c
   nodes_.for_cells([&](const Index<dim>& cell) {
     const auto kind = kind_of_cell(cell);
     if (other[kind] == none) return;
-    auto place = cell;
-    for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] -= begin[axis];
-    cells.others.push_back({place, other[kind]});
+    auto among_own = cell;
+    for (std::size_t axis = 0; axis < among_own.size(); ++axis) among_own[axis] -= begin[axis];
+    cells.others.push_back({among_own, other[kind]});
   });
   return cells;
 }
@@ -246,7 +246,7 @@ template <int space>
 Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load load,
                                             const Displacement& displacement) const requires(space == 3) {
   const auto strain = unit_strain<dim>(load);
-  std::optional<SeenField> moved(std::in_place, nodes_, threads_), exerted;
+  std::optional<HaloField> moved(std::in_place, nodes_, threads_), exerted;
   moved->read(nodes_, displacement.fluctuation(), displacement.macroscopic(), strain);
   exerted.emplace(nodes_, threads_);
 
@@ -257,7 +257,7 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
   const auto& [begin, end] = nodes_.cells();
   for (std::size_t axis = 0; axis < along.size(); ++axis) along[axis] = end[axis] - begin[axis];
   const CellSweep sweep(along, moved->arrays());
-  const auto first = moved->place_of(begin);
+  const auto first = moved->index_of(begin);
   sweep.add_forces(cells, std::as_const(*moved).from(first), exerted->from(first), threads_);
   auto on_phase_strains = zero_strains_of_phases();
   add_mixed_forces(moduli, displacement, sweep, *moved, *exerted, on_phase_strains.get());
@@ -274,7 +274,7 @@ Forces ElasticOperator<dim>::forces_by_rows(std::span<const Moduli> moduli, Load
 template <int dim>
 template <int space>
 void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement,
-                                            const CellSweep& sweep, const SeenField& moved, SeenField& exerted,
+                                            const CellSweep& sweep, const HaloField& moved, HaloField& exerted,
                                             Vec on_phase_strains) const requires(space == 3) {
   const ReadValues strains(displacement.phase_strains());
   const WriteValues on_strains(on_phase_strains);
@@ -282,18 +282,18 @@ void ElasticOperator<dim>::add_mixed_forces(std::span<const Moduli> moduli, cons
   const auto forces_on = exerted.from(0);
   sweep.for_slabs(threads_, [&](int, int first_plane, int end_plane) {
     for_mixed_cells_of_planes(
-        first_plane, end_plane, [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+        first_plane, end_plane, [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
           std::array<std::size_t, Shape::nodes> nodes{};
           CellValues u;
           for (std::size_t n = 0; n < nodes.size(); ++n) {
             auto node = Shape::corner(static_cast<int>(n));
             for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
-            nodes[n] = moved.place_of(node);
+            nodes[n] = moved.index_of(node);
             for (std::size_t i = 0; i < dim; ++i)
               u[static_cast<Eigen::Index>(dim * n + i)] = displacements[i][nodes[n]];
           }
-          const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(place, mixed.unknowns()));
-          on_strains.range(place, mixed.unknowns()) = on_phases;
+          const auto [stress, on_phases] = mixed.stresses(moduli, modes_ * u, strains.range(index, mixed.unknowns()));
+          on_strains.range(index, mixed.unknowns()) = on_phases;
           const CellValues forces = modes_.transpose() * stress;
           for (std::size_t n = 0; n < nodes.size(); ++n) {
             for (std::size_t i = 0; i < dim; ++i) {
@@ -313,12 +313,12 @@ void ElasticOperator<dim>::condense(std::span<const Moduli> moduli, Forces& forc
     throw InputError("quasi-static solver: a phase of a mixed cell has a modulus of 0; expected positive ones");
   }
   const ReadValues on_strains(forces.phase_strains());
-  std::size_t place = 0;
+  std::size_t index = 0;
   const auto relief = sum_over_cells([&](const Index<dim>& cell) {
     const auto* mixed = mixed_cell(cell);
     if (mixed == nullptr) return std::pair<CellValues, double>(CellValues::Zero(), 0.0);
-    const auto stress = mixed->stress_relieved_by(moduli, on_strains.range(place, mixed->unknowns()));
-    place += static_cast<std::size_t>(mixed->unknowns());
+    const auto stress = mixed->stress_relieved_by(moduli, on_strains.range(index, mixed->unknowns()));
+    index += static_cast<std::size_t>(mixed->unknowns());
     return std::pair<CellValues, double>(modes_.transpose() * stress, 0.0);
   });
   check(VecAXPY(forces.fluctuation(), 1.0, relief.on_nodes.get()), "adding nodal forces");
@@ -330,29 +330,29 @@ void ElasticOperator<dim>::recover_phase_strains(std::span<const Moduli> moduli,
   const auto local = nodes_.local_copy(displacement.fluctuation());
   const ReadValues values(local.get()), on_strains(forces.phase_strains());
   const WriteValues strains(displacement.phase_strains());
-  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
-    strains.range(place, mixed.unknowns()) = mixed.strains_under(
-        moduli, modes_ * nodes_.cell_values(cell, values.data()), on_strains.range(place, mixed.unknowns()));
+  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
+    strains.range(index, mixed.unknowns()) = mixed.strains_under(
+        moduli, modes_ * nodes_.cell_values(cell, values.data()), on_strains.range(index, mixed.unknowns()));
   });
 }
 
-/// The places of the strains of this process among those of all mixed cells, in the order of the cells.
+/// The indices of the strains of this process among those of all mixed cells, in the order of the cells.
 template <int dim>
-std::vector<PetscInt> ElasticOperator<dim>::natural_places_of_strains() const {
+std::vector<PetscInt> ElasticOperator<dim>::natural_indices_of_strains() const {
   const auto& cells = nodes_.cells();
   const auto in_row = static_cast<std::size_t>(cells.size().front());
-  std::vector<PetscInt> places(first_strain_.back());
+  std::vector<PetscInt> indices(first_strain_.back());
   auto row = first_strain_of_row_.size();
   PetscInt next = 0;
-  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
+  for_mixed_cells([&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
     const auto row_of_cell = cells.place_of(cell) / in_row;
     if (row_of_cell != row) next = first_strain_of_row_[row_of_cell];
     row = row_of_cell;
-    const auto own = std::span(places).subspan(place, static_cast<std::size_t>(mixed.unknowns()));
+    const auto own = std::span(indices).subspan(index, static_cast<std::size_t>(mixed.unknowns()));
     std::iota(own.begin(), own.end(), next);
     next += static_cast<PetscInt>(mixed.unknowns());
   });
-  return places;
+  return indices;
 }
 
 template <int dim>

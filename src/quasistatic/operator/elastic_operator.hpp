@@ -13,10 +13,10 @@
 
 #include "operator/cell_sweep.hpp"
 #include "operator/displacement.hpp"
+#include "operator/halo_field.hpp"
 #include "operator/mixed_cell.hpp"
 #include "operator/natural_order.hpp"
 #include "operator/node_layout.hpp"
-#include "operator/seen_field.hpp"
 
 namespace breccia::quasistatic {
 
@@ -75,7 +75,7 @@ class ElasticOperator {
 
   /// Number of planes of cells of this process along the last axis.
   [[nodiscard]] int planes() const noexcept { return static_cast<int>(first_strain_.size()) - 1; }
-  /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of some of these planes.
+  /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of some of these planes.
   template <class Action>
   void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
   /// What the cells of each kind hold if they are mixed ones.
@@ -107,8 +107,8 @@ class ElasticOperator {
 
   void find_kinds(const Discretisation<dim>& discretisation);
   void find_first_strains();
-  [[nodiscard]] std::vector<PetscInt> natural_places_of_strains() const;
-  /// Calls action(cell, mixed cell, place of its first unknown strain) for the mixed cells of this process.
+  [[nodiscard]] std::vector<PetscInt> natural_indices_of_strains() const;
+  /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
   /// Work on the macroscopic part, and nodal forces.
@@ -132,7 +132,7 @@ class ElasticOperator {
       requires(space == 3);
   template <int space = dim>
   void add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement, const CellSweep& sweep,
-                        const SeenField& moved, SeenField& exerted, Vec on_phase_strains) const requires(space == 3);
+                        const HaloField& moved, HaloField& exerted, Vec on_phase_strains) const requires(space == 3);
 
   NodeLayout<dim> nodes_;
   Volumetric volumetric_;
@@ -152,12 +152,12 @@ void ElasticOperator<dim>::for_mixed_cells_of_planes(int first_plane, int end_pl
   auto [from, to] = nodes_.cells();
   to.back() = from.back() + end_plane;
   from.back() += first_plane;
-  auto place = first_strain_[static_cast<std::size_t>(first_plane)];
+  auto index = first_strain_[static_cast<std::size_t>(first_plane)];
   for_each_index(from, to, [&](const Index<dim>& cell) {
     const auto* mixed = mixed_cell(cell);
     if (mixed == nullptr) return;
-    action(cell, *mixed, place);
-    place += static_cast<std::size_t>(mixed->unknowns());
+    action(cell, *mixed, index);
+    index += static_cast<std::size_t>(mixed->unknowns());
   });
 }
 

@@ -80,9 +80,9 @@ Eigen::VectorXd MixedCell<dim>::strains_under(std::span<const Moduli> moduli, co
       of_modes<dim>(series_moduli<dim>(mixture_, moduli)).cwiseProduct(strain) - stress_relieved_by(moduli, forces);
   Eigen::VectorXd strains(unknowns());
   for (std::size_t k = 1; k < mixture_.size(); ++k) {
-    const auto place = Shape::modes * (static_cast<Eigen::Index>(k) - 1);
-    strains.segment<Shape::modes>(place) =
-        (stress + forces.template segment<Shape::modes>(place) / mixture_[k].fraction)
+    const auto index = Shape::modes * (static_cast<Eigen::Index>(k) - 1);
+    strains.segment<Shape::modes>(index) =
+        (stress + forces.template segment<Shape::modes>(index) / mixture_[k].fraction)
             .cwiseQuotient(of_modes<dim>(moduli[mixture_[k].phase]));
   }
   return strains;

@@ -39,7 +39,7 @@ class MixedCell {
 
   /// The strains of all phases where they are the strain of the cell.
   [[nodiscard]] Eigen::VectorXd uniform(const Modes& strain) const;
-  /// The strain of the phase at a place in the mixture, from the strain of the cell and the unknown strains.
+  /// The strain of the phase at an index in the mixture, from the strain of the cell and the unknown strains.
   [[nodiscard]] Modes strain_of(std::size_t part, const Modes& strain, const Strains& unknown) const;
   /// The stress conjugate to the strain of the cell, and the forces conjugate to the unknown strains, for the moduli
   /// [Pa] of the phases.

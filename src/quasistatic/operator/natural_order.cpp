@@ -10,12 +10,12 @@
 namespace breccia::quasistatic {
 namespace {
 
-constexpr const char* what = "ordering the values of all processes";
+constexpr const char* ordering = "ordering the values of all processes";
 
 /// The values of a process that has them all.
-parallel::OrderedPlaces all_places(Vec vector) {
+parallel::OrderedPlaces all_indices(Vec vector) {
   PetscInt length = 0;
-  check(VecGetLocalSize(vector, &length), what);
+  check(VecGetLocalSize(vector, &length), ordering);
   return parallel::consecutive_places(0, static_cast<std::size_t>(length));
 }
 
@@ -24,24 +24,24 @@ struct NodeBox {
   std::array<std::size_t, 3> begin{}, size{}, all{};
   std::size_t components = 0;
 
-  [[nodiscard]] std::size_t place_of(std::size_t value) const noexcept {
-    auto node = value / components, place = std::size_t{0}, before = std::size_t{1};
+  [[nodiscard]] std::size_t index_of(std::size_t value) const noexcept {
+    auto node = value / components, index = std::size_t{0}, before = std::size_t{1};
     for (std::size_t axis = 0; axis < size.size(); ++axis) {
-      place += before * (begin[axis] + node % size[axis]);
+      index += before * (begin[axis] + node % size[axis]);
       before *= all[axis];
       node /= size[axis];
     }
-    return components * place + value % components;
+    return components * index + value % components;
   }
 };
 
 NodeBox box_of(DM grid) {
   std::array<PetscInt, 3> begin{}, size{}, all{};
   PetscInt components = 0;
-  check(DMDAGetCorners(grid, &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]), what);
+  check(DMDAGetCorners(grid, &begin[0], &begin[1], &begin[2], &size[0], &size[1], &size[2]), ordering);
   check(DMDAGetInfo(grid, nullptr, &all[0], &all[1], &all[2], nullptr, nullptr, nullptr, &components, nullptr, nullptr,
                     nullptr, nullptr, nullptr),
-        what);
+        ordering);
   NodeBox box = {.components = static_cast<std::size_t>(components)};
   for (std::size_t axis = 0; axis < begin.size(); ++axis) {
     box.begin[axis] = static_cast<std::size_t>(begin[axis]);
@@ -51,55 +51,57 @@ NodeBox box_of(DM grid) {
   return box;
 }
 
-/// The places of the values of this process in the natural order, as PETSc keeps them.
-class Places {
+/// The indices of the values of this process in the natural order, as PETSc keeps them.
+class NaturalIndices {
  public:
-  explicit Places(ISLocalToGlobalMapping mapping) : mapping_(mapping) {
-    check(ISLocalToGlobalMappingGetIndices(mapping_, &places_), what);
+  explicit NaturalIndices(ISLocalToGlobalMapping mapping) : mapping_(mapping) {
+    check(ISLocalToGlobalMappingGetIndices(mapping_, &indices_), ordering);
   }
-  Places(const Places&) = delete;
-  Places& operator=(const Places&) = delete;
-  Places(Places&&) = delete;
-  Places& operator=(Places&&) = delete;
-  ~Places() { ISLocalToGlobalMappingRestoreIndices(mapping_, &places_); }
+  NaturalIndices(const NaturalIndices&) = delete;
+  NaturalIndices& operator=(const NaturalIndices&) = delete;
+  NaturalIndices(NaturalIndices&&) = delete;
+  NaturalIndices& operator=(NaturalIndices&&) = delete;
+  ~NaturalIndices() { ISLocalToGlobalMappingRestoreIndices(mapping_, &indices_); }
 
   [[nodiscard]] std::size_t operator[](std::size_t value) const noexcept {
-    return static_cast<std::size_t>(places_[value]);
+    return static_cast<std::size_t>(indices_[value]);
   }
 
  private:
   ISLocalToGlobalMapping mapping_;
-  const PetscInt* places_ = nullptr;
+  const PetscInt* indices_ = nullptr;
 };
 
 }  // namespace
 
-parallel::OrderedPlaces natural_places_of_nodes(Vec nodal) {
-  if (parallel::ranks() == 1) return all_places(nodal);
+parallel::OrderedPlaces natural_indices_of_nodes(Vec nodal) {
+  if (parallel::ranks() == 1) return all_indices(nodal);
   DM grid = nullptr;
-  check(VecGetDM(nodal, &grid), what);
+  check(VecGetDM(nodal, &grid), ordering);
   if (grid == nullptr) throw std::logic_error("a nodal vector without its grid");
-  auto places = all_places(nodal);
-  places.place_of = [box = box_of(grid)](std::size_t value) { return box.place_of(value); };
-  return places;
+  auto indices = all_indices(nodal);
+  indices.place_of = [box = box_of(grid)](std::size_t value) { return box.index_of(value); };
+  return indices;
 }
 
-void set_natural_places(const std::vector<PetscInt>& places, Vec vector) {
+void set_natural_indices(const std::vector<PetscInt>& indices, Vec vector) {
   ISLocalToGlobalMapping mapping = nullptr;
-  check(ISLocalToGlobalMappingCreate(PETSC_COMM_WORLD, 1, static_cast<PetscInt>(places.size()), places.data(),
+  check(ISLocalToGlobalMappingCreate(PETSC_COMM_WORLD, 1, static_cast<PetscInt>(indices.size()), indices.data(),
                                      PETSC_COPY_VALUES, &mapping),
-        what);
-  check(VecSetLocalToGlobalMapping(vector, mapping), what);
-  check(ISLocalToGlobalMappingDestroy(&mapping), what);
+        ordering);
+  check(VecSetLocalToGlobalMapping(vector, mapping), ordering);
+  check(ISLocalToGlobalMappingDestroy(&mapping), ordering);
 }
 
-parallel::OrderedPlaces natural_places(Vec vector) {
+parallel::OrderedPlaces natural_indices(Vec vector) {
   ISLocalToGlobalMapping mapping = nullptr;
-  check(VecGetLocalToGlobalMapping(vector, &mapping), what);
-  auto places = all_places(vector);
-  if (mapping == nullptr) return places;
-  places.place_of = [known = std::make_shared<const Places>(mapping)](std::size_t value) { return (*known)[value]; };
-  return places;
+  check(VecGetLocalToGlobalMapping(vector, &mapping), ordering);
+  auto indices = all_indices(vector);
+  if (mapping == nullptr) return indices;
+  indices.place_of = [known = std::make_shared<const NaturalIndices>(mapping)](std::size_t value) {
+    return (*known)[value];
+  };
+  return indices;
 }
 
 }  // namespace breccia::quasistatic

@@ -11,14 +11,14 @@ namespace breccia::quasistatic {
 // The natural order of the values of a distributed vector is that of the nodes or cells in the box, the first axis
 // fastest, whatever the number of processes.
 
-/// Places of the values of this process in a nodal vector. The vector must outlive them.
-[[nodiscard]] parallel::OrderedPlaces natural_places_of_nodes(Vec nodal);
+/// Indices of the values of this process in a nodal vector. The vector must outlive them.
+[[nodiscard]] parallel::OrderedPlaces natural_indices_of_nodes(Vec nodal);
 
-/// Gives a vector, and its duplicates, the places of the values of this process in the natural order. They are kept as
+/// Gives a vector, and its duplicates, the indices of the values of this process in the natural order. They are kept as
 /// the mapping from local to global numbers, so values must not be set by these.
-void set_natural_places(const std::vector<PetscInt>& places, Vec vector);
-/// Places of the values of this process in a vector with such places, or on one process without them. The vector must
+void set_natural_indices(const std::vector<PetscInt>& indices, Vec vector);
+/// Indices of the values of this process in a vector with such indices, or on one process without them. The vector must
 /// outlive them.
-[[nodiscard]] parallel::OrderedPlaces natural_places(Vec vector);
+[[nodiscard]] parallel::OrderedPlaces natural_indices(Vec vector);
 
 }  // namespace breccia::quasistatic

@@ -11,14 +11,14 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Number of a place in a box of places, the first axis fastest.
+/// Number of a cell or node in a box, the first axis fastest.
 template <int dim>
-int place_in(const Index<dim>& index, const Index<dim>& begin, const Index<dim>& end) noexcept {
-  int place = 0;
+int number_in(const Index<dim>& index, const Index<dim>& begin, const Index<dim>& end) noexcept {
+  int number = 0;
   for (std::size_t axis = index.size(); axis-- > 0;) {
-    place = place * (end[axis] - begin[axis]) + index[axis] - begin[axis];
+    number = number * (end[axis] - begin[axis]) + index[axis] - begin[axis];
   }
-  return place;
+  return number;
 }
 
 template <int dim>
@@ -65,12 +65,12 @@ NodeLayout<dim>::NodeLayout(const Grid<dim>& grid, Boundary boundary) : grid_(gr
   for (std::size_t axis = 0; axis < dim; ++axis) cells_.end[axis] = std::min(owned_.end[axis], grid_.cells[axis]);
   for (int node = 0; node < Shape::nodes; ++node) {
     offsets_[static_cast<std::size_t>(node)] =
-        place_in<dim>(sum<dim>(seen_.begin, Shape::corner(node)), seen_.begin, seen_.end);
+        number_in<dim>(sum<dim>(seen_.begin, Shape::corner(node)), seen_.begin, seen_.end);
   }
-  std::size_t place = 0;
+  std::size_t index = 0;
   for_each_index(owned_.begin, owned_.end, [&](const Index<dim>& node) {
-    for (int component = 0; component < dim; ++component, ++place) {
-      if (is_held(node, component)) held_.push_back(place);
+    for (int component = 0; component < dim; ++component, ++index) {
+      if (is_held(node, component)) held_.push_back(index);
     }
   });
 }
@@ -171,9 +171,9 @@ template <int dim>
 typename NodeLayout<dim>::CellValues NodeLayout<dim>::held_mask(const Index<dim>& cell) const noexcept {
   CellValues free;
   for (int node = 0; node < Shape::nodes; ++node) {
-    const auto place = sum<dim>(cell, Shape::corner(node));
+    const auto corner = sum<dim>(cell, Shape::corner(node));
     for (int component = 0; component < dim; ++component) {
-      free[dim * node + component] = is_held(place, component) ? 0.0 : 1.0;
+      free[dim * node + component] = is_held(corner, component) ? 0.0 : 1.0;
     }
   }
   return free;
@@ -231,15 +231,15 @@ template <class Action>
 void NodeLayout<dim>::for_seen_nodes(const Action& action) const {
   std::size_t in_local = 0;
   for_each_index(seen_.begin, seen_.end, [&](const Index<dim>& node) {
-    action(in_local, nodal_place_of(node));
+    action(in_local, nodal_index_of(node));
     in_local += dim;
   });
 }
 
-/// Place of the lowest node of a cell among the nodes that this process sees.
+/// Index of the lowest node of a cell among the nodes that this process sees.
 template <int dim>
 int NodeLayout<dim>::lowest_node_of(const Index<dim>& cell) const noexcept {
-  return place_in<dim>(cell, seen_.begin, seen_.end);
+  return number_in<dim>(cell, seen_.begin, seen_.end);
 }
 
 // The nodes of a cell come in pairs that are neighbours along the first axis.
@@ -257,30 +257,31 @@ typename NodeLayout<dim>::CellValues NodeLayout<dim>::cell_values(const Index<di
 }
 
 template <int dim>
-std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::places_of(const Index<dim>& cell) const noexcept {
-  std::array<std::size_t, Shape::nodes> places{};
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    places[n] = static_cast<std::size_t>(dim * (lowest_node_of(cell) + offsets_[n]));
+std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::indices_of(const Index<dim>& cell) const noexcept {
+  std::array<std::size_t, Shape::nodes> indices{};
+  for (std::size_t n = 0; n < indices.size(); ++n) {
+    indices[n] = static_cast<std::size_t>(dim * (lowest_node_of(cell) + offsets_[n]));
   }
-  return places;
+  return indices;
 }
 
 template <int dim>
-std::size_t NodeLayout<dim>::nodal_place_of(Index<dim> node) const noexcept {
+std::size_t NodeLayout<dim>::nodal_index_of(Index<dim> node) const noexcept {
   for (std::size_t axis = 0; axis < dim; ++axis) {
     if (node[axis] < 0) node[axis] += owned_.end[axis];
     if (node[axis] >= owned_.end[axis]) node[axis] -= owned_.end[axis];
   }
-  return static_cast<std::size_t>(dim * place_in<dim>(node, owned_.begin, owned_.end));
+  return static_cast<std::size_t>(dim * number_in<dim>(node, owned_.begin, owned_.end));
 }
 
 template <int dim>
-std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_places_of(const Index<dim>& cell) const noexcept {
-  std::array<std::size_t, Shape::nodes> places{};
-  for (std::size_t n = 0; n < places.size(); ++n) {
-    places[n] = nodal_place_of(sum<dim>(cell, Shape::corner(static_cast<int>(n))));
+std::array<std::size_t, CellShape<dim>::nodes> NodeLayout<dim>::nodal_indices_of(
+    const Index<dim>& cell) const noexcept {
+  std::array<std::size_t, Shape::nodes> indices{};
+  for (std::size_t n = 0; n < indices.size(); ++n) {
+    indices[n] = nodal_index_of(sum<dim>(cell, Shape::corner(static_cast<int>(n))));
   }
-  return places;
+  return indices;
 }
 
 template <int dim>
@@ -309,7 +310,7 @@ void NodeLayout<dim>::sum_up(Vec local, Vec nodal) const {
 template <int dim>
 void NodeLayout<dim>::hold(Vec nodal) const {
   const WriteValues values(nodal);
-  for (const auto place : held_) values.data()[place] = 0.0;
+  for (const auto index : held_) values.data()[index] = 0.0;
 }
 
 template <int dim>

@@ -67,13 +67,13 @@ class NodeLayout {
   [[nodiscard]] NodalVector local_copy(Vec nodal) const;
   /// The values at the nodes of a cell, from those with the nodes of neighbouring processes.
   [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const double* local) const noexcept;
-  /// Places of the first components of the nodes of a cell among the values with the nodes of neighbouring processes.
-  [[nodiscard]] std::array<std::size_t, Shape::nodes> places_of(const Index<dim>& cell) const noexcept;
+  /// Indices of the first components of the nodes of a cell among the values with the nodes of neighbouring processes.
+  [[nodiscard]] std::array<std::size_t, Shape::nodes> indices_of(const Index<dim>& cell) const noexcept;
   /// The same in a nodal vector of a single process.
-  [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_places_of(const Index<dim>& cell) const noexcept;
-  /// Place of the first component of a node that a single process sees, in a nodal vector: the nodes before the first
+  [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_indices_of(const Index<dim>& cell) const noexcept;
+  /// Index of the first component of a node that a single process sees, in a nodal vector: the nodes before the first
   /// ones of a periodic box are its last ones, those behind the last ones its first.
-  [[nodiscard]] std::size_t nodal_place_of(Index<dim> node) const noexcept;
+  [[nodiscard]] std::size_t nodal_index_of(Index<dim> node) const noexcept;
   /// Adds to the values at the nodes of a cell, among those with the nodes of neighbouring processes.
   void add_to_cell(const Index<dim>& cell, const CellValues& values, double* local) const noexcept;
   /// Adds what all processes have in such vectors to a nodal vector, and sets its held components to zero.
@@ -95,7 +95,7 @@ class NodeLayout {
   [[nodiscard]] NodeGrid distributed() const;
   void find_ranges_of_distributed();
   void find_ranges_of_whole_box() noexcept;
-  /// Calls action(place in a local vector, place in a nodal vector) for the nodes that a single process sees.
+  /// Calls action(index in a local vector, index in a nodal vector) for the nodes that a single process sees.
   template <class Action>
   void for_seen_nodes(const Action& action) const;
   [[nodiscard]] int lowest_node_of(const Index<dim>& cell) const noexcept;
@@ -107,8 +107,8 @@ class NodeLayout {
   Range cells_;     ///< cells whose lowest node belongs to this process
   Range seen_;      ///< nodes of this process and their neighbours
   std::array<int, std::size_t{1} << dim>
-      offsets_{};                  ///< places of the nodes of a cell among those seen, from the lowest
-  std::vector<std::size_t> held_;  ///< places of the held components among those of this process
+      offsets_{};                  ///< indices of the nodes of a cell among those seen, from the lowest
+  std::vector<std::size_t> held_;  ///< indices of the held components among those of this process
 };
 
 extern template class NodeLayout<2>;

@@ -41,10 +41,10 @@ class NodalDisplacement {
     return u;
   }
 
-  /// The strain of a phase of a mixed cell whose first unknown strain is at a place.
+  /// The strain of a phase of a mixed cell whose first unknown strain is at an index.
   [[nodiscard]] typename Shape::ModeValues of_part(const Index<dim>& cell, const MixedCell<dim>& mixed,
-                                                   std::size_t place, std::size_t part) const {
-    return mixed.strain_of(part, modes_ * of_cell(cell), phase_strains_.range(place, mixed.unknowns()));
+                                                   std::size_t index, std::size_t part) const {
+    return mixed.strain_of(part, modes_ * of_cell(cell), phase_strains_.range(index, mixed.unknowns()));
   }
 
  private:
@@ -77,7 +77,7 @@ auto stress_of(const typename CellShape<dim>::StrainVector& shear, double pressu
 
 /// Stress of each point of a mixed cell: the mean over its phases, which are in series.
 template <int dim>
-auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place,
+auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index,
                   const std::vector<AppliedToNodes<dim>>& by_material,
                   const typename CellShape<dim>::PointDeviators& point_deviators) {
   using Shape = CellShape<dim>;
@@ -85,8 +85,8 @@ auto mixed_stress(const Index<dim>& cell, const MixedCell<dim>& mixed, std::size
   double bulk = 0.0;
   for (std::size_t part = 0; part < mixed.mixture().size(); ++part) {
     const auto& [phase, fraction] = mixed.mixture()[part];
-    shear += fraction * by_material[phase].shear.of_part(cell, mixed, place, part);
-    bulk += fraction * by_material[phase].bulk.of_part(cell, mixed, place, part)[Shape::modes - 1];
+    shear += fraction * by_material[phase].shear.of_part(cell, mixed, index, part);
+    bulk += fraction * by_material[phase].bulk.of_part(cell, mixed, index, part)[Shape::modes - 1];
   }
   const double dilatational = dilatational_modulus<dim>({.bulk = bulk, .shear = shear[Shape::modes - 1]});
   const Eigen::Matrix<double, Shape::points * Shape::deviators, 1> deviators =
@@ -128,7 +128,7 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
     const auto strain_matrix = Shape::strain_matrix(p, volumetric);
     const auto volume = Shape::volumetric_strain_matrix(p, volumetric);
     for_each_index(cells.begin, cells.end, [&](const Index<dim>& cell) {
-      const auto place = place_in_timed_fields(cells, cell, p);
+      const auto index = place_in_timed_fields(cells, cell, p);
       const auto u = moved.of_cell(cell);
       Vector<dim> of_point{};
       for (std::size_t node = 0; node < weights.size(); ++node) {
@@ -136,23 +136,23 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
           of_point[i] += grid.cell_side * weights[node] * u[static_cast<Eigen::Index>(dim * node + i)];
         }
       }
-      put_in_timed_fields<dim>(of_point, fields.displacement[place]);
+      put_in_timed_fields<dim>(of_point, fields.displacement[index]);
       const typename Shape::StrainVector strain = strain_matrix * u;
       typename decltype(LatticeFields<dim>::strain)::value_type tensor{};
       for (std::size_t i = 0; i < tensor.size(); ++i) {
         tensor[i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
       }
-      put_in_timed_fields<dim>(tensor, fields.strain[place]);
+      put_in_timed_fields<dim>(tensor, fields.strain[index]);
       if (elastic_operator.mixed_cell(cell) != nullptr) return;
       const auto& [bulk, shear] = by_material[discretisation.cell(cell)[static_cast<std::size_t>(p)]];
       put_in_timed_fields<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
-                               fields.stress[place]);
+                               fields.stress[index]);
     });
   }
   const auto point_deviators = Shape::point_deviators();
   elastic_operator.for_mixed_cells_of_planes(
-      0, elastic_operator.planes(), [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t place) {
-        const auto stresses = mixed_stress<dim>(cell, mixed, place, by_material, point_deviators);
+      0, elastic_operator.planes(), [&](const Index<dim>& cell, const MixedCell<dim>& mixed, std::size_t index) {
+        const auto stresses = mixed_stress<dim>(cell, mixed, index, by_material, point_deviators);
         for (int p = 0; p < Shape::points; ++p) {
           put_in_timed_fields<dim>(stresses[static_cast<std::size_t>(p)],
                                    fields.stress[place_in_timed_fields(cells, cell, p)]);

@@ -24,9 +24,9 @@ class ReadValues {
   }
 
   [[nodiscard]] const double* data() const noexcept { return data_; }
-  /// `count` values, beginning at a place.
-  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
-    return {data_ + place, count};
+  /// `count` values, beginning at an index.
+  [[nodiscard]] Eigen::Map<const Eigen::VectorXd> range(std::size_t index, Eigen::Index count) const noexcept {
+    return {data_ + index, count};
   }
 
  private:
@@ -47,9 +47,9 @@ class WriteValues {
   ~WriteValues() { VecRestoreArray(vector_, &data_); }
 
   [[nodiscard]] double* data() const noexcept { return data_; }
-  /// `count` values, beginning at a place.
-  [[nodiscard]] Eigen::Map<Eigen::VectorXd> range(std::size_t place, Eigen::Index count) const noexcept {
-    return {data_ + place, count};
+  /// `count` values, beginning at an index.
+  [[nodiscard]] Eigen::Map<Eigen::VectorXd> range(std::size_t index, Eigen::Index count) const noexcept {
+    return {data_ + index, count};
   }
 
  private:

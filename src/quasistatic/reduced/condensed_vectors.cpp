@@ -49,14 +49,14 @@ class CondensedVectors::ValuesAtNodes {
 
   /// The displacements of the nodes of a cell, a column for each vector.
   void find(const Index<3>& cell, ValuesOfCell& of_cell) const {
-    const auto places = is_alone_ ? nodes_->nodal_places_of(cell) : nodes_->places_of(cell);
+    const auto indices = is_alone_ ? nodes_->nodal_indices_of(cell) : nodes_->indices_of(cell);
     for (std::size_t i = 0; i < vectors_.size(); ++i) {
       const auto& [macroscopic, values] = vectors_[i];
       auto column = of_cell.col(static_cast<Eigen::Index>(i));
       column = macroscopic * affine_;
       if (values == nullptr) continue;
-      for (std::size_t n = 0; n < places.size(); ++n) {
-        column.segment<3>(static_cast<Eigen::Index>(3 * n)) += Eigen::Map<const Eigen::Vector3d>(values + places[n]);
+      for (std::size_t n = 0; n < indices.size(); ++n) {
+        column.segment<3>(static_cast<Eigen::Index>(3 * n)) += Eigen::Map<const Eigen::Vector3d>(values + indices[n]);
       }
     }
   }
@@ -186,14 +186,14 @@ void CondensedVectors::add(Displacement vector, VectorOrigin origin) {
   vectors_.push_back({std::move(displacement), std::move(origin), std::move(shares)});
 }
 
-Displacement CondensedVectors::at(std::size_t place) const {
-  auto without = without_strains(vectors_[place].displacement);
+Displacement CondensedVectors::at(std::size_t index) const {
+  auto without = without_strains(vectors_[index].displacement);
   const bool fluctuates = length_of(without.fluctuation()) > 0;
   Displacement vector(without.macroscopic(),
                       fluctuates ? without.take_fluctuation() : elastic_operator_->nodes().zeros(),
                       elastic_operator_->zero_strains_of_phases());
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(place) + 1);
-  weights[static_cast<Eigen::Index>(place)] = 1.0;
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(index) + 1);
+  weights[static_cast<Eigen::Index>(index)] = 1.0;
   add_phase_strains(weights, vector.phase_strains());
   return vector;
 }

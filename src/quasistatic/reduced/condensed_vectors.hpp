@@ -27,7 +27,7 @@ class CondensedVectors {
 
   [[nodiscard]] std::size_t size() const noexcept { return vectors_.size(); }
   /// Shares its fluctuation with the basis, so it must not be changed.
-  [[nodiscard]] Displacement at(std::size_t place) const;
+  [[nodiscard]] Displacement at(std::size_t index) const;
   void add(Displacement vector, VectorOrigin origin);
 
   /// The work of forces on each of the vectors.
@@ -54,7 +54,7 @@ class CondensedVectors {
   /// Where the strains of the phases of a mixed cell are among those of all.
   struct MixedStrains {
     std::uint32_t kind;  ///< of the cell
-    std::size_t first;   ///< place
+    std::size_t first;   ///< index
   };
 
   class ValuesAtNodes;

@@ -17,8 +17,8 @@ std::vector<const PronySeries*> series_of_parts(const ReducedResponse& response,
   }
   std::vector<const PronySeries*> series;
   for (const auto& [parameter, stiffness] : response.parts) {
-    const auto place = std::ranges::find(names, parameter.phase) - names.begin();
-    const auto& material = of_phases[static_cast<std::size_t>(place)];
+    const auto index = std::ranges::find(names, parameter.phase) - names.begin();
+    const auto& material = of_phases[static_cast<std::size_t>(index)];
     series.push_back(parameter.modulus == ElasticModulus::shear ? &material.shear : &material.bulk);
   }
   return series;

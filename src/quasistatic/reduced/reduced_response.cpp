@@ -54,7 +54,7 @@ PronySeries combined(double p, double q, const PronySeries& series) {
   return {p + q * series.equilibrium(), std::move(terms)};
 }
 
-/// Place of the part whose modulus is the only one that relaxes, where that is a shear modulus. Where no modulus
+/// Index of the part whose modulus is the only one that relaxes, where that is a shear modulus. Where no modulus
 /// relaxes, any shear modulus can be taken as the one that does.
 std::optional<std::size_t> only_relaxing_shear(const ReducedResponse& response,
                                                const std::vector<const PronySeries*>& series) {
@@ -71,6 +71,9 @@ std::optional<std::size_t> only_relaxing_shear(const ReducedResponse& response,
 /// Where a single shear modulus relaxes, the compliance is a sum of simple poles in it (theory, Eq. 19).
 CreepCompliance sum_of_poles(const ReducedResponse& response, std::size_t relaxing,
                              const std::vector<const PronySeries*>& series) {
+  if (response.snapshots.empty()) {
+    throw InputError("reduced response: it has no snapshot; expected the moduli for which its basis is orthonormal");
+  }
   Eigen::MatrixXd fixed = response.constant;
   for (std::size_t i = 0; i < series.size(); ++i) {
     if (i != relaxing) fixed += series[i]->equilibrium() * response.parts[i].stiffness;
@@ -126,8 +129,8 @@ std::vector<double> ReducedResponse::parameters(std::span<const Moduli> of_phase
   std::vector<double> parameters;
   parameters.reserve(parts.size());
   for (const auto& [parameter, stiffness] : parts) {
-    const auto place = std::ranges::find(names, parameter.phase) - names.begin();
-    const auto& [bulk, shear] = of_phases[static_cast<std::size_t>(place)];
+    const auto index = std::ranges::find(names, parameter.phase) - names.begin();
+    const auto& [bulk, shear] = of_phases[static_cast<std::size_t>(index)];
     parameters.push_back(parameter.modulus == ElasticModulus::shear ? shear : bulk);
   }
   return parameters;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "breccia/checkpoint/enumeration.hpp"
+
 namespace breccia {
 namespace {
 
@@ -52,8 +54,8 @@ void save(StateWriter& state, const std::string& group, const ReducedResponse& r
 
 ReducedResponse read_response(const StateReader& state, const std::string& group) {
   ReducedResponse response;
-  response.load = static_cast<Load>(state.integer(group + "/load"));
-  response.boundary = static_cast<Boundary>(state.integer(group + "/boundary"));
+  response.load = read_enumeration<Load>(state, group + "/load");
+  response.boundary = read_enumeration<Boundary>(state, group + "/boundary");
   const auto forces = state.numbers(group + "/load_forces");
   const auto size = forces.size();
   response.load_forces = Eigen::Map<const Eigen::VectorXd>(forces.data(), static_cast<Eigen::Index>(size));
@@ -61,9 +63,8 @@ ReducedResponse read_response(const StateReader& state, const std::string& group
   const auto parts = state.integer(group + "/parts");
   for (std::int64_t i = 0; i < parts; ++i) {
     const auto part = fmt::format("{}/part/{}", group, i);
-    response.parts.push_back(
-        {{state.text(part + "/phase"), static_cast<ElasticModulus>(state.integer(part + "/modulus"))},
-         read_square(state, part + "/stiffness", size)});
+    response.parts.push_back({{state.text(part + "/phase"), read_enumeration<ElasticModulus>(state, part + "/modulus")},
+                              read_square(state, part + "/stiffness", size)});
   }
   response.residual_products = read_square(state, group + "/residual_products", (response.parts.size() + 1) * size + 1);
   response.residual_scale = state.number(group + "/residual_scale");

@@ -24,7 +24,7 @@ ModuliRange empty_range() {
   return {{infinite, infinite}, {-infinite, -infinite}};
 }
 
-/// Moduli of the phase at a place in the list of those that vary for which a response can be used.
+/// Moduli of the phase at an index in the list of those that vary for which a response can be used.
 ModuliRange usable_range(const ReducedResponse& response, std::size_t phase) {
   auto range = empty_range();
   for (const auto& snapshot : response.snapshots) widen(range, snapshot.moduli[phase]);

@@ -10,9 +10,9 @@
 
 #include "operator/block_division.hpp"
 #include "operator/plane_division.hpp"
-#include "solvers/assembled_solver.hpp"
-#include "solvers/lattice_solver.hpp"
-#include "solvers/substructuring_solver.hpp"
+#include "solvers/direct/assembled_solver.hpp"
+#include "solvers/lattice/lattice_solver.hpp"
+#include "solvers/substructuring/substructuring_solver.hpp"
 
 namespace breccia::quasistatic {
 

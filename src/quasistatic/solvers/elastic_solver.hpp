@@ -45,7 +45,7 @@ class ElasticSolver {
 
  protected:
   /// How an iteration ended.
-  struct End {
+  struct Convergence {
     bool is_converged;
     double residual;  ///< in the Euclidean norm
   };
@@ -67,7 +67,7 @@ class ElasticSolver {
  private:
   virtual void update_stiffness(std::span<const Moduli> moduli) = 0;
   /// Finds the fluctuation of a displacement for these nodal forces, whose memory may be given back.
-  virtual End iterate(NodalVector on_nodes, Displacement& displacement) = 0;
+  virtual Convergence iterate(NodalVector on_nodes, Displacement& displacement) = 0;
 
   const ElasticOperator<dim>* elastic_operator_;
   double tolerance_;

@@ -10,12 +10,12 @@ namespace {
 /// Relative errors of the fine run. The method is of second order, so the error of the fine run is a third of its
 /// difference to the coarse run. A time between two times of the coarse run takes the larger of their estimates.
 std::vector<double> error_estimates(const std::vector<double>& fine, const std::vector<double>& coarse,
-                                    const std::vector<std::size_t>& places) {
+                                    const std::vector<std::size_t>& indices) {
   std::vector<double> errors(fine.size(), 0.0);
-  for (std::size_t c = 0; c < places.size(); ++c) {
-    const double error = std::abs(coarse[c] / fine[places[c]] - 1.0) / 3.0;
-    const std::size_t before = c == 0 ? 0 : places[c - 1] + 1;
-    const std::size_t behind = c + 1 == places.size() ? fine.size() : places[c + 1];
+  for (std::size_t c = 0; c < indices.size(); ++c) {
+    const double error = std::abs(coarse[c] / fine[indices[c]] - 1.0) / 3.0;
+    const std::size_t before = c == 0 ? 0 : indices[c - 1] + 1;
+    const std::size_t behind = c + 1 == indices.size() ? fine.size() : indices[c + 1];
     for (std::size_t i = before; i < behind; ++i) errors[i] = std::max(errors[i], error);
   }
   return errors;
@@ -30,17 +30,17 @@ std::vector<std::size_t> every_other(std::size_t count) {
   return coarse;
 }
 
-std::vector<double> at_places(std::span<const double> values, const std::vector<std::size_t>& places) {
+std::vector<double> at_indices(std::span<const double> values, const std::vector<std::size_t>& indices) {
   std::vector<double> chosen;
-  chosen.reserve(places.size());
-  for (const auto place : places) chosen.push_back(values[place]);
+  chosen.reserve(indices.size());
+  for (const auto index : indices) chosen.push_back(values[index]);
   return chosen;
 }
 
 SteppedResponse stepped_response(Load load, const std::vector<double>& fine, const std::vector<double>& coarse,
-                                 const std::vector<std::size_t>& places) {
+                                 const std::vector<std::size_t>& indices) {
   const std::vector values(fine.begin() + 1, fine.end());
-  return {load, fine.front(), values, error_estimates(values, {coarse.begin() + 1, coarse.end()}, places)};
+  return {load, fine.front(), values, error_estimates(values, {coarse.begin() + 1, coarse.end()}, indices)};
 }
 
 void require_steps(std::span<const Load> loads, std::span<const double> times) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <petscvec.h>
+
+#include "solvers/lattice/nodal_field.hpp"
+#include "solvers/lattice/plane_exchange.hpp"
+
+namespace breccia::quasistatic {
+
+/// What the boundary condition of a box asks of the fields of its lattice. NodeLayout holds single components of a
+/// periodic or free box at zero, to suppress its rigid motions. On a lattice no component of such a box is held: forces
+/// are completed by those that balance them, and the rigid motion is taken away at the end. Displacement boundaries
+/// hold the nodes on the walls.
+class LatticeBoundary {
+ public:
+  explicit LatticeBoundary(const NodeLattice& lattice) : lattice_(lattice), exchange_(lattice) {}
+
+  /// Nodal values, the components of one node after those of the other, as a field, and back.
+  void read(Vec nodal, NodalField& field) const;
+  void write(const NodalField& field, Vec nodal) const;
+
+  /// Adds the forces on held components that balance all others.
+  void balance(NodalField& forces) const;
+  /// Takes the rigid motion away that moves held components.
+  void settle(NodalField& displacement) const;
+
+  /// Repeats the first nodes of the rows of a periodic box behind the last ones, and takes the plane of the process
+  /// above.
+  void repeat_first_nodes(NodalField& displacement) const;
+  /// Adds the forces on those to the first nodes, gives those on the plane above to its process, and takes the forces
+  /// on held walls away.
+  void collect(NodalField& forces);
+
+ private:
+  /// Has this process the lowest plane, with the held corners?
+  [[nodiscard]] bool has_corners() const noexcept { return lattice_.first_plane == 0; }
+  /// Index of a node of this process; its third index counts from the first plane of the process.
+  [[nodiscard]] std::size_t index_of(const Index<3>& node) const noexcept;
+  /// The corner of the box at the end of the first or second axis.
+  [[nodiscard]] std::size_t corner(std::size_t axis) const noexcept;
+  template <class Work>
+  void for_rows(const Work& work) const;
+
+  NodeLattice lattice_;
+  PlaneExchange exchange_;
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+
+#include "solvers/elastic_solver.hpp"
+#include "solvers/lattice/lattice_boundary.hpp"
+#include "solvers/lattice/lattice_preconditioner.hpp"
+#include "solvers/lattice/nodal_field.hpp"
+
+namespace breccia::quasistatic {
+
+/// Conjugate gradients in 3 dimensions without any assembled matrix: the forces of the cells come row by row, and the
+/// preconditioner is the inverse of a box of one material by fast transforms (theory, section 18). Besides the moduli
+/// of the cells it keeps five numbers for each unknown, six on several processes, each of which has whole planes.
+class LatticeSolver final : public ElasticSolver<3> {
+ public:
+  LatticeSolver(const ElasticOperator<3>& elastic_operator, const LinearOptions& options);
+
+  /// Does nothing: the preconditioner follows the moduli.
+  void update_preconditioner() override {}
+
+ private:
+  void update_stiffness(std::span<const Moduli> moduli) override;
+  Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
+
+  /// The fields of an iteration.
+  struct State {
+    State(const NodeLattice& lattice, NodalField guess)
+        : displacement(std::move(guess)), residual(lattice), direction(lattice), work(lattice) {}
+
+    NodalField displacement, residual, direction, work;
+    double energy = 0.0;   ///< twice the energy of the displacement, gained so far
+    double largest = 0.0;  ///< component of the displacement at the last residual that was found
+  };
+
+  /// Conjugate gradients from one residual of the displacement on.
+  struct Pass {
+    int iterations = 0;
+    bool is_accurate = false;  ///< by the residual that follows by recurrence
+    double residual = 0.0;     ///< in the Euclidean norm
+  };
+
+  /// The displacement from which the iteration starts; takes the memory of its nodal values back.
+  [[nodiscard]] NodalField take_guess(Displacement& displacement) const;
+  /// Sets the residual, the energy gained so far and the largest component to those of the displacement.
+  void find_residual(Vec on_nodes, State& state);
+  /// Iterates until the displacement is accurate.
+  Pass iterate(State& state, int most_iterations);
+  /// work = K direction
+  void multiply(State& state);
+  [[nodiscard]] bool is_accurate(double error, double energy) const noexcept;
+
+  NodeLattice lattice_;
+  LatticeBoundary boundary_;
+  CellSweep sweep_;
+  int threads_;
+  double energy_tolerance_;
+  LatticeSums sums_;
+  std::unique_ptr<LatticePreconditioner> preconditioner_;
+  CellModuli cells_;
+  Moduli reference_{};  ///< of the preconditioner [Pa]
+};
+
+}  // namespace breccia::quasistatic

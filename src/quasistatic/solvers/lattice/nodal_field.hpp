@@ -1,0 +1,93 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/boundary.hpp"
+
+#include "operator/cell_sweep.hpp"
+#include "operator/node_layout.hpp"
+
+namespace breccia::quasistatic {
+
+/// The nodes of a box of cubic cells, in arrays that transforms take: rows have an even number of entries, and in a
+/// periodic box one more than nodes at least, for the first node that comes again behind the last one. Several
+/// processes have slabs of whole planes (PlaneDivision), and each has the first plane of the process above as well.
+struct NodeLattice {
+  explicit NodeLattice(const NodeLayout<3>& nodes);
+
+  /// Number of entries of one component.
+  [[nodiscard]] std::size_t size() const noexcept { return arrays.plane * static_cast<std::size_t>(arrays.nodes[2]); }
+  [[nodiscard]] bool is_periodic() const noexcept { return boundary == Boundary::periodic; }
+  /// Is there a plane of the process above, behind those of this process?
+  [[nodiscard]] bool has_plane_above() const noexcept { return arrays.nodes[2] > planes; }
+  /// Number of cells of this process along each axis.
+  [[nodiscard]] Index<3> own_cells() const noexcept;
+
+  Boundary boundary;
+  Index<3> cells;   ///< of the box, along each axis
+  Index<3> nodes;   ///< of the box; of a periodic one without the last ones
+  int first_plane;  ///< of this process, among those of the box
+  int planes;       ///< of this process
+  NodeArrays arrays;
+};
+
+/// Displacements or forces of the nodes of a lattice, component by component. Entries of no node of this process are
+/// zero unless said otherwise.
+class NodalField {
+ public:
+  explicit NodalField(const NodeLattice& lattice);
+
+  [[nodiscard]] double* component(std::size_t component) noexcept { return values_.get() + component * size_; }
+  [[nodiscard]] const double* component(std::size_t component) const noexcept {
+    return values_.get() + component * size_;
+  }
+  [[nodiscard]] std::array<double*, 3> components() noexcept { return {component(0), component(1), component(2)}; }
+  [[nodiscard]] std::array<const double*, 3> components() const noexcept {
+    return {component(0), component(1), component(2)};
+  }
+  /// The entries of all components.
+  [[nodiscard]] std::span<double> all() noexcept { return {values_.get(), 3 * size_}; }
+  [[nodiscard]] std::span<const double> all() const noexcept { return {values_.get(), 3 * size_}; }
+
+ private:
+  struct Free {
+    void operator()(double* values) const noexcept;
+  };
+
+  std::size_t size_;
+  std::unique_ptr<double, Free> values_;  ///< aligned for the transforms
+};
+
+/// Calls work(first index) for all components of the planes of this process, by several threads.
+void for_planes(const NodeLattice& lattice, int threads, const std::function<void(std::size_t)>& work);
+
+/// Sums over the entries of nodal fields, and the sums of fields, by several threads: the fields are divided into
+/// parts of a size that does not depend on the threads, so that the results have the same bits for any number of them.
+/// Every process has the sums of its own entries.
+class LatticeSums {
+ public:
+  LatticeSums(std::size_t size, int threads);
+
+  /// The scalar product, over all processes.
+  [[nodiscard]] double product(const NodalField& a, const NodalField& b);
+  /// a = factor * a + b
+  void combine(double factor, NodalField& a, const NodalField& b) const;
+  /// a += factor * b
+  void add(NodalField& a, double factor, const NodalField& b) const;
+  void set_zero(NodalField& a) const;
+
+ private:
+  template <class Work>
+  void for_parts(const Work& work) const;
+
+  std::size_t size_;
+  int threads_;
+  std::vector<double> sums_;  ///< by part
+};
+
+}  // namespace breccia::quasistatic

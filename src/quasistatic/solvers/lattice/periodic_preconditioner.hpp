@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <complex>
+#include <vector>
+
+#include "solvers/lattice/fourier_plan.hpp"
+#include "solvers/lattice/lattice_preconditioner.hpp"
+#include "solvers/lattice/row_exchange.hpp"
+#include "solvers/lattice/wave_symbol.hpp"
+
+namespace breccia::quasistatic {
+
+/// The inverse of the operator of a periodic box of one material, by Fourier transforms. Equal displacements of all
+/// nodes, which have no forces, are left at zero.
+class PeriodicPreconditioner final : public LatticePreconditioner {
+ public:
+  PeriodicPreconditioner(const NodeLattice& lattice, int threads);
+
+  void apply(const Moduli& reference, const NodalField& forces, NodalField& displacement) override;
+
+ private:
+  using Complex = std::complex<double>;
+
+  void transform_planes(const NodalField& forces, NodalField& waves) const;
+  void divide_by_symbol(const Moduli& reference, NodalField& waves);
+  void transform_planes_back(NodalField& waves) const;
+  void divide_row(const Moduli& reference, int second, Complex* waves) const;
+
+  NodeLattice lattice_;
+  RowExchange exchange_;
+  int threads_;
+  std::size_t waves_;  ///< along the first axis, of which the transform of real values has about half
+  std::array<std::vector<HalfAngle>, 3> angles_;  ///< by axis
+  FourierPlan along_first_, along_second_, along_third_;
+  FourierPlan back_along_first_, back_along_second_, back_along_third_;
+  std::vector<Waves> rows_of_waves_;  ///< by thread: the three components of the waves of a row along the second axis
+};
+
+}  // namespace breccia::quasistatic

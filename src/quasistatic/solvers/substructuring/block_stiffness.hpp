@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "breccia/discretisation/cell_shape.hpp"
+
+#include "solvers/substructuring/block_grid.hpp"
+
+namespace breccia::quasistatic {
+
+/// What the stiffness of a block depends on: its shape, its cells, and which displacements of its boundary are held.
+struct BlockKind {
+  Block shape;
+  std::vector<const CellShape<2>::Stiffness*> cells;  ///< stiffness matrices of the cells, row by row
+  std::vector<bool> held;                             ///< by unknown of the boundary, in the order of boundary_nodes
+};
+
+/// The stiffness of a block with the nodes inside it eliminated (theory, Eq. 36). The index i stands for the unknowns
+/// inside the block, b for those of its boundary. Held unknowns are zero: they are coupled to nothing and have a
+/// diagonal entry.
+class BlockStiffness {
+ public:
+  BlockStiffness(const BlockKind& kind, double stiffness_of_held);
+
+  /// Number of unknowns inside the block: x and y of its nodes, row by row.
+  [[nodiscard]] Eigen::Index inside() const noexcept { return factor_.rows(); }
+  /// Schur complement S = A_bb - A_bi A_ii^-1 A_ib
+  [[nodiscard]] Eigen::MatrixXd condensed() const;
+  /// A_bi A_ii^-1 f_i: subtracted from the forces on the boundary, it accounts for the forces inside.
+  [[nodiscard]] Eigen::VectorXd carried_by_boundary(Eigen::VectorXd forces_inside) const;
+  /// u_i = A_ii^-1 (f_i - A_ib u_b)
+  [[nodiscard]] Eigen::VectorXd displacement_inside(Eigen::VectorXd forces_inside,
+                                                    const Eigen::VectorXd& boundary) const;
+
+ private:
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  void add_cell(const std::vector<bool>& held, const std::array<int, 4>& nodes,
+                const CellShape<2>::Stiffness& stiffness);
+  void factorise();
+  template <class Rows>
+  void solve_lower(Rows& right) const;
+  void solve_upper(Eigen::VectorXd& right) const;
+
+  Eigen::Index band_;         ///< half bandwidth of A_ii
+  RowMajor factor_;           ///< lower Cholesky factor of A_ii: row i holds the columns i - band to i
+  RowMajor inside_boundary_;  ///< A_ib
+  Eigen::MatrixXd boundary_;  ///< A_bb
+};
+
+}  // namespace breccia::quasistatic

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "solvers/substructuring/block_grid.hpp"
+
+namespace breccia::quasistatic {
+
+/// One of the two blocks at an edge: its condensed stiffness, and on which side of it the edge is.
+struct BlockAtEdge {
+  const Eigen::MatrixXd* condensed;
+  Block shape;
+  Side side;
+};
+
+/// What an edge knows of one of its blocks.
+struct EdgeStiffness {
+  Eigen::MatrixXd held;  ///< stiffness of the edge with all other unknowns of the block held
+  Eigen::MatrixXd free;  ///< of the edge and then the two vertices at its ends, with all other unknowns free
+};
+
+EdgeStiffness stiffness_at_edge(const BlockAtEdge& block);
+
+/// How the displacements of two blocks at their common edge are averaged (theory, Eqs. 38 and 39).
+struct EdgeAverage {
+  /// Weight of the lower block, D = (S1 + S2)^-1 S1; the weight of the upper one is I - D.
+  Eigen::MatrixXd lower_weight;
+  /// The constraints, a column q each: q'u is the same in both blocks.
+  Eigen::MatrixXd constraints;
+};
+
+/// The averages of an edge, with a constraint for every mode of the jump whose energy they would multiply by more than
+/// `tolerance`.
+EdgeAverage average_at_edge(const EdgeStiffness& lower, const EdgeStiffness& upper, double tolerance);
+
+}  // namespace breccia::quasistatic

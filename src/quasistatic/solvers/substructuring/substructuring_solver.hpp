@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "solvers/elastic_solver.hpp"
+#include "solvers/substructuring/bddc_preconditioner.hpp"
+#include "solvers/substructuring/packed_symmetric.hpp"
+#include "solvers/substructuring/substructures.hpp"
+
+namespace breccia::quasistatic {
+
+/// Solves by substructuring, without assembling K: the nodes inside blocks of cells are eliminated, and conjugate
+/// gradients with the BDDC preconditioner find the displacements of the interface, the nodes between blocks (theory,
+/// section 9). Every process has whole blocks; vectors of the interface have the unknowns that belong to the process,
+/// and then copies of those that belong to its neighbours.
+class SubstructuringSolver final : public ElasticSolver<2> {
+ public:
+  SubstructuringSolver(const ElasticOperator<2>& elastic_operator, const LinearOptions& options);
+
+  /// Does nothing: the preconditioner is made with every set of moduli.
+  void update_preconditioner() override {}
+
+  /// Number of unknowns of the coarse problem of the present preconditioner, of all processes.
+  [[nodiscard]] std::int64_t coarse_unknowns() const { return preconditioner_.value().coarse_unknowns(); }
+
+ private:
+  void update_stiffness(std::span<const Moduli> moduli) override;
+  Convergence iterate(NodalVector on_nodes, Displacement& displacement) override;
+  /// Solves K w = residual by conjugate gradients until the residual is small compared with the load, and adds w to the
+  /// displacement. Returns the norm of the residual that is left.
+  double correct(const Displacement& residual, double largest, Displacement& displacement);
+  /// Scalar product of two vectors of the interface.
+  [[nodiscard]] double product(const std::vector<double>& a, const std::vector<double>& b) const;
+  /// y = S x, with the condensed stiffness S of the interface
+  void multiply(const std::vector<double>& x, std::vector<double>& y) const;
+  /// Forces on the interface, the forces on the nodes inside the blocks condensed onto it.
+  [[nodiscard]] std::vector<double> condense(const double* forces) const;
+  /// Adds the displacements of the interface, and those that follow for the nodes inside the blocks under the forces on
+  /// them, to the displacements of all nodes.
+  void expand(const double* forces, const std::vector<double>& interface, double* displacement) const;
+  /// Calls work(number of the block, its stiffness) for each block.
+  template <class Work>
+  void for_each_block(const Work& work) const;
+  [[nodiscard]] std::size_t index_of(int column, int row) const noexcept;
+  [[nodiscard]] Eigen::VectorXd inside_of(const Block& block, const double* nodal) const;
+
+  Substructures blocks_;
+  int threads_;
+  std::vector<std::size_t> index_of_unknown_;  ///< index of this process' unknowns of the interface among nodal values
+  double stiffest_ = 0.0;
+  std::vector<CellShape<2>::Stiffness> cells_;      ///< stiffness matrices, by kind of cell
+  std::vector<PackedSymmetric<double>> condensed_;  ///< condensed stiffnesses, by kind of block
+  std::optional<BddcPreconditioner> preconditioner_;
+};
+
+}  // namespace breccia::quasistatic
