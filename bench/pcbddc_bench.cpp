@@ -184,7 +184,7 @@ Subdomain subdomain_of(const ElasticOperator<2>& elastic_operator) {
   Subdomain subdomain;
   subdomain.number_of_seen.assign(static_cast<std::size_t>((end[0] - begin[0]) * (end[1] - begin[1])), -1);
   layout.for_cells([&](const Index<2>& cell) {
-    const auto places = layout.places_of(cell);
+    const auto places = layout.indices_of(cell);
     for (int corner = 0; corner < CellShape<2>::nodes; ++corner) {
       const auto place = places[static_cast<std::size_t>(corner)] / 2;
       auto& number = subdomain.number_of_seen[place];
@@ -227,16 +227,16 @@ Matrix stiffness_by_subdomains(const Problem& problem, const Subdomain& subdomai
 
   double stiffest = 0.0;
   for (const auto& [bulk, shear] : problem.moduli) stiffest = std::max(stiffest, bulk + shear);
-  const auto by_kind = elastic_operator.stiffnesses(problem.moduli);
+  const auto by_kind = elastic_operator.kinds().stiffnesses(problem.moduli);
   const auto& layout = elastic_operator.nodes();
   layout.for_cells([&](const Index<2>& cell) {
     const CellShape<2>::Values free = layout.held_mask(cell);
     CellShape<2>::Stiffness stiffness =
-        free.asDiagonal() * by_kind[elastic_operator.kind_of_cell(cell)] * free.asDiagonal();
+        free.asDiagonal() * by_kind[elastic_operator.kinds().of(cell)] * free.asDiagonal();
     stiffness.diagonal() += stiffest * (CellShape<2>::Values::Ones() - free);
     std::array<PetscInt, CellShape<2>::nodes> corners{};
-    std::ranges::transform(layout.places_of(cell), corners.begin(),
-                           [&](std::size_t place) { return subdomain.number_of_seen[place / 2]; });
+    std::ranges::transform(layout.indices_of(cell), corners.begin(),
+                           [&](std::size_t index) { return subdomain.number_of_seen[index / 2]; });
     check(MatSetValuesBlockedLocal(matrix.get(), CellShape<2>::nodes, corners.data(), CellShape<2>::nodes,
                                    corners.data(), stiffness.data(), ADD_VALUES),
           what);

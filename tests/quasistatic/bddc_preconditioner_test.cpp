@@ -43,7 +43,7 @@ Dense dense(const Discretisation<2>& discretisation, Boundary boundary, double c
   const auto moduli = moduli_with(contrast);
   const ElasticOperator<2> elastic_operator(discretisation, Volumetric::averaged, boundary);
   const Substructures blocks(elastic_operator);
-  const auto cells = elastic_operator.stiffnesses(moduli);
+  const auto cells = elastic_operator.kinds().stiffnesses(moduli);
   constexpr double stiffness_of_held = 10.0;
   std::vector<PackedSymmetric<double>> condensed;
   for (std::size_t kind = 0; kind < blocks.blocks_by_kind().size(); ++kind) {

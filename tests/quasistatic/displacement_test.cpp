@@ -9,6 +9,7 @@
 
 #include "operator/displacement_state.hpp"
 #include "operator/elastic_operator.hpp"
+#include "operator/square_forces.hpp"
 #include "operator/vector_values.hpp"
 #include "temporary_directory.hpp"
 
@@ -104,7 +105,8 @@ TEST_F(Displacements, KeepTheStrainsOfPhasesInAState) {
   EXPECT_NE(strains_of(saved), strains_of(mixed.zero()));
   // Two phases that strain alike are in parallel: the work of their forces is the arithmetic mean of the moduli.
   const std::vector<Moduli> moduli = {{.bulk = 5.0, .shear = 1.0}, {.bulk = 9.0, .shear = 3.0}};
-  EXPECT_NEAR(work(mixed.forces(moduli, Load::shear, saved), saved), 1.0 + 0.25 * 1.0 + 0.75 * 3.0, 1e-14);
+  EXPECT_NEAR(work(forces_under(mixed, moduli, saved, unit_strain<2>(Load::shear)), saved),
+              1.0 + 0.25 * 1.0 + 0.75 * 3.0, 1e-14);
 }
 
 }  // namespace

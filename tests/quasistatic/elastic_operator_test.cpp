@@ -12,6 +12,8 @@
 #include "breccia/discretisation/mixed_cells.hpp"
 
 #include "composites.hpp"
+#include "operator/cube_forces.hpp"
+#include "operator/square_forces.hpp"
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -66,7 +68,7 @@ TYPED_TEST(ElasticOperatorOf, UniformStrainIsInEquilibriumWithTheTraction) {
   const ElasticOperator<dim> elastic_operator(homogeneous<dim>(), Volumetric::averaged, Boundary::traction);
   for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
     const auto strain = elastic_operator.uniform_strain(load);
-    auto difference = elastic_operator.forces(std::array{of_all}, load, strain);
+    auto difference = forces_under(elastic_operator, std::array{of_all}, strain, unit_strain<dim>(load));
     const double modulus = modulus_under<dim>(load);
     EXPECT_NEAR(work(difference, strain), modulus * elastic_operator.volume(), 1e-11);
     difference.add(-modulus, elastic_operator.load_forces(load));
@@ -81,7 +83,8 @@ TYPED_TEST(ElasticOperatorOf, AffineMotionLeavesNoNodalForce) {
   for (const auto boundary : {Boundary::displacement, Boundary::periodic}) {
     const ElasticOperator<dim> elastic_operator(homogeneous<dim>(), Volumetric::averaged, boundary);
     for (const auto load : {Load::shear, Load::diagonal_shear, Load::bulk}) {
-      auto forces = elastic_operator.forces(std::array{of_all}, load, elastic_operator.uniform_strain(load));
+      auto forces = forces_under(elastic_operator, std::array{of_all}, elastic_operator.uniform_strain(load),
+                                 unit_strain<dim>(load));
       EXPECT_NEAR(forces.macroscopic(), modulus_under<dim>(load) * elastic_operator.volume(), 1e-11);
       forces.set_macroscopic(0.0);
       EXPECT_LT(std::sqrt(work(forces, forces)), 1e-12);
@@ -123,9 +126,9 @@ TEST(ElasticOperator, HasTheSameForcesInSpaceForAnyNumberOfThreads) {
         const ElasticOperator<3> elastic_operator(discretise_mixed(box, cells, 0, of_sphere, 2), Volumetric::averaged,
                                                   boundary, threads);
         auto moved = elastic_operator.uniform_strain(Load::shear);
-        const auto once = elastic_operator.forces(moduli, Load::shear, moved);
+        const auto once = forces_under(elastic_operator, moduli, moved, unit_strain<3>(Load::shear));
         moved.add(0.1, once);
-        const auto forces = elastic_operator.forces(moduli, Load::shear, moved);
+        const auto forces = forces_under(elastic_operator, moduli, moved, unit_strain<3>(Load::shear));
         return std::tuple(forces.macroscopic(), bits(forces.fluctuation()), bits(forces.phase_strains()));
       };
       const auto expected = forces_of(1);
@@ -140,7 +143,7 @@ TEST(ElasticOperator, TellsMoreThan65536KindsOfCellsApart) {
                                             Boundary::displacement);
   std::set<std::size_t> kinds;
   for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) kinds.insert(elastic_operator.kind_of_cell({column, row}));
+    for (int column = 0; column < side; ++column) kinds.insert(elastic_operator.kinds().of({column, row}));
   }
   EXPECT_EQ(kinds.size(), static_cast<std::size_t>(side) * side);
 }

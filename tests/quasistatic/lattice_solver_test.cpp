@@ -14,6 +14,7 @@
 #include "breccia/quasistatic/log_time_stepping.hpp"
 
 #include "composites.hpp"
+#include "operator/cube_forces.hpp"
 #include "solvers/direct/assembled_solver.hpp"
 
 namespace breccia::quasistatic {
@@ -53,10 +54,10 @@ class SphereInSoftMatrix {
   [[nodiscard]] double error(const Displacement& found, const Displacement& exact) const {
     auto difference = found.copy();
     difference.add(-1.0, exact);
-    return work(operator_.forces(moduli_, tested_load, difference), difference);
+    return work(forces_under(operator_, moduli_, difference, unit_strain<3>(tested_load)), difference);
   }
   [[nodiscard]] double energy(const Displacement& displacement) const {
-    return work(operator_.forces(moduli_, tested_load, displacement), displacement);
+    return work(forces_under(operator_, moduli_, displacement, unit_strain<3>(tested_load)), displacement);
   }
 
  private:
@@ -69,7 +70,7 @@ class SphereInSoftMatrix {
     }
     auto prescribed = operator_.zero();
     prescribed.set_macroscopic(1.0);
-    auto forces = operator_.forces(moduli_, tested_load, prescribed);
+    auto forces = forces_under(operator_, moduli_, prescribed, unit_strain<3>(tested_load));
     forces.scale(-1.0);
     return forces;
   }

@@ -34,7 +34,7 @@ TEST(Substructures, OfOneKindHaveTheSameCellsAndNeighbours) {
   const ElasticOperator<2> elastic_operator(discretisation, Volumetric::averaged, Boundary::periodic);
   const Substructures blocks(elastic_operator);
   const std::vector<Moduli> moduli = {{.bulk = 2.0, .shear = 1.0}, {.bulk = 3.0, .shear = 4.0}};
-  const auto cells = elastic_operator.stiffnesses(moduli);
+  const auto cells = elastic_operator.kinds().stiffnesses(moduli);
   ASSERT_EQ(blocks.grid().blocks(), 32);
   for (int b = 0; b < 32; ++b) {
     const auto kind = blocks.block_kind(blocks.kind_of(b), cells);
@@ -42,7 +42,7 @@ TEST(Substructures, OfOneKindHaveTheSameCellsAndNeighbours) {
     ASSERT_EQ(kind.cells.size(), 64U);
     for (int cell = 0; cell < 64; ++cell) {
       const int column = block.first_column + cell % 8, row = block.first_row + cell / 8;
-      EXPECT_EQ(kind.cells[static_cast<std::size_t>(cell)], &cells[elastic_operator.kind_of_cell({column, row})]);
+      EXPECT_EQ(kind.cells[static_cast<std::size_t>(cell)], &cells[elastic_operator.kinds().of({column, row})]);
     }
     const auto& with_neighbours = blocks.blocks_with_neighbours()[static_cast<std::size_t>(blocks.neighbourhood_of(b))];
     EXPECT_EQ(with_neighbours.kind, blocks.kind_of(b));

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -11,9 +10,8 @@
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 
-#include "operator/cell_sweep.hpp"
+#include "operator/cell_kinds.hpp"
 #include "operator/displacement.hpp"
-#include "operator/halo_field.hpp"
 #include "operator/mixed_cell.hpp"
 #include "operator/natural_order.hpp"
 #include "operator/node_layout.hpp"
@@ -54,9 +52,6 @@ class ElasticOperator {
   /// Forces of a load: the force 1 on the macroscopic part under a displacement or periodic boundary; the nodal forces
   /// of the uniform traction of the unit stress of the load under a traction boundary.
   [[nodiscard]] Forces load_forces(Load load) const;
-  /// K u, with the moduli [Pa] by material; zero on the held components of w. The forces on the strains of phases are
-  /// affine in the moduli, which may be zero.
-  [[nodiscard]] Forces forces(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const;
   /// Changes the nodal forces to those that remain when the strains of phases have been eliminated at these moduli
   /// [Pa], which are positive.
   void condense(std::span<const Moduli> moduli, Forces& forces) const;
@@ -67,33 +62,15 @@ class ElasticOperator {
   [[nodiscard]] bool is_held(const Index<dim>& node, int component) const noexcept {
     return nodes_.is_held(node, component);
   }
-  /// What a cell holds if it is a mixed one; null otherwise.
-  [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
-    const auto& mixed = mixed_[kind_of_cell(cell)];
-    return mixed ? &*mixed : nullptr;
-  }
-
   /// Number of planes of cells of this process along the last axis.
   [[nodiscard]] int planes() const noexcept { return static_cast<int>(first_strain_.size()) - 1; }
   /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of some of these planes.
   template <class Action>
   void for_mixed_cells_of_planes(int first_plane, int end_plane, Action&& action) const;
-  /// What the cells of each kind hold if they are mixed ones.
-  [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed_kinds() const noexcept { return mixed_; }
+  [[nodiscard]] const CellKinds<dim>& kinds() const noexcept { return kinds_; }
   [[nodiscard]] const NodeLayout<dim>& nodes() const noexcept { return nodes_; }
   /// The modes of a cell.
   [[nodiscard]] const typename Shape::ModeMatrix& modes() const noexcept { return modes_; }
-
-  /// Number of the kind of a cell of this process: cells of one kind have the same materials at the same points.
-  [[nodiscard]] std::uint32_t kind_of_cell(const Index<dim>& cell) const noexcept {
-    return kind_of_[nodes_.cells().place_of(cell)];
-  }
-  /// Stiffness matrices of the kinds of cells, for moduli [Pa] by material.
-  [[nodiscard]] std::vector<typename Shape::Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
-
-  /// In 3 dimensions, the moduli of the cells of this process, where the strains of phases have been eliminated.
-  template <int space = dim>
-  [[nodiscard]] CellModuli condensed_cells(std::span<const Moduli> moduli) const requires(space == 3);
 
   /// A sparse matrix with the pattern of K on w, without values.
   [[nodiscard]] Matrix make_matrix() const { return nodes_.make_matrix(); }
@@ -105,43 +82,14 @@ class ElasticOperator {
  private:
   using CellValues = typename Shape::Values;
 
-  void find_kinds(const Discretisation<dim>& discretisation);
   void find_first_strains();
   [[nodiscard]] std::vector<PetscInt> natural_indices_of_strains() const;
   /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
-  /// Work on the macroscopic part, and nodal forces.
-  struct SumOverCells {
-    double macroscopic;
-    NodalVector on_nodes;
-  };
-  template <class CellForces>
-  [[nodiscard]] SumOverCells sum_over_cells(const CellForces& cell_forces) const;
-
-  /// Moduli of a kind of cells at all of its points [Pa], if they are the same and K acts on the mean volumetric
-  /// strain.
-  [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
-  [[nodiscard]] typename Shape::Stiffness stiffness_of(std::size_t kind, std::span<const Moduli> moduli) const;
-  template <class OfKind>
-  [[nodiscard]] CellModuli collect_cells(std::span<const Moduli> moduli, const OfKind& of_kind) const;
-  // In 3 dimensions. They are templates of their own because clang 14 instantiates with a class also those of its
-  // members whose constraints do not hold.
-  template <int space = dim>
-  [[nodiscard]] Forces forces_by_rows(std::span<const Moduli> moduli, Load load, const Displacement& displacement) const
-      requires(space == 3);
-  template <int space = dim>
-  void add_mixed_forces(std::span<const Moduli> moduli, const Displacement& displacement, const CellSweep& sweep,
-                        const HaloField& moved, HaloField& exerted, Vec on_phase_strains) const requires(space == 3);
-
   NodeLayout<dim> nodes_;
-  Volumetric volumetric_;
+  CellKinds<dim> kinds_;
   int threads_;
-  std::vector<CellPhases<dim>> kinds_;                ///< phases of the points of a cell, by kind of cell
-  std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind of cell; empty for cells that are not mixed
-  std::vector<std::uint32_t> kind_of_;                ///< by cell of this process
-  /// Number of the unknown strains of all cells of the box before a row of cells of this process, by row.
-  std::vector<PetscInt> first_strain_of_row_;
   std::vector<std::size_t> first_strain_;  ///< of the mixed cells, by plane of cells of this process
   typename Shape::ModeMatrix modes_ = Shape::mode_matrix();
 };
@@ -154,7 +102,7 @@ void ElasticOperator<dim>::for_mixed_cells_of_planes(int first_plane, int end_pl
   from.back() += first_plane;
   auto index = first_strain_[static_cast<std::size_t>(first_plane)];
   for_each_index(from, to, [&](const Index<dim>& cell) {
-    const auto* mixed = mixed_cell(cell);
+    const auto* mixed = kinds_.mixed_cell(cell);
     if (mixed == nullptr) return;
     action(cell, *mixed, index);
     index += static_cast<std::size_t>(mixed->unknowns());

@@ -143,7 +143,7 @@ LatticeFields<dim> recover_fields(const ElasticOperator<dim>& elastic_operator,
         tensor[i] = (i < dim ? 1.0 : 0.5) * strain[static_cast<Eigen::Index>(i)];
       }
       put_in_timed_fields<dim>(tensor, fields.strain[index]);
-      if (elastic_operator.mixed_cell(cell) != nullptr) return;
+      if (elastic_operator.kinds().mixed_cell(cell) != nullptr) return;
       const auto& [bulk, shear] = by_material[discretisation.cell(cell)[static_cast<std::size_t>(p)]];
       put_in_timed_fields<dim>(stress_of<dim>(strain_matrix * shear.of_cell(cell), volume.dot(bulk.of_cell(cell))),
                                fields.stress[index]);

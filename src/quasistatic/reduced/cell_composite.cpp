@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "operator/cube_forces.hpp"
 #include "operator/recovery.hpp"
+#include "operator/square_forces.hpp"
 
 namespace breccia::quasistatic {
 
@@ -30,24 +32,25 @@ typename CellComposite<dim>::BasisVectors CellComposite<dim>::no_vectors(Load lo
 
 template <int dim>
 Forces CellComposite<dim>::constant_forces(Load load, const Displacement& displacement) const {
-  return elastic_operator_.forces(stiffness_.constant, load, displacement);
+  return forces_under(elastic_operator_, stiffness_.constant, displacement, unit_strain<dim>(load));
 }
 
 template <int dim>
 Forces CellComposite<dim>::part_forces(std::size_t part, Load load, const Displacement& displacement) const {
-  return elastic_operator_.forces(stiffness_.parts[part].unit, load, displacement);
+  return forces_under(elastic_operator_, stiffness_.parts[part].unit, displacement, unit_strain<dim>(load));
 }
 
 template <int dim>
 Forces CellComposite<dim>::forces(std::span<const double> parameters, Load load,
                                   const Displacement& displacement) const {
-  return elastic_operator_.forces(stiffness_.moduli_at(parameters), load, displacement);
+  return forces_under(elastic_operator_, stiffness_.moduli_at(parameters), displacement, unit_strain<dim>(load));
 }
 
 template <int dim>
 Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Load load,
                                           const Displacement& displacement) const {
-  return elastic_operator_.forces(stiffness_.varying_moduli_at(parameters), load, displacement);
+  return forces_under(elastic_operator_, stiffness_.varying_moduli_at(parameters), displacement,
+                      unit_strain<dim>(load));
 }
 
 template <int dim>
@@ -115,7 +118,7 @@ Forces CellSolver<dim>::held_back(Load load) const {
   const auto& elastic_operator = composite_->elastic_operator();
   auto prescribed = elastic_operator.zero();
   prescribed.set_macroscopic(1.0);
-  auto forces = elastic_operator.forces(moduli_, load, prescribed);
+  auto forces = forces_under(elastic_operator, moduli_, prescribed, unit_strain<dim>(load));
   forces.scale(-1.0);
   return forces;
 }

@@ -86,7 +86,7 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
       elastic_operator_->for_mixed_cells_of_planes(
           plane, plane + 1, [&](const Index<3>& cell, const MixedCell<3>& /*mixed*/, std::size_t first) {
             values.find(cell, of_cell);
-            work(plane, of_cell, MixedStrains{elastic_operator_->kind_of_cell(cell), first});
+            work(plane, of_cell, MixedStrains{elastic_operator_->kinds().of(cell), first});
           });
     });
   }
@@ -96,7 +96,7 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
 /// By kind of cell.
 std::vector<CondensedVectors::SharesOfPhases> CondensedVectors::shares_of_kinds(std::size_t count) const {
   std::vector<SharesOfPhases> by_kind;
-  for (const auto& mixed : elastic_operator_->mixed_kinds()) {
+  for (const auto& mixed : elastic_operator_->kinds().mixed()) {
     auto& of_kind = by_kind.emplace_back(mixed ? mixed->mixture().size() - 1 : 0, OfVectors(2, count));
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t phase = 0; phase < of_kind.size(); ++phase) {
@@ -142,7 +142,7 @@ std::vector<std::vector<StrainShare>> CondensedVectors::shares_of(const VectorOr
   std::optional<std::vector<Moduli>> moduli;
   if (origin.parameters) moduli = stiffness_->moduli_at(*origin.parameters);
   std::vector<std::vector<StrainShare>> shares;
-  for (const auto& mixed : elastic_operator_->mixed_kinds()) {
+  for (const auto& mixed : elastic_operator_->kinds().mixed()) {
     auto& of_kind = shares.emplace_back();
     if (!mixed) continue;
     // The uniform strain is the same in all phases.

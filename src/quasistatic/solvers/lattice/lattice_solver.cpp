@@ -9,6 +9,8 @@
 #include "breccia/error.hpp"
 #include "breccia/parallel/reduction.hpp"
 
+#include "operator/cube_forces.hpp"
+
 namespace breccia::quasistatic {
 
 LatticeSolver::LatticeSolver(const ElasticOperator<3>& elastic_operator, const LinearOptions& options)
@@ -34,7 +36,7 @@ void LatticeSolver::update_stiffness(std::span<const Moduli> moduli) {
         "quasi-static solver: a modulus of a phase is zero or negative, which the iterative method in 3 dimensions "
         "does not take; a small one may serve");
   }
-  cells_ = elastic_operator().condensed_cells(moduli);
+  cells_ = condensed_cells(elastic_operator(), moduli);
   count_factorisation();
 }
 

@@ -46,7 +46,7 @@ void Substructures::sort_blocks() {
     append_unknowns(b, signature);
     for (int row = 0; row < block.rows; ++row) {
       for (int column = 0; column < block.columns; ++column) {
-        append(signature, elastic_operator_->kind_of_cell({block.first_column + column, block.first_row + row}));
+        append(signature, elastic_operator_->kinds().of({block.first_column + column, block.first_row + row}));
       }
     }
     const auto [kind, is_new] = known.emplace(std::move(signature), static_cast<int>(known.size()));
@@ -117,7 +117,7 @@ BlockKind Substructures::block_kind(int kind, const std::vector<CellShape<2>::St
   BlockKind block_kind = {grid_.block(example), {}, {}};
   for (int row = 0; row < block_kind.shape.rows; ++row) {
     for (int column = 0; column < block_kind.shape.columns; ++column) {
-      block_kind.cells.push_back(&cells[elastic_operator_->kind_of_cell(
+      block_kind.cells.push_back(&cells[elastic_operator_->kinds().of(
           {block_kind.shape.first_column + column, block_kind.shape.first_row + row})]);
     }
   }

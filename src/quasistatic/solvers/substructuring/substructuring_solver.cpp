@@ -10,6 +10,7 @@
 #include "breccia/parallel/reduction.hpp"
 #include "breccia/parallel/threads.hpp"
 
+#include "operator/square_forces.hpp"
 #include "operator/vector_values.hpp"
 
 namespace breccia::quasistatic {
@@ -83,7 +84,7 @@ double SubstructuringSolver::product(const std::vector<double>& a, const std::ve
 void SubstructuringSolver::update_stiffness(std::span<const Moduli> moduli) {
   stiffest_ = 0.0;
   for (const auto& [bulk, shear] : moduli) stiffest_ = std::max(stiffest_, bulk + shear);
-  cells_ = elastic_operator().stiffnesses(moduli);
+  cells_ = elastic_operator().kinds().stiffnesses(moduli);
   // The memory of the earlier preconditioner is freed before the new one is made.
   preconditioner_.reset();
   condensed_.assign(blocks_.blocks_by_kind().size(), {});
@@ -218,7 +219,7 @@ ElasticSolver<2>::Convergence SubstructuringSolver::iterate(NodalVector on_nodes
   double norm = 0.0;
   for (int correction = 0; correction <= most_corrections; ++correction) {
     elastic_operator().recover_phase_strains(moduli(), forces, displacement);
-    auto residual = elastic_operator().forces(moduli(), Load::shear, displacement);
+    auto residual = forces_under(elastic_operator(), moduli(), displacement);
     residual.scale(-1.0);
     residual.add(1.0, forces);
     double largest = 0.0;

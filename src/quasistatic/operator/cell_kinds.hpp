@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "breccia/discretisation/cell_shape.hpp"
+#include "breccia/discretisation/discretisation.hpp"
+
+#include "operator/mixed_cell.hpp"
+#include "operator/node_layout.hpp"
+
+namespace breccia::quasistatic {
+
+/// The kinds of the cells of a process. Cells of one kind have the same materials at the same points, and so one
+/// stiffness: that of Volumetric::averaged or ::standard points, or that of the series mixture of a mixed cell.
+template <int dim>
+class CellKinds {
+ public:
+  using Shape = CellShape<dim>;
+  using Stiffness = typename Shape::Stiffness;
+
+  /// Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
+  CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells);
+
+  /// Number of kinds.
+  [[nodiscard]] std::size_t count() const noexcept { return phases_.size(); }
+  /// The kind of a cell.
+  [[nodiscard]] std::uint32_t of(const Index<dim>& cell) const noexcept { return of_cells_[own_cells_.place_of(cell)]; }
+  /// The kinds of all cells, the first axis fastest.
+  [[nodiscard]] const std::vector<std::uint32_t>& of_cells() const noexcept { return of_cells_; }
+  /// What the cells of each kind hold if they are mixed ones.
+  [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed() const noexcept { return mixed_; }
+  /// What a cell holds if it is a mixed one; null otherwise.
+  [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
+    const auto& mixed = mixed_[of(cell)];
+    return mixed ? &*mixed : nullptr;
+  }
+  /// Number of the unknown strains of all mixed cells of the box before each row of cells.
+  [[nodiscard]] const std::vector<PetscInt>& strains_before_rows() const noexcept { return strains_before_rows_; }
+
+  /// Stiffness of the cells of a kind [Pa], for moduli [Pa] by material.
+  [[nodiscard]] Stiffness stiffness(std::size_t kind, std::span<const Moduli> moduli) const;
+  /// The stiffnesses of all kinds.
+  [[nodiscard]] std::vector<Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
+  /// Moduli [Pa] of the cells of a kind at all of its points, if they are the same and the stiffness is that of
+  /// averaged volumetric strains.
+  [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
+
+ private:
+  Volumetric volumetric_;
+  IndexRange<dim> own_cells_;
+  std::vector<CellPhases<dim>> phases_;               ///< of the points of a cell, by kind
+  std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind
+  std::vector<std::uint32_t> of_cells_;
+  std::vector<PetscInt> strains_before_rows_;
+};
+
+extern template class CellKinds<2>;
+extern template class CellKinds<3>;
+
+}  // namespace breccia::quasistatic

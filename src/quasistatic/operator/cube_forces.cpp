@@ -1,0 +1,115 @@
+#include "operator/cube_forces.hpp"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "operator/halo_field.hpp"
+#include "operator/vector_values.hpp"
+
+namespace breccia::quasistatic {
+namespace {
+
+using Shape = CellShape<3>;
+
+/// The moduli of the cells of this process; of_kind(kind) returns those of a kind of cells of one material or mixture.
+template <class OfKind>
+CellModuli moduli_of_cells(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
+                           const OfKind& of_kind) {
+  constexpr auto none = static_cast<std::uint32_t>(-1);
+  const auto& kinds = elastic_operator.kinds();
+  CellModuli cells;
+  std::vector<std::uint32_t> other;  // index among the stiffnesses of the other cells, by kind
+  for (std::size_t kind = 0; kind < kinds.count(); ++kind) {
+    const auto uniform = of_kind(kind);
+    const auto [bulk, shear] = uniform.value_or(Moduli{.bulk = 0.0, .shear = 0.0});
+    cells.shear.push_back(shear);
+    cells.bulk.push_back(bulk);
+    other.push_back(uniform ? none : static_cast<std::uint32_t>(cells.stiffnesses.size()));
+    if (!uniform) cells.stiffnesses.push_back(kinds.stiffness(kind, moduli));
+  }
+  const auto& own = elastic_operator.nodes().cells();
+  const auto size = own.size();
+  const auto row = static_cast<std::size_t>(size[0]);
+  cells.kind_of = {kinds.of_cells().data(), row, row * static_cast<std::size_t>(size[1])};
+  if (cells.stiffnesses.empty()) return cells;
+  elastic_operator.nodes().for_cells([&](const Index<3>& cell) {
+    const auto kind = kinds.of(cell);
+    if (other[kind] == none) return;
+    auto among_own = cell;
+    for (std::size_t axis = 0; axis < among_own.size(); ++axis) among_own[axis] -= own.begin[axis];
+    cells.others.push_back({among_own, other[kind]});
+  });
+  return cells;
+}
+
+/// Adds the forces of the mixed cells on their nodes, and sets those on the strains of their phases.
+void add_mixed_forces(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
+                      const Displacement& displacement, const CellSweep& sweep, const HaloField& moved,
+                      HaloField& exerted, Vec on_phase_strains) {
+  const ReadValues strains(displacement.phase_strains());
+  const WriteValues on_strains(on_phase_strains);
+  const auto displacements = moved.from(0);
+  const auto forces_on = exerted.from(0);
+  const auto& modes = elastic_operator.modes();
+  const auto add_forces_of = [&](const Index<3>& cell, const MixedCell<3>& mixed, std::size_t index) {
+    std::array<std::size_t, Shape::nodes> nodes{};
+    typename Shape::Values u;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      auto node = Shape::corner(static_cast<int>(n));
+      for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
+      nodes[n] = moved.index_of(node);
+      for (std::size_t i = 0; i < 3; ++i) u[static_cast<Eigen::Index>(3 * n + i)] = displacements[i][nodes[n]];
+    }
+    const auto [stress, on_phases] = mixed.stresses(moduli, modes * u, strains.range(index, mixed.unknowns()));
+    on_strains.range(index, mixed.unknowns()) = on_phases;
+    const typename Shape::Values forces = modes.transpose() * stress;
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      for (std::size_t i = 0; i < 3; ++i) forces_on[i][nodes[n]] += forces[static_cast<Eigen::Index>(3 * n + i)];
+    }
+  };
+  sweep.for_slabs(elastic_operator.threads(), [&](int, int first_plane, int end_plane) {
+    elastic_operator.for_mixed_cells_of_planes(first_plane, end_plane, add_forces_of);
+  });
+}
+
+}  // namespace
+
+CellModuli condensed_cells(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli) {
+  const auto& kinds = elastic_operator.kinds();
+  return moduli_of_cells(elastic_operator, moduli,
+                         [&](std::size_t kind) { return kinds.uniform_moduli(kind, moduli); });
+}
+
+/// The forces of all cells but the mixed ones row by row, then those of the mixed cells. What is not needed any longer
+/// is given back on the way, for memory is short where this is called.
+Forces forces_under(const ElasticOperator<3>& elastic_operator, std::span<const Moduli> moduli,
+                    const Displacement& displacement, const Strain<3>& macroscopic_strain) {
+  const auto& nodes = elastic_operator.nodes();
+  const auto& kinds = elastic_operator.kinds();
+  const int threads = elastic_operator.threads();
+  std::optional<HaloField> moved(std::in_place, nodes, threads), exerted;
+  moved->read(nodes, displacement.fluctuation(), displacement.macroscopic(), macroscopic_strain);
+  exerted.emplace(nodes, threads);
+
+  const auto cells = moduli_of_cells(elastic_operator, moduli, [&](std::size_t kind) {
+    return kinds.mixed()[kind] ? std::optional<Moduli>(Moduli{.bulk = 0.0, .shear = 0.0})
+                               : kinds.uniform_moduli(kind, moduli);
+  });
+  const CellSweep sweep(nodes.cells().size(), moved->arrays());
+  const auto first = moved->index_of(nodes.cells().begin);
+  sweep.add_forces(cells, std::as_const(*moved).from(first), exerted->from(first), threads);
+  auto on_phase_strains = elastic_operator.zero_strains_of_phases();
+  add_mixed_forces(elastic_operator, moduli, displacement, sweep, *moved, *exerted, on_phase_strains.get());
+  moved.reset();
+
+  double macroscopic = exerted->work_on(macroscopic_strain);
+  MPI_Allreduce(MPI_IN_PLACE, &macroscopic, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  auto on_nodes = nodes.zeros();
+  exerted->sum_up(nodes, on_nodes.get());
+  return {macroscopic, std::move(on_nodes), std::move(on_phase_strains)};
+}
+
+}  // namespace breccia::quasistatic
