@@ -22,8 +22,8 @@ template <int dim>
 BandSchedule<dim>::BandSchedule(LayerStep<dim>& layers, LayerExchange<dim>& exchange, int threads)
     : layers_(&layers),
       exchange_(&exchange),
-      from_below_(ForceLayer<dim>::for_sums(layers.nodes().layer_size())),
-      from_above_(ForceLayer<dim>::for_sums(layers.nodes().layer_size())),
+      from_below_(layers.nodes().layer_size()),
+      from_above_(layers.nodes().layer_size()),
       throttle_(1),
       sums_(layers.problem().discretisation.grid()) {
   const int first = exchange.first(), own_layers = exchange.end() - first;
@@ -38,7 +38,7 @@ BandSchedule<dim>::BandSchedule(LayerStep<dim>& layers, LayerExchange<dim>& exch
 template <int dim>
 std::size_t BandSchedule<dim>::bytes() const noexcept {
   const auto force_layers = 5 * bands_.size() + 2;
-  return force_layers * ForceLayer<dim>::lists * layers_->nodes().layer_size() * sizeof(double) + sums_.bytes();
+  return force_layers * dim * layers_->nodes().layer_size() * sizeof(double) + sums_.bytes();
 }
 
 template <int dim>

@@ -23,7 +23,7 @@ const CellPhases<dim>& cell_of(const Discretisation<dim>& discretisation, int ro
 
 template <int dim>
 BlockLayout<dim>::BlockLayout(const DynamicProblem<dim>& problem, int first_layer, int end_layer)
-    : rows_of_layer_(rows_of_layer(problem.discretisation.grid())),
+    : rows_of_layer_(dim == 2 ? 1 : problem.discretisation.grid().cells[1]),
       first_row_(first_layer * rows_of_layer_),
       blocks_per_row_((problem.discretisation.grid().cells[0] + lanes - 1) / lanes),
       bulk_modes_(problem.volumetric == Volumetric::averaged ? bulk_modes_averaged : bulk_modes_standard<dim>) {
@@ -125,8 +125,7 @@ void BlockLayout<dim>::add_block(const DynamicProblem<dim>& problem, int row, in
 
 template <int dim>
 typename BlockLayout<dim>::Histories BlockLayout<dim>::histories(const Index<dim>& cell, PhaseIndex material) const {
-  const int row = dim == 2 ? cell[1] : cell.back() * rows_of_layer_ + cell[1];
-  const Block& block = this->row(row)[cell[0] / lanes];
+  const Block& block = row(cell.back(), dim == 2 ? 0 : cell[1])[cell[0] / lanes];
   const int lane = cell[0] % lanes;
   Histories sums;
   if (block.by_cell != nullptr) {

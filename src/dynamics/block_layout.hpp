@@ -22,9 +22,11 @@ class BlockLayout {
   BlockLayout(const DynamicProblem<dim>& problem, int first_layer, int end_layer);
 
   [[nodiscard]] int blocks_per_row() const noexcept { return blocks_per_row_; }
-  /// The blocks of a row by its number, counted plane by plane in 3 dimensions.
-  [[nodiscard]] const Block* row(int cell_row) const noexcept {
-    return blocks_.data() + static_cast<std::ptrdiff_t>(cell_row - first_row_) * blocks_per_row_;
+  [[nodiscard]] int rows_of_layer() const noexcept { return rows_of_layer_; }
+  /// The blocks of a row of a layer.
+  [[nodiscard]] const Block* row(int layer, int row_of_layer) const noexcept {
+    const int row = layer * rows_of_layer_ + row_of_layer - first_row_;
+    return blocks_.data() + static_cast<std::ptrdiff_t>(row) * blocks_per_row_;
   }
 
   /// Modulus times strain modes of one material in one cell, summed over its Maxwell terms [Pa times the cell side].
@@ -50,7 +52,6 @@ class BlockLayout {
   [[nodiscard]] std::optional<CellMaterials> cells_of_one_material(const Discretisation<dim>& discretisation, int row,
                                                                    int first_column) const;
   void place_histories();
-  [[nodiscard]] static int rows_of_layer(const Grid<dim>& grid) noexcept { return dim == 2 ? 1 : grid.cells[1]; }
 
   int rows_of_layer_;
   int first_row_;

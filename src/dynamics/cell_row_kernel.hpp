@@ -1,6 +1,7 @@
 #pragma once
 
-// The inner loop of the total-lagrangian formulation: the internal forces of one row of cells.
+// The inner loops of the total-lagrangian formulation: the internal forces of one row of cells, and the motion of one
+// row of nodes.
 //
 // A square cell strains in five ways: xx, yy and xy of its centre, and two hourglass modes, the gradients q_u and q_v
 // of the two displacement components along the diagonal; a cube strains in eighteen (theory, Eq. 6 and 73). The strains
@@ -69,62 +70,57 @@ struct Block {
   bool relaxes;  ///< at least one material has history
 };
 
+template <int dim>
+constexpr int axis_count = dim;
+
+// NOLINTBEGIN(modernize-avoid-c-arrays): see above
 /// Components of nodal values along a row of nodes.
 template <int dim>
-struct NodeValues;
-
-template <>
-struct NodeValues<2> {
-  const double* x;
-  const double* y;
+struct NodeValues {
+  const double* of_axis[axis_count<dim>];
 };
 
-/// Forces of a layer of cells, a row in 2 dimensions and a plane in 3, on the layer of nodes below or above it.
+/// Components of the forces of a layer of cells, a row in 2 dimensions and a plane in 3, on the layer of nodes below or
+/// above it: the sums of those of all of its cells, one row of nodes after the other.
 template <int dim>
-struct LayerForces;
-
-/// Those from the cells to the right of a node ("left" nodes of their cells), and those from the cells to its left.
-template <>
-struct LayerForces<2> {
-  double* left_x;
-  double* left_y;
-  double* right_x;
-  double* right_y;
+struct LayerForces {
+  double* of_axis[axis_count<dim>];
 };
 
-/// One row of cells and the rows of nodes it hangs on.
+/// Rows of nodes around a row of cells. The bits of the number of such a row are its sides along y and z.
 template <int dim>
-struct CellRow;
+constexpr int rows_of_nodes = dim == 2 ? 2 : 4;
 
-template <>
-struct CellRow<2> {
+/// In 3 dimensions rows of cells are taken by rising y: forces are added to those that the row of cells before has left
+/// on the rows of nodes on the lower side along y. On all others they are written.
+template <int dim>
+constexpr bool adds_to_row(int row) {
+  return dim == 3 && (row & 1) == 0;
+}
+
+/// One row of cells and the rows of nodes around it.
+template <int dim>
+struct CellRow {
   const Block* blocks;
   int block_count;
-  NodeValues<2> displacement_below;
-  NodeValues<2> displacement_above;
-  NodeValues<2> increment_below;  ///< displacement of this step minus that of the step before
-  NodeValues<2> increment_above;
-  LayerForces<2> below;
-  LayerForces<2> above;
-  double* stress;  ///< sums of xx, yy and xy over the row's points, times the cell side
+  NodeValues<dim> displacement[rows_of_nodes<dim>];
+  NodeValues<dim> increment[rows_of_nodes<dim>];  ///< displacement of this step minus that of the step before
+  LayerForces<dim> force[rows_of_nodes<dim>];     ///< divided by h^(dim - 2)
+  double* stress;  ///< sums in Voigt's order over the points of the row, times the cell side
 };
 
 /// Row of nodes to be moved: d += step_over_mass f, u += d, with f the sum of the forces of the cells around, which are
 /// divided by h^(dim - 2).
 template <int dim>
-struct NodeRow;
-
-template <>
-struct NodeRow<2> {
+struct NodeRow {
   int count;  ///< a multiple of the lanes
-  double* displacement_x;
-  double* displacement_y;
-  double* increment_x;
-  double* increment_y;
-  const double* step_over_mass;  ///< dt^2 / m [m/N per unit thickness], zero where the motion is prescribed
-  LayerForces<2> from_cells_below;
-  LayerForces<2> from_cells_above;
+  double* displacement[axis_count<dim>];
+  double* increment[axis_count<dim>];
+  const double* step_over_mass;  ///< dt^2 h^(dim - 2) / m [m^(dim - 1)/N], zero where the motion is prescribed
+  LayerForces<dim> from_cells_below;
+  LayerForces<dim> from_cells_above;
 };
+// NOLINTEND(modernize-avoid-c-arrays)
 
 /// Strain modes of a cell, each with a history of its own (CellShape::modes).
 template <int dim>
@@ -135,11 +131,21 @@ template <int dim>
 constexpr int bulk_modes_standard = dim == 2 ? 3 : 7;
 constexpr int bulk_modes_averaged = 1;
 
+/// Components of a symmetric tensor, in Voigt's order; the first strain modes of a cell are those of its centre.
+template <int dim>
+constexpr int strain_components = dim == 2 ? 3 : 6;
+
 template <int dim>
 struct KernelTable {
   void (*cell_row_averaged)(const CellRow<dim>&);
   void (*cell_row_standard)(const CellRow<dim>&);
   void (*node_row)(const NodeRow<dim>&);
+};
+
+/// The kernels of one instruction set.
+struct Kernels {
+  KernelTable<2> squares;
+  KernelTable<3> cubes;
 };
 
 }  // namespace breccia::dynamics

@@ -5,6 +5,7 @@
 // linkage and nothing of the standard library is used, so that no code for a newer processor leaks into others.
 
 #include "cell_row_kernel.hpp"
+#include "point_map.hpp"
 
 namespace breccia::dynamics {
 namespace {  // NOLINT(google-build-namespaces): see above
@@ -14,8 +15,6 @@ constexpr int parts = lanes / width;
 
 typedef double Pack __attribute__((vector_size(width * sizeof(double))));        // NOLINT(modernize-use-using)
 typedef long long Bits __attribute__((vector_size(width * sizeof(long long))));  // NOLINT(modernize-use-using)
-
-#define BRECCIA_INLINE inline __attribute__((always_inline))
 
 BRECCIA_INLINE Pack load(const double* from) {
   Pack pack;
@@ -169,6 +168,23 @@ BRECCIA_INLINE TermsOfCells shear_terms(const CellsOfRegister& cells) {
 BRECCIA_INLINE Pack masked(const Bits& mask, const Pack& value) {
   return reinterpret_cast<Pack>(reinterpret_cast<Bits>(value) & mask);
 }
+
+/// Strain modes of the cells of a register, times the cell side; or what a modulus makes of them, or forces on them.
+template <int dim>
+struct Modes {
+  Pack of[shear_modes<dim>];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
+};
+
+/// Volumetric strain modes of the cells of a register, times the cell side, or the pressures that belong to them.
+template <int dim>
+struct VolumeModes {
+  Pack of[bulk_modes_standard<dim>];  // NOLINT(modernize-avoid-c-arrays): nothing of the standard library here
+};
+
+/// Forces along one axis on the nodes at the left and at the right of the cells of a register, in one row of nodes.
+struct NodeForces {
+  Pack left, right;
+};
 
 /// Sums over the lanes of a block, in an order that does not depend on the width of a register.
 struct LaneSums {

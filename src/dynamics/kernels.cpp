@@ -2,64 +2,32 @@
 
 namespace breccia::dynamics {
 
-extern const KernelTable<2> kernels_baseline;
-extern const KernelTable<3> cube_kernels_baseline;
+extern const Kernels kernels_baseline;
 #ifdef BRECCIA_X86_KERNELS
-extern const KernelTable<2> kernels_avx2;
-extern const KernelTable<2> kernels_avx512;
-extern const KernelTable<3> cube_kernels_avx2;
-extern const KernelTable<3> cube_kernels_avx512;
+extern const Kernels kernels_avx2;
+extern const Kernels kernels_avx512;
 #endif
 
 namespace {
 
-/// The tables for every instruction set.
-template <int dim>
-struct Tables {
-  const KernelTable<dim>& baseline;
-  const KernelTable<dim>& avx2;
-  const KernelTable<dim>& avx512;
-};
-
-template <int dim>
-Tables<dim> tables();
-
+const Kernels& kernels_of(InstructionSet set) {
 #ifdef BRECCIA_X86_KERNELS
-template <>
-Tables<2> tables() {
-  return {kernels_baseline, kernels_avx2, kernels_avx512};
-}
-
-template <>
-Tables<3> tables() {
-  return {cube_kernels_baseline, cube_kernels_avx2, cube_kernels_avx512};
-}
-#else
-template <>
-Tables<2> tables() {
-  return {kernels_baseline, kernels_baseline, kernels_baseline};
-}
-
-template <>
-Tables<3> tables() {
-  return {cube_kernels_baseline, cube_kernels_baseline, cube_kernels_baseline};
-}
+  if (set == InstructionSet::avx2) return kernels_avx2;
+  if (set == InstructionSet::avx512) return kernels_avx512;
 #endif
+  static_cast<void>(set);
+  return kernels_baseline;
+}
 
 }  // namespace
 
 template <int dim>
 const KernelTable<dim>& kernels(InstructionSet set) {
-  const auto all = tables<dim>();
-  switch (set) {
-    case InstructionSet::avx2:
-      return all.avx2;
-    case InstructionSet::avx512:
-      return all.avx512;
-    case InstructionSet::baseline:
-      break;
+  if constexpr (dim == 2) {
+    return kernels_of(set).squares;
+  } else {
+    return kernels_of(set).cubes;
   }
-  return all.baseline;
 }
 
 template const KernelTable<2>& kernels(InstructionSet);

@@ -3,7 +3,6 @@
 #include "breccia/dynamics/instruction_set.hpp"
 
 #include "cell_row_kernel.hpp"
-#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 

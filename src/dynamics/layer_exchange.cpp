@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <functional>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -19,26 +18,16 @@ namespace {
 
 constexpr int upwards = 0, downwards = 1;
 
-void pack(const LayerForces<2>& forces, std::vector<double>& message) {
-  const auto length = message.size() / 2;
-  std::transform(forces.left_x, forces.left_x + length, forces.right_x, message.data(), std::plus{});
-  std::transform(forces.left_y, forces.left_y + length, forces.right_y, message.data() + length, std::plus{});
+template <int dim>
+void pack(const LayerForces<dim>& forces, std::vector<double>& message) {
+  const auto length = message.size() / dim;
+  for (std::size_t c = 0; c < dim; ++c) std::copy_n(forces.of_axis[c], length, message.data() + c * length);
 }
 
-void unpack(const std::vector<double>& message, const LayerForces<2>& forces) {
-  const auto length = message.size() / 2;
-  std::copy_n(message.data(), length, forces.left_x);
-  std::copy_n(message.data() + length, length, forces.left_y);
-}
-
-void pack(const LayerForces<3>& forces, std::vector<double>& message) {
-  const auto length = message.size() / 3;
-  for (std::size_t c = 0; c < 3; ++c) std::copy_n(forces.of_axis[c], length, message.data() + c * length);
-}
-
-void unpack(const std::vector<double>& message, const LayerForces<3>& forces) {
-  const auto length = message.size() / 3;
-  for (std::size_t c = 0; c < 3; ++c) std::copy_n(message.data() + c * length, length, forces.of_axis[c]);
+template <int dim>
+void unpack(const std::vector<double>& message, const LayerForces<dim>& forces) {
+  const auto length = message.size() / dim;
+  for (std::size_t c = 0; c < dim; ++c) std::copy_n(message.data() + c * length, length, forces.of_axis[c]);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include "breccia/parallel/ordered_values.hpp"
 
 #include "cell_row_kernel.hpp"
-#include "cube_row_kernel.hpp"
 
 namespace breccia::dynamics {
 
@@ -39,9 +38,7 @@ class LayerExchange {
   /// Starts to send the forces on the lowest nodes to the process below, and to receive those of both neighbours.
   void begin(const LayerForces<dim>& lowest);
   /// Sends the forces on the highest nodes to the process above, and waits until the forces from both neighbours are
-  /// there. They are sums of the forces of all cells of each node. In 2 dimensions the sums are written in the place
-  /// of the left forces; the caller must keep -0 in the place of the right ones, so that adding both changes no bit.
-  /// On a side where there is no neighbour nothing is written.
+  /// there. On a side where there is no neighbour nothing is written.
   void finish(const LayerForces<dim>& highest, const LayerForces<dim>& from_below, const LayerForces<dim>& from_above);
 
   /// Completes a short list that has the same number of values for each layer of nodes on every process. Before the

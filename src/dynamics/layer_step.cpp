@@ -38,47 +38,33 @@ void LayerStep<dim>::find_row_forces(const CellRow<dim>& row) const {
   }
 }
 
-template <>
-void LayerStep<2>::find_cell_forces(int layer, const LayerForces<2>& below, const LayerForces<2>& above, Sums& sums) {
-  const auto u_below = nodes_.displacement(layer), u_above = nodes_.displacement(layer + 1);
-  const auto du_below = nodes_.increment(layer), du_above = nodes_.increment(layer + 1);
-  find_row_forces({.blocks = layout_.row(layer),
-                   .block_count = layout_.blocks_per_row(),
-                   .displacement_below = {u_below[0], u_below[1]},
-                   .displacement_above = {u_above[0], u_above[1]},
-                   .increment_below = {du_below[0], du_below[1]},
-                   .increment_above = {du_above[0], du_above[1]},
-                   .below = below,
-                   .above = above,
-                   .stress = sums.stress.data()});
-}
-
-template <>
-void LayerStep<3>::find_cell_forces(int layer, const LayerForces<3>& below, const LayerForces<3>& above, Sums& sums) {
-  const int rows = problem_->discretisation.grid().cells[1];
-  const auto stride = nodes_.stride();
-  // The first row of cells adds to these.
-  for (const auto& forces : {below, above}) {
-    for (double* along : forces.of_axis) std::fill_n(along, stride, 0.0);
+template <int dim>
+void LayerStep<dim>::find_cell_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above,
+                                      Sums& sums) {
+  // The first row of cells of a plane adds to these.
+  if constexpr (adds_to_row<dim>(0)) {
+    for (const auto& forces : {below, above}) {
+      for (double* along : forces.of_axis) std::fill_n(along, nodes_.stride(), 0.0);
+    }
   }
   sums.stress = {};
-  for (int row = 0; row < rows; ++row) {
-    std::array<double, static_cast<std::size_t>(tensor_components<3>)> stress{};
-    CellRow<3> cells = {.blocks = layout_.row(layer * rows + row),
-                        .block_count = layout_.blocks_per_row(),
-                        .displacement = {},
-                        .increment = {},
-                        .force = {},
-                        .stress = stress.data()};
-    for (int side = 0; side < 4; ++side) {
-      const int y = row + side % 2;
-      const int of_nodes = nodes_.row_of({0, y, layer + side / 2});
+  for (int row = 0; row < layout_.rows_of_layer(); ++row) {
+    std::array<double, static_cast<std::size_t>(tensor_components<dim>)> stress{};
+    CellRow<dim> cells = {.blocks = layout_.row(layer, row),
+                          .block_count = layout_.blocks_per_row(),
+                          .displacement = {},
+                          .increment = {},
+                          .force = {},
+                          .stress = stress.data()};
+    constexpr int rows_of_side = rows_of_nodes<dim> / 2;  // below the cells, and as many above them
+    for (int i = 0; i < rows_of_nodes<dim>; ++i) {
+      const int row_of_nodes = row + i % rows_of_side, upwards = i / rows_of_side;
+      const int of_nodes = nodes_.row_of(layer + upwards, row_of_nodes);
       const auto u = nodes_.displacement(of_nodes), du = nodes_.increment(of_nodes);
-      const auto& forces = side < 2 ? below : above;
+      cells.force[i] = nodes_.along_row(upwards == 0 ? below : above, row_of_nodes);
       for (std::size_t c = 0; c < u.size(); ++c) {
-        cells.displacement[side].of_axis[c] = u[c];
-        cells.increment[side].of_axis[c] = du[c];
-        cells.force[side].of_axis[c] = forces.of_axis[c] + stride * static_cast<std::size_t>(y);
+        cells.displacement[i].of_axis[c] = u[c];
+        cells.increment[i].of_axis[c] = du[c];
       }
     }
     find_row_forces(cells);
@@ -86,26 +72,18 @@ void LayerStep<3>::find_cell_forces(int layer, const LayerForces<3>& below, cons
   }
 }
 
-/// Gives the nodes at both ends of a row the forces of the cells at the other end.
-template <>
-void LayerStep<2>::join_sides(const LayerForces<2>& forces) const {
-  const int columns = problem_->discretisation.grid().columns();
-  forces.right_x[0] = forces.right_x[columns];
-  forces.right_y[0] = forces.right_y[columns];
-  forces.left_x[columns] = forces.left_x[0];
-  forces.left_y[columns] = forces.left_y[0];
-}
-
-/// Gives the nodes on the lower sides of a plane the forces of the cells on the upper sides. Those on the upper sides
+/// Gives the nodes on the lower sides of a layer the forces of the cells on the upper sides. Those on the upper sides
 /// are images.
-template <>
-void LayerStep<3>::join_sides(const LayerForces<3>& forces) const {
+template <int dim>
+void LayerStep<dim>::join_sides(const LayerForces<dim>& forces) const {
   const auto& cells = problem_->discretisation.grid().cells;
   const auto stride = nodes_.stride();
   for (double* along : forces.of_axis) {
-    double* last_row = along + stride * static_cast<std::size_t>(cells[1]);
-    for (int column = 0; column <= cells[0]; ++column) along[column] += last_row[column];
-    for (int row = 0; row < cells[1]; ++row, along += stride) along[0] += along[cells[0]];
+    if constexpr (dim == 3) {
+      const double* last_row = along + stride * static_cast<std::size_t>(cells[1]);
+      for (int column = 0; column <= cells[0]; ++column) along[column] += last_row[column];
+    }
+    for (int row = 0; row < layout_.rows_of_layer(); ++row, along += stride) along[0] += along[cells[0]];
   }
 }
 
@@ -129,36 +107,23 @@ void LayerStep<dim>::find_forces(int layer, const LayerForces<dim>& below, const
   }
 }
 
-template <>
-void LayerStep<2>::integrate(int layer, const LayerForces<2>& from_cells_below,
-                             const LayerForces<2>& from_cells_above) {
-  const auto u = nodes_.displacement(layer), du = nodes_.increment(layer);
-  kernels_->node_row({.count = (layout_.blocks_per_row() + 1) * lanes,
-                      .displacement_x = u[0],
-                      .displacement_y = u[1],
-                      .increment_x = du[0],
-                      .increment_y = du[1],
-                      .step_over_mass = nodes_.step_over_mass(layer),
-                      .from_cells_below = from_cells_below,
-                      .from_cells_above = from_cells_above});
-}
-
-template <>
-void LayerStep<3>::integrate(int layer, const LayerForces<3>& from_cells_below,
-                             const LayerForces<3>& from_cells_above) {
-  for (int y = 0; y < nodes_.rows_of_layer(); ++y) {
-    const int row = nodes_.row_of({0, y, layer});
-    const auto u = nodes_.displacement(row), du = nodes_.increment(row);
-    const auto begin = nodes_.stride() * static_cast<std::size_t>(y);
-    const auto from_here = [begin](const LayerForces<3>& forces) -> LayerForces<3> {
-      return {{forces.of_axis[0] + begin, forces.of_axis[1] + begin, forces.of_axis[2] + begin}};
-    };
-    kernels_->node_row({.count = (layout_.blocks_per_row() + 1) * lanes,
-                        .displacement = {u[0], u[1], u[2]},
-                        .increment = {du[0], du[1], du[2]},
-                        .step_over_mass = nodes_.step_over_mass(row),
-                        .from_cells_below = from_here(from_cells_below),
-                        .from_cells_above = from_here(from_cells_above)});
+template <int dim>
+void LayerStep<dim>::integrate(int layer, const LayerForces<dim>& from_cells_below,
+                               const LayerForces<dim>& from_cells_above) {
+  for (int row_of_nodes = 0; row_of_nodes < nodes_.rows_of_layer(); ++row_of_nodes) {
+    const int number = nodes_.row_of(layer, row_of_nodes);
+    const auto u = nodes_.displacement(number), du = nodes_.increment(number);
+    NodeRow<dim> row = {.count = (layout_.blocks_per_row() + 1) * lanes,
+                        .displacement = {},
+                        .increment = {},
+                        .step_over_mass = nodes_.step_over_mass(number),
+                        .from_cells_below = nodes_.along_row(from_cells_below, row_of_nodes),
+                        .from_cells_above = nodes_.along_row(from_cells_above, row_of_nodes)};
+    for (std::size_t c = 0; c < u.size(); ++c) {
+      row.displacement[c] = u[c];
+      row.increment[c] = du[c];
+    }
+    kernels_->node_row(row);
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include "block_layout.hpp"
 #include "cell_row_kernel.hpp"
-#include "cube_row_kernel.hpp"
 #include "layer_sums.hpp"
 #include "nodal_field.hpp"
 

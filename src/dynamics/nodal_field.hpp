@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/discretisation/grid.hpp"
 #include "breccia/parallel/ordered_values.hpp"
 
@@ -66,9 +67,24 @@ class NodalField {
   [[nodiscard]] int rows_of_layer() const noexcept { return rows_of_layer_; }
   /// Nodes that a layer holds.
   [[nodiscard]] std::size_t layer_size() const noexcept { return stride_ * static_cast<std::size_t>(rows_of_layer_); }
+  /// Number of a row of a layer.
+  [[nodiscard]] int row_of(int layer, int row_of_layer) const noexcept { return layer * rows_of_layer_ + row_of_layer; }
   /// Number of the row of a node.
   [[nodiscard]] int row_of(const Index<dim>& node) const noexcept {
-    return dim == 2 ? node[1] : node.back() * rows_of_layer_ + node[1];
+    return row_of(node.back(), dim == 2 ? 0 : node[1]);
+  }
+  /// The forces on a layer of nodes, from a row of the layer on.
+  [[nodiscard]] LayerForces<dim> along_row(LayerForces<dim> forces, int row_of_layer) const noexcept {
+    for (double*& along : forces.of_axis) along += stride_ * static_cast<std::size_t>(row_of_layer);
+    return forces;
+  }
+
+  /// Displacements, and increments, of the nodes of a cell.
+  [[nodiscard]] typename CellShape<dim>::Values displacement_of_cell(const Index<dim>& cell) const {
+    return values_of_cell(cell, 0);
+  }
+  [[nodiscard]] typename CellShape<dim>::Values increment_of_cell(const Index<dim>& cell) const {
+    return values_of_cell(cell, dim);
   }
 
   [[nodiscard]] Components<double> displacement(int row) noexcept { return components<double>(*this, row, 0); }
@@ -104,6 +120,16 @@ class NodalField {
     const int lowest_rows = held_.lowest * rows_of_layer_, left_out = (held_.first - held_.lowest) * rows_of_layer_;
     const int index = row < lowest_rows ? row : row - left_out;
     return (static_cast<std::size_t>(index) * fields + which) * stride_;
+  }
+  [[nodiscard]] typename CellShape<dim>::Values values_of_cell(const Index<dim>& cell, std::size_t first) const {
+    typename CellShape<dim>::Values values;
+    for (int n = 0; n < CellShape<dim>::nodes; ++n) {
+      auto node = CellShape<dim>::corner(n);
+      for (std::size_t axis = 0; axis < node.size(); ++axis) node[axis] += cell[axis];
+      const auto of_row = components<const double>(*this, row_of(node), first);
+      for (int i = 0; i < dim; ++i) values[dim * n + i] = of_row[static_cast<std::size_t>(i)][node[0]];
+    }
+    return values;
   }
   template <class Value, class Rows>
   static Components<Value> components(Rows& rows, int row, std::size_t first) noexcept {

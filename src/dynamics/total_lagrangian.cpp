@@ -5,6 +5,7 @@
 
 #include "boundary_nodes.hpp"
 #include "nodal_mass.hpp"
+#include "recovered_fields.hpp"
 
 namespace breccia::dynamics {
 
@@ -49,6 +50,44 @@ void TotalLagrangian<dim>::set_velocities(const VelocityField& velocity) {
 template <int dim>
 void TotalLagrangian<dim>::take_steps(std::int64_t first, int steps, Averages<dim>* averages) {
   schedule_.take_steps(first, steps, averages);
+}
+
+template <int dim>
+OwnNodes<dim> TotalLagrangian<dim>::own_nodes() const noexcept {
+  return {&problem(), &layers_.nodes(), exchange_.first(), exchange_.end_of_nodes()};
+}
+
+template <int dim>
+Vector<dim> TotalLagrangian<dim>::momentum() const {
+  return momentum_of(own_nodes());
+}
+
+template <int dim>
+Energy TotalLagrangian<dim>::energy() const {
+  require_elastic();
+  return energy_of(own_nodes());
+}
+
+template <int dim>
+Vector<dim> TotalLagrangian<dim>::most_moved() const {
+  return most_moved_of(own_nodes());
+}
+
+template <int dim>
+LatticeFields<dim> TotalLagrangian<dim>::fields() const {
+  return recover_fields(problem(), layers_.nodes(), layers_.layout());
+}
+
+template <int dim>
+Footprint TotalLagrangian<dim>::footprint() const {
+  constexpr std::size_t fields_moved = 4 * dim + 1;  // one more than twice dim read, of which all others are written
+  const auto layers = static_cast<std::size_t>(exchange_.end() - exchange_.first());
+  const auto& nodes = layers_.nodes();
+  const auto& layout = layers_.layout();
+  return {.held = problem().discretisation.cells().size() * sizeof(CellPhases<dim>) + layout.material_bytes() +
+                  layout.history_bytes() + nodes.bytes() + schedule_.bytes(),
+          .moved_per_step = layers * nodes.layer_size() * fields_moved * sizeof(double) + layout.material_bytes() +
+                            2 * layout.history_bytes()};
 }
 
 template class TotalLagrangian<2>;

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <string>
 
-#include "breccia/discretisation/cell_shape.hpp"
 #include "breccia/dynamics/dynamic_solver.hpp"
 
 #include "band_schedule.hpp"
 #include "layer_exchange.hpp"
 #include "layer_step.hpp"
+#include "nodal_diagnostics.hpp"
 
 namespace breccia::dynamics {
 
@@ -35,11 +35,8 @@ class TotalLagrangian final : public DynamicSolver<dim> {
   [[nodiscard]] Vector<dim> most_moved() const override;
   void save_arrays(StateWriter& state, const std::string& group) const override;
   void restore_arrays(const StateReader& state, const std::string& group) override;
-  /// Calls action(node) for the nodes of this process: each node belongs to exactly one process.
-  template <class Action>
-  void for_own_nodes(Action&& action) const;
+  [[nodiscard]] OwnNodes<dim> own_nodes() const noexcept;
   [[nodiscard]] std::size_t values_of_all_nodes() const;
-  void set_fields_of_cell(LatticeFields<dim>& fields, const Index<dim>& cell) const;
 
   LayerExchange<dim> exchange_;
   LayerStep<dim> layers_;

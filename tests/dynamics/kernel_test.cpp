@@ -44,15 +44,15 @@ class CellRowKernel : public testing::TestWithParam<Case> {
 
   void run(InstructionSet set) {
     const BlockLayout<2> layout(problem_, 0, 1);
-    const CellRow<2> row = {.blocks = layout.row(0),
-                            .block_count = layout.blocks_per_row(),
-                            .displacement_below = {values_[0].data(), values_[1].data()},
-                            .displacement_above = {values_[2].data(), values_[3].data()},
-                            .increment_below = {values_[0].data(), values_[1].data()},
-                            .increment_above = {values_[2].data(), values_[3].data()},
-                            .below = {forces_[0].data(), forces_[1].data(), forces_[2].data(), forces_[3].data()},
-                            .above = {forces_[4].data(), forces_[5].data(), forces_[6].data(), forces_[7].data()},
-                            .stress = stress_.data()};
+    const NodeValues<2> below = {{values_[0].data(), values_[1].data()}};
+    const NodeValues<2> above = {{values_[2].data(), values_[3].data()}};
+    const CellRow<2> row = {
+        .blocks = layout.row(0, 0),
+        .block_count = layout.blocks_per_row(),
+        .displacement = {below, above},
+        .increment = {below, above},
+        .force = {{{forces_[0].data(), forces_[1].data()}}, {{forces_[2].data(), forces_[3].data()}}},
+        .stress = stress_.data()};
     const auto& table = kernels<2>(set);
     (problem_.volumetric == Volumetric::averaged ? table.cell_row_averaged : table.cell_row_standard)(row);
   }
@@ -64,12 +64,13 @@ class CellRowKernel : public testing::TestWithParam<Case> {
         v[3][column + 1];
     return u;
   }
-  [[nodiscard]] CellShape<2>::Values force(std::size_t column) const {
-    const auto& f = forces_;
-    CellShape<2>::Values force;
-    force << f[0][column], f[1][column], f[2][column + 1], f[3][column + 1], f[4][column], f[5][column],
-        f[6][column + 1], f[7][column + 1];
-    return force;
+  /// Adds the forces of a cell to those of its nodes.
+  static void add(const CellShape<2>::Values& force, std::size_t column, std::array<std::vector<double>, 4>& nodes) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto left = static_cast<Eigen::Index>(i < 2 ? i : i + 2);
+      nodes[i][column] += force[left];
+      nodes[i][column + 1] += force[left + 2];
+    }
   }
 
   static double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1.0; }
@@ -77,13 +78,15 @@ class CellRowKernel : public testing::TestWithParam<Case> {
   std::mt19937_64 random_{7};
   DynamicProblem<2> problem_;
   std::array<std::vector<double>, 4> values_;
-  std::array<std::vector<double>, 8> forces_;
+  std::array<std::vector<double>, 4> forces_;  ///< x and y on the nodes below, then on those above
   std::array<double, 3> stress_{};
 };
 
 TEST_P(CellRowKernel, GivesTheForcesOfTheCellStiffness) {
   run(GetParam().set);
   Eigen::Vector3d stress = Eigen::Vector3d::Zero();
+  std::array<std::vector<double>, 4> expected;
+  for (auto& along : expected) along.assign(length, 0.0);
   for (int column = 0; column < columns; ++column) {
     CellShape<2>::PointModuli moduli{};
     for (int p = 0; p < CellShape<2>::points; ++p) {
@@ -98,8 +101,12 @@ TEST_P(CellRowKernel, GivesTheForcesOfTheCellStiffness) {
                                 pressure + shear * (4 * e[1] - 2 * e[0]) / 3, shear * e[2]);
     }
     const auto c = static_cast<std::size_t>(column);
-    const CellShape<2>::Values expected = -CellShape<2>::stiffness(moduli, problem_.volumetric) * displacement(c);
-    EXPECT_LT((force(c) - expected).norm(), 1e-13 * 1e8) << "in column " << column;
+    add(-CellShape<2>::stiffness(moduli, problem_.volumetric) * displacement(c), c, expected);
+  }
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (std::size_t node = 0; node < length; ++node) {
+      EXPECT_NEAR(forces_[i][node], expected[i][node], 1e-13 * 1e8) << "at node " << node;
+    }
   }
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(stress_[static_cast<std::size_t>(i)], stress[i], 1e-13 * 1e9);
 }
