@@ -22,7 +22,7 @@ namespace breccia::dynamics {
 template <int dim>
 class BandSchedule {
  public:
-  /// For at most so many threads. Refers to the layers and the exchange.
+  /// `threads` is the largest number of threads. The layers and the exchange must outlive the schedule.
   BandSchedule(LayerStep<dim>& layers, LayerExchange<dim>& exchange, int threads);
 
   /// Takes steps from `first` on, storing the averages where each begins.

@@ -72,7 +72,8 @@ BRECCIA_INLINE Pack trace(const Modes<3>& modes) {
   return (modes.of[0] + modes.of[1]) + modes.of[2];
 }
 
-/// Of the centre; along each axis; along each pair of axes, numbered by the third.
+/// The volumetric strain of the centre; its changes along each axis; those along each pair of axes, numbered by the
+/// third.
 BRECCIA_INLINE VolumeModes<3> volume_modes(const Modes<3>& modes) {
   constexpr int axes = CubeMode::axes;
   VolumeModes<3> volume;

@@ -32,7 +32,7 @@ namespace breccia::dynamics {
 template <int dim>
 class LayerStep {
  public:
-  /// For the layers of cells [first_layer, end_layer). Refers to the problem.
+  /// The step of the layers of cells [first_layer, end_layer). The problem must outlive it.
   LayerStep(const DynamicProblem<dim>& problem, InstructionSet instructions, int first_layer, int end_layer);
 
   [[nodiscard]] const DynamicProblem<dim>& problem() const noexcept { return *problem_; }
@@ -42,7 +42,8 @@ class LayerStep {
   [[nodiscard]] const BlockLayout<dim>& layout() const noexcept { return layout_; }
 
   /// Advances the history of a layer of cells to the present displacement and finds its forces on the nodes below and
-  /// above. Sets the sums of the layer at an index; under a traction boundary also those of the highest layer of nodes.
+  /// above. Sets the sums of the layer, at the index of the step; under a traction boundary also those of the highest
+  /// layer of nodes.
   void find_forces(int layer, const LayerForces<dim>& below, const LayerForces<dim>& above, LayerSums<dim>& sums,
                    int index);
 

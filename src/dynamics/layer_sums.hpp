@@ -11,13 +11,13 @@
 
 namespace breccia::dynamics {
 
-/// What the layers of nodes, and the layers of cells above them, add to the averages of a few steps. Layers are summed
-/// in their order once all are known, whichever thread or process found them.
+/// Contributions of the layers of nodes, and of the layers of cells above them, to the averages of a few steps. Layers
+/// are summed in their order once all are known, whichever thread or process found them.
 template <int dim>
 class LayerSums {
  public:
   struct Sums {
-    /// Of the points of the layer of cells, in Voigt's order [Pa], times the cell side.
+    /// Sum of the stresses of the points of the layer of cells, in Voigt's order [Pa], times the cell side.
     std::array<double, static_cast<std::size_t>(tensor_components<dim>)> stress = {};
     Strain<dim> strain =
         {};  ///< of the layer of nodes: its share in the integral of sym(u n) over the boundary [m^dim]
@@ -27,7 +27,7 @@ class LayerSums {
       : steps_(steps_kept(grid)),
         sums_(static_cast<std::size_t>(grid.cells.back() + 1) * static_cast<std::size_t>(steps_)) {}
 
-  /// Steps that there is room for.
+  /// The number of steps whose sums are kept.
   [[nodiscard]] int steps() const noexcept { return steps_; }
   [[nodiscard]] Sums& of(int layer, int step) noexcept { return sums_[index(layer, step)]; }
   [[nodiscard]] const Sums& of(int layer, int step) const noexcept { return sums_[index(layer, step)]; }
@@ -54,7 +54,8 @@ class LayerSums {
   std::vector<Sums> sums_;
 };
 
-/// Averages at a step of the run, the one at an index among those of the sums. Instantiated for 2 and 3 dimensions.
+/// Averages at a step of the run, which has this index among the steps of the sums. Instantiated for 2 and 3
+/// dimensions.
 template <int dim>
 [[nodiscard]] Averages<dim> averages_of(const DynamicProblem<dim>& problem, const LayerSums<dim>& sums, int index,
                                         std::int64_t step);

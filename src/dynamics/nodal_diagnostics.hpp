@@ -15,12 +15,12 @@ struct OwnNodes {
   int first_layer, end_layer;
 };
 
-// Of the nodes of all processes, as DynamicSolver has them. Instantiated for 2 and 3 dimensions.
+// Sums over the nodes of all processes; the units are those of DynamicSolver. Instantiated for 2 and 3 dimensions.
 
 template <int dim>
 [[nodiscard]] Vector<dim> momentum_of(const OwnNodes<dim>& nodes);
 
-/// With the energy of the cells; for elastic materials.
+/// The kinetic energy of the nodes and the strain energy of the cells, of elastic materials.
 template <int dim>
 [[nodiscard]] Energy energy_of(const OwnNodes<dim>& nodes);
 

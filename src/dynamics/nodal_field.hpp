@@ -99,7 +99,7 @@ class NodalField {
 
   /// All layers held, from the lowest to the highest, the same number of values for each.
   [[nodiscard]] std::span<double> values() noexcept { return values_; }
-  /// Those of the layers [first, end) of nodes.
+  /// The values of the layers [first, end) of nodes.
   [[nodiscard]] std::span<const double> values(int first, int end) const noexcept {
     return std::span(values_).subspan(begin(first * rows_of_layer_, 0),
                                       static_cast<std::size_t>(end - first) * values_of_layer());

@@ -11,8 +11,8 @@
 namespace breccia::dynamics {
 namespace {
 
-/// What the Maxwell terms add to the stress of a point: G applied to its strain, with engineering shears, and K to its
-/// volumetric strain [Pa].
+/// Contribution of the Maxwell terms to the stress of a point: G applied to its strain, with engineering shears, and K
+/// to its volumetric strain [Pa].
 template <int dim>
 struct HistoryAtPoint {
   std::array<double, static_cast<std::size_t>(tensor_components<dim>)> shear;

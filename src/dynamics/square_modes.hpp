@@ -26,7 +26,7 @@ BRECCIA_INLINE Modes<2> strain_modes(const NodeValues<2>* rows, int cell) {
            v.above - v.below}};
 }
 
-/// Of the centre, and those hourglass modes that change the volume.
+/// The volumetric strain of the centre, and those hourglass modes that change the volume.
 BRECCIA_INLINE VolumeModes<2> volume_modes(const Modes<2>& modes) {
   return {{modes.of[SquareMode::xx] + modes.of[SquareMode::yy], modes.of[SquareMode::qu], modes.of[SquareMode::qv]}};
 }

@@ -1,4 +1,4 @@
-// What a run is resumed from.
+// Checkpoints of a run of the total-lagrangian formulation.
 #include <cstddef>
 
 #include "breccia/checkpoint/state.hpp"

@@ -13,7 +13,7 @@
 
 namespace breccia {
 
-/// How the equations of the dynamic method are arranged. Both give the same answer.
+/// How the equations of the dynamic method are arranged. Both have the same solution.
 enum class Formulation {
   total_lagrangian,  ///< fixed connectivity, velocities on the nodes: the fast one
   classical          ///< moving points, momenta extrapolated every step: the paper's, the reference
@@ -23,8 +23,8 @@ template <>
 inline constexpr auto words<Formulation> = std::to_array<Word<Formulation>>(
     {{"total-lagrangian", Formulation::total_lagrangian}, {"classical", Formulation::classical}});
 
-/// What moves while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary that
-/// could move first. Under a traction boundary nothing is made to move.
+/// The nodes that move while a displacement boundary is ramped. A periodic box always starts affine: it has no boundary
+/// that could move first. Under a traction boundary nothing is made to move.
 enum class Start {
   boundary,  ///< the boundary alone; waves carry the strain inwards (the paper's)
   affine     ///< the whole field
@@ -35,7 +35,7 @@ inline constexpr auto words<Start> = std::to_array<Word<Start>>({{"boundary", St
                                                                  {"affine", Start::affine}});
 
 /// Raised-cosine ramp from 0 to 1: its rate is (1 + cos(2 pi t / T)) / T for |t| < T / 2. Time counts from the
-/// midpoint, so that the answer of a hereditary material to the ramp differs from its answer to a step only in second
+/// midpoint, so that the responses of a hereditary material to the ramp and to a step differ only in second
 /// order (theory, Eq. 13).
 class StrainRamp {
  public:

@@ -67,7 +67,7 @@ class DynamicSolver {
   [[nodiscard]] virtual Vector<dim> momentum() const = 0;  ///< [kg m/s per unit load], in 2D per unit thickness
   /// Only for elastic materials. Throws InputError otherwise.
   [[nodiscard]] virtual Energy energy() const = 0;
-  /// Of the points of a square, of the cells of a cube (zero_timed_fields), of own_cells().
+  /// Fields of the points of a square, or of the cells of a cube (zero_timed_fields), in own_cells().
   [[nodiscard]] virtual LatticeFields<dim> fields() const = 0;
   [[nodiscard]] virtual Footprint footprint() const = 0;
 

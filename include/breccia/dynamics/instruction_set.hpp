@@ -12,10 +12,10 @@ enum class InstructionSet {
   avx512     ///< on x86-64 alone
 };
 
-/// As users write it: baseline, avx2, avx512.
+/// The name by which users choose it: baseline, avx2, avx512.
 std::string_view name_of(InstructionSet set);
 
-/// Those of this processor, the widest last.
+/// The instruction sets of this processor, the widest last.
 std::vector<InstructionSet> supported_instruction_sets();
 
 /// The widest instruction set of this processor, or the one named by the environment variable BRECCIA_INSTRUCTION_SET.

@@ -14,7 +14,7 @@ struct CompositeState {
   std::vector<Vector> applied;  ///< by part of the affine stiffness
 };
 
-/// The same of a reduced response: weights of the r vectors of its basis.
+/// The state of a reduced response: weights of the r vectors of its basis.
 using ReducedState = CompositeState<Eigen::VectorXd>;
 
 }  // namespace breccia::quasistatic

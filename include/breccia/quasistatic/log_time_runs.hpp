@@ -35,7 +35,7 @@ class LogTimeRun {
   /// The time that has been reached [s]; 0 right after the jump, which is the first step.
   [[nodiscard]] double time() const { return taken_ < 2 ? 0.0 : times_[taken_ - 2]; }
   [[nodiscard]] const LogTimeIntegrator<Composite>& first_load() const { return loads_.front(); }
-  /// By load: the value right after the jump, then the values at the times.
+  /// For each load, the value right after the jump, then the values at the times.
   [[nodiscard]] const std::vector<std::vector<double>>& values() const noexcept { return values_; }
 
   template <StepSolver<Vector> Solver>

@@ -26,7 +26,8 @@ struct SteppedResponse {
 template <int dim>
 struct SteppingResult {
   std::vector<SteppedResponse> responses;  ///< by load
-  /// Of the points of a square, or of the cells of a cube; of the first load; on the first process, zero on the others.
+  /// Fields of the points of a square, or of the cells of a cube, under the first load; on the first process, zero on
+  /// the others.
   std::vector<TimedFields<dim>> fields;
   LinearEffort effort;
 };

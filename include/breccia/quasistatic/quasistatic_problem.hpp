@@ -29,11 +29,12 @@ inline constexpr auto words<LinearMethod> = std::to_array<Word<LinearMethod>>({{
 struct LinearOptions {
   LinearMethod method = LinearMethod::automatic;
   std::int64_t most_unknowns_direct = 250'000;
-  /// The same in 3 dimensions, where the factors fill up.
+  /// The largest number of unknowns of the direct method in 3 dimensions, where the factors fill up.
   std::int64_t most_unknowns_direct_in_3d = 3'000;
   double tolerance = 1e-10;  ///< of the residual relative to the load, in the Euclidean norm [-]
   /// In 3 dimensions the iterative method ends when the error of the fluctuation, in the energy norm and
-  /// relative to the fluctuation, is below this [-]; theory, section 18, tells the error of a modulus that it leaves.
+  /// relative to the fluctuation, is below this [-]; the error of a modulus that it leaves stands
+  /// in theory, section 18.
   double energy_tolerance = 1e-6;
   int threads = 0;  ///< of each process, for the iterative method; 0: all that there are
 

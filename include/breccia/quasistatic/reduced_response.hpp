@@ -102,7 +102,7 @@ struct ReducedResponse {
 /// stiffness (theory, Eqs. 19 and 20). The relaxation modulus follows from it by interconversion. Throws InputError
 /// when the materials are not as many as the phases.
 CreepCompliance creep_compliance(const ReducedResponse& response, std::span<const Material> of_phases);
-/// The same where the moduli of the matrix alone vary.
+/// Creep compliance [1/Pa] where the moduli of the matrix alone vary.
 CreepCompliance creep_compliance(const ReducedResponse& response, const Material& matrix);
 
 }  // namespace breccia

@@ -40,7 +40,7 @@ struct Coverage {
 /// Compares the moduli that the materials of the varying phases show over a window with those of the snapshots of a
 /// response. A response can be used between the moduli of its snapshots, and a little beyond them. With several phases
 /// the snapshots lie on one path: whether the response can be used beside it, where each modulus is covered but not
-/// their combination, largest_error() tells. Throws InputError when the materials are not as many as the phases.
+/// their combination, follows from largest_error(). Throws InputError when the materials are not as many as the phases.
 Coverage coverage(const ReducedResponse& response, std::span<const Material> of_phases, const TimeWindow& window);
 
 /// Largest error estimate of a response for the moduli that its phases show over a window, relative [-].

@@ -16,8 +16,7 @@
 
 namespace breccia::quasistatic {
 
-/// What a vector of a reduced basis was made of: a displacement, some amount of it, and these amounts of the vectors
-/// before.
+/// The origin of a vector of a reduced basis: some amount of a displacement, and these amounts of the vectors before.
 struct VectorOrigin {
   std::optional<std::vector<double>> parameters;  ///< moduli [Pa] that the displacement solves for; none if it does not
   Eigen::VectorXd of_earlier;

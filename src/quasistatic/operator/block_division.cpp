@@ -8,7 +8,7 @@
 namespace breccia::quasistatic {
 namespace {
 
-/// Where to cut a row of cells into about equal pieces of some wanted cells, both its ends included.
+/// The cuts of a row of cells into about equal pieces of some wanted number of cells, both its ends included.
 std::vector<int> cut(int cells, int wanted, bool wraps) {
   int pieces = std::max(1, (cells + wanted / 2) / wanted);
   if (wraps) pieces = std::max(2, pieces / 2 * 2);

@@ -41,7 +41,7 @@ class BlockDivision {
   [[nodiscard]] std::vector<int> nodes_along(std::size_t axis) const;
 
  private:
-  /// The same with blocks of about this side.
+  /// The division into blocks of about this side.
   static std::optional<BlockDivision> with_blocks(int side, int processes, const std::array<int, 2>& cells, bool wraps);
 
   BlockDivision(const std::array<int, 2>& processes, const std::array<std::vector<int>, 2>& cuts, bool wraps)

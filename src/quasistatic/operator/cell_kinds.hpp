@@ -31,9 +31,9 @@ class CellKinds {
   [[nodiscard]] std::uint32_t of(const Index<dim>& cell) const noexcept { return of_cells_[own_cells_.place_of(cell)]; }
   /// The kinds of all cells, the first axis fastest.
   [[nodiscard]] const std::vector<std::uint32_t>& of_cells() const noexcept { return of_cells_; }
-  /// What the cells of each kind hold if they are mixed ones.
+  /// By kind, the mixed cell that its cells are; nothing for kinds of cells that are not mixed.
   [[nodiscard]] const std::vector<std::optional<MixedCell<dim>>>& mixed() const noexcept { return mixed_; }
-  /// What a cell holds if it is a mixed one; null otherwise.
+  /// The mixed cell that a cell is; null if it is not mixed.
   [[nodiscard]] const MixedCell<dim>* mixed_cell(const Index<dim>& cell) const noexcept {
     const auto& mixed = mixed_[of(cell)];
     return mixed ? &*mixed : nullptr;

@@ -9,7 +9,8 @@ struct Differences {
   double x, y, z, xy, yz, zx, xyz;
 };
 
-/// From the sums over the four rows, which are `stride` apart, at the two nodes of a cell along the row.
+/// The differences that follow from the sums over the four rows, which are `stride` apart, at the two nodes of a cell
+/// along the row.
 inline Differences differences(const double* sums, std::size_t stride) noexcept {
   const double *all = sums, *y = sums + stride, *z = sums + 2 * stride, *yz = sums + 3 * stride;
   return {.x = all[1] - all[0],

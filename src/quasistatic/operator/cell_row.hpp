@@ -16,7 +16,7 @@ using EdgeRows = std::array<std::array<Value*, 4>, 3>;
 /// hundred operations without a stiffness matrix (theory, Eqs. 70 and 71). Lengths are in units of the cell side.
 class CellRow {
  public:
-  /// For rows of this number of cells.
+  /// `cells` is the number of cells of a row.
   explicit CellRow(int cells);
 
   /// Adds the nodal forces of the cells under these displacements. `shear` and `bulk` hold the moduli [Pa] by cell.

@@ -13,7 +13,8 @@
 
 namespace breccia::quasistatic {
 
-/// Where the nodes of a box are in arrays that hold one component of a nodal vector each. The first axis is contiguous.
+/// The layout of the nodes of a box in arrays that hold one component of a nodal vector each. The first axis is
+/// contiguous.
 struct NodeArrays {
   Index<3> nodes{};       ///< along each axis
   std::size_t row = 0;    ///< distance of nodes that are neighbours along the second axis
@@ -74,7 +75,7 @@ class CellSweep {
   /// Planes of cells of a slab, which one thread takes at a time.
   static constexpr int planes_of_slab = 4;
 
-  /// What a thread keeps of a row of cells.
+  /// The arrays of a thread for a row of cells.
   struct Row {
     explicit Row(int cells)
         : forces(cells), shear(static_cast<std::size_t>(cells)), bulk(static_cast<std::size_t>(cells)) {}

@@ -45,8 +45,8 @@ class MixedCell {
   /// [Pa] of the phases.
   [[nodiscard]] std::pair<Modes, Eigen::VectorXd> stresses(std::span<const Moduli> moduli, const Modes& strain,
                                                            const Strains& unknown) const;
-  /// What forces on the unknown strains take away from the stress of the series mixture, when the strains have been
-  /// eliminated: the sum in Eq. 42 of the theory, times the modulus of the mixture.
+  /// Static condensation: the reduction of the stress of the series mixture by forces on the unknown strains, when
+  /// these strains have been eliminated. It is the sum in Eq. 42 of the theory, times the modulus of the mixture.
   [[nodiscard]] Modes stress_relieved_by(std::span<const Moduli> moduli, const Strains& forces) const;
   /// The shares of all phases but the first where no forces are on the strains, for the moduli [Pa] of the phases.
   [[nodiscard]] std::vector<StrainShare> shares(std::span<const Moduli> moduli) const;

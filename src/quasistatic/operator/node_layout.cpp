@@ -115,7 +115,7 @@ void NodeLayout<dim>::find_ranges_of_distributed() {
   seen_ = range(DMDAGetGhostCorners);
 }
 
-/// Those of the grid of nodes that PETSc makes for one process.
+/// The ranges of the grid of nodes that PETSc makes for one process.
 template <int dim>
 void NodeLayout<dim>::find_ranges_of_whole_box() noexcept {
   owned_.end = nodes_along();

@@ -69,7 +69,7 @@ class NodeLayout {
   [[nodiscard]] CellValues cell_values(const Index<dim>& cell, const double* local) const noexcept;
   /// Indices of the first components of the nodes of a cell among the values with the nodes of neighbouring processes.
   [[nodiscard]] std::array<std::size_t, Shape::nodes> indices_of(const Index<dim>& cell) const noexcept;
-  /// The same in a nodal vector of a single process.
+  /// Indices of the first components of the nodes of a cell in a nodal vector of a single process.
   [[nodiscard]] std::array<std::size_t, Shape::nodes> nodal_indices_of(const Index<dim>& cell) const noexcept;
   /// Index of the first component of a node that a single process sees, in a nodal vector: the nodes before the first
   /// ones of a periodic box are its last ones, those behind the last ones its first.

@@ -34,7 +34,7 @@ class ReadValues {
   const double* data_ = nullptr;
 };
 
-/// The same values, to be written.
+/// The values of a vector of PETSc on this process, to be written during the lifetime of this object.
 class WriteValues {
  public:
   explicit WriteValues(Vec vector) : vector_(vector) {

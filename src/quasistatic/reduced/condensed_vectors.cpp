@@ -93,7 +93,7 @@ void CondensedVectors::for_mixed_cells(std::size_t count, const Work& work) cons
   failure.rethrow();
 }
 
-/// By kind of cell.
+/// The shares of the phases in the first `count` vectors, by kind of cell.
 std::vector<CondensedVectors::SharesOfPhases> CondensedVectors::shares_of_kinds(std::size_t count) const {
   std::vector<SharesOfPhases> by_kind;
   for (const auto& mixed : elastic_operator_->kinds().mixed()) {

@@ -21,7 +21,7 @@ namespace breccia::quasistatic {
 /// displacement and of earlier vectors (theory, Eq. 76).
 class CondensedVectors {
  public:
-  /// For a basis of this load. The operator and the stiffness must outlive it.
+  /// No vectors, of a basis of this load. The operator and the stiffness must outlive it.
   CondensedVectors(const ElasticOperator<3>& elastic_operator, const AffineStiffness& stiffness, Load load)
       : elastic_operator_(&elastic_operator), stiffness_(&stiffness), load_(load) {}
 
@@ -51,10 +51,10 @@ class CondensedVectors {
     std::vector<std::vector<StrainShare>> shares;  ///< by kind of cell and phase but the first
   };
 
-  /// Where the strains of the phases of a mixed cell are among those of all.
+  /// The strains of the phases of a mixed cell among those of all cells.
   struct MixedStrains {
     std::uint32_t kind;  ///< of the cell
-    std::size_t first;   ///< index
+    std::size_t first;   ///< index of the first of them
   };
 
   class ValuesAtNodes;

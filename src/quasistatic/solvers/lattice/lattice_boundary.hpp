@@ -7,7 +7,7 @@
 
 namespace breccia::quasistatic {
 
-/// What the boundary condition of a box asks of the fields of its lattice. NodeLayout holds single components of a
+/// The boundary condition of a box, applied to the fields of its lattice. NodeLayout holds single components of a
 /// periodic or free box at zero, to suppress its rigid motions. On a lattice no component of such a box is held: forces
 /// are completed by those that balance them, and the rigid motion is taken away at the end. Displacement boundaries
 /// hold the nodes on the walls.

@@ -49,8 +49,8 @@ void LatticeSolver::multiply(State& state) {
 }
 
 bool LatticeSolver::is_accurate(double error, double energy) const noexcept {
-  // Beside a soft matrix the fluctuation all but cancels the strain that is prescribed, so that its own energy is far
-  // greater than that of the composite, which must be right, too.
+  // In a soft matrix the fluctuation nearly cancels the prescribed strain: its own energy is orders above that of the
+  // composite. The error must be small relative to both.
   constexpr double of_composite = 1e-8;
   return error <= energy_tolerance_ * energy_tolerance_ * energy &&
          (!least_energy() || error <= of_composite * *least_energy());

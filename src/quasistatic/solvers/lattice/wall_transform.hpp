@@ -29,7 +29,7 @@ class WallTransform {
  public:
   enum class Kind { sine, cosine };
 
-  /// For rows of `cells` cells, as many pairs of them at a time.
+  /// The transform of rows of `cells` cells, as many pairs of them at a time.
   WallTransform(Kind kind, int cells, std::size_t pairs);
 
   /// The memory that a transform needs, for one thread.

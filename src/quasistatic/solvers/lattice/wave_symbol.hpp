@@ -15,9 +15,9 @@ struct HalfAngle {
 /// Half angles of `count` waves along an axis, which are `step` [rad] apart, from zero.
 [[nodiscard]] std::vector<HalfAngle> half_angles(int count, double step);
 
-/// What the elastic operator of equal cubic cells, with averaged volumetric strains, does to waves of the nodal
-/// displacements: G T + K d d', where d is the divergence of the wave and the symmetric matrix T the shear (theory,
-/// Eq. 72). The same real numbers hold for plane waves and for products of sines and cosines.
+/// The symbol of the elastic operator of equal cubic cells, with averaged volumetric strains: its action on waves of
+/// the nodal displacements, G T + K d d', where d is the divergence of the wave and the symmetric matrix T the shear
+/// (theory, Eq. 72). The same real numbers hold for plane waves and for products of sines and cosines.
 class WaveSymbol {
  public:
   WaveSymbol(const HalfAngle& x, const HalfAngle& y, const HalfAngle& z) noexcept

@@ -90,7 +90,7 @@ bool BlockGrid::is_owned(int edge) const noexcept {
 
 int BlockGrid::vertex(int column, int row) const noexcept {
   if (column < owned_columns_ && row < owned_rows_) return row * owned_columns_ + column;
-  // Those of the next processes: of the column at the end, then of the row at the end.
+  // Vertices of the next processes: those of the column at the end, then those of the row at the end.
   if (column == owned_columns_) return owned_vertices() + row;
   return vertices() - owned_columns_ + column;
 }

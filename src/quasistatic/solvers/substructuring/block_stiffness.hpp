@@ -11,7 +11,8 @@
 
 namespace breccia::quasistatic {
 
-/// What the stiffness of a block depends on: its shape, its cells, and which displacements of its boundary are held.
+/// A kind of block, whose stiffness depends on its shape, its cells, and on which displacements of its boundary are
+/// held.
 struct BlockKind {
   Block shape;
   std::vector<const CellShape<2>::Stiffness*> cells;  ///< stiffness matrices of the cells, row by row

@@ -13,7 +13,7 @@ struct BlockAtEdge {
   Side side;
 };
 
-/// What an edge knows of one of its blocks.
+/// Stiffness of one of the two blocks of an edge, as the average over the edge needs it.
 struct EdgeStiffness {
   Eigen::MatrixXd held;  ///< stiffness of the edge with all other unknowns of the block held
   Eigen::MatrixXd free;  ///< of the edge and then the two vertices at its ends, with all other unknowns free

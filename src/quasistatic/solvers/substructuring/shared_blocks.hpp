@@ -25,7 +25,7 @@ struct SharedBoundaries {
   std::vector<SharedBoundary> vertices, edges;
 };
 
-/// Those of the process with this rank.
+/// The vertices and edges of the process with this rank that belong to other ones.
 SharedBoundaries shared_boundaries(const BlockDivision& division, int rank);
 
 /// Exchange of the unknowns between blocks of different processes.

@@ -40,9 +40,9 @@ SharedValues::SharedValues(int size, const std::vector<Copy>& copies) {
   if (parallel::ranks() == 1) return;
   std::vector<PetscInt> indices;
   std::vector<PetscSFNode> sources;
-  for (const auto& [index, owner, place_at_owner] : copies) {
+  for (const auto& [index, owner, index_at_owner] : copies) {
     indices.push_back(index);
-    sources.push_back({.rank = owner, .index = place_at_owner});
+    sources.push_back({.rank = owner, .index = index_at_owner});
   }
   const auto count = static_cast<PetscInt>(copies.size());
   check(PetscSFCreate(PETSC_COMM_WORLD, exchange_.put()), exchanging);

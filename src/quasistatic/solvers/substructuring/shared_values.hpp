@@ -18,7 +18,7 @@ class SharedValues {
   struct Copy {
     int index;
     int owner;           ///< rank of the process
-    int place_at_owner;  ///< in the list of that process
+    int index_at_owner;  ///< in the list of that process
   };
 
   /// No copies on any process.
@@ -26,12 +26,12 @@ class SharedValues {
   /// `size` is the length of the list of this process.
   SharedValues(int size, const std::vector<Copy>& copies);
 
-  /// Adds what is in the places of the copies to the values of the owners.
+  /// Adds the entries of the copies to the values of the owners.
   void add_to_owners(std::span<double> values) const;
   /// Sets the copies to the values of the owners.
   void copy_from_owners(std::span<double> values) const;
   void copy_from_owners(std::span<int> values) const;
-  /// The same for `each` numbers a value.
+  /// Sets the copies to the values of the owners, of `each` numbers a value.
   void copy_from_owners(std::span<double> values, int each) const;
   /// Sets the values of the owners to the copies, `each` numbers a value. A value has one copy, or none and is left.
   void copy_to_owners(std::span<double> values, int each) const;

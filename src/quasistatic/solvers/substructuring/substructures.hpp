@@ -64,14 +64,14 @@ class Substructures {
     return static_cast<int>(first_unknown_[static_cast<std::size_t>(block) + 1] -
                             first_unknown_[static_cast<std::size_t>(block)]);
   }
-  /// Where a block begins in a list of the boundary unknowns of all blocks, block after block.
+  /// Index of the first unknown of a block in a list of the boundary unknowns of all blocks, block after block.
   [[nodiscard]] std::size_t first_unknown(int block) const noexcept {
     return first_unknown_[static_cast<std::size_t>(block)];
   }
   /// Length of that list.
   [[nodiscard]] std::size_t unknowns_of_all_blocks() const noexcept { return unknowns_.size(); }
 
-  /// What the stiffness of a kind of block is made of, with the stiffness matrices of the kinds of cells.
+  /// A kind of block, with the stiffness matrices of the kinds of cells.
   [[nodiscard]] BlockKind block_kind(int kind, const std::vector<CellShape<2>::Stiffness>& cells) const;
 
  private:
