@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "force_layer.hpp"
 #include "layer_step.hpp"
 #include "step_counter.hpp"
 

@@ -5,9 +5,9 @@
 #include <deque>
 
 #include "band.hpp"
-#include "force_layer.hpp"
 #include "layer_exchange.hpp"
 #include "layer_sums.hpp"
+#include "nodal_field.hpp"
 #include "step_counter.hpp"
 #include "thread_throttle.hpp"
 

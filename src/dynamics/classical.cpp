@@ -102,13 +102,13 @@ void Classical<dim>::take_steps(std::int64_t first, int steps, Averages<dim>* av
     const auto step = first + i;
     locate_points(step);
     extrapolate_momenta(step - 1);
-    update_strains();
+    update_strains_by_half_a_step();
     averages[i] = this->averages();
     find_forces(step);
     update_momenta(step);
     update_points();
     extrapolate_momenta(step);
-    update_strains();
+    update_strains_by_half_a_step();
   }
 }
 
@@ -216,7 +216,7 @@ typename Classical<dim>::Components Classical<dim>::strain_step(const Point& poi
 }
 
 template <int dim>
-void Classical<dim>::update_strains() {
+void Classical<dim>::update_strains_by_half_a_step() {
   const bool averaged = problem().volumetric == Volumetric::averaged;
   const auto cells = static_cast<int>(mean_stress_.size());
 #pragma omp parallel num_threads(threads_)

@@ -82,7 +82,7 @@ class Classical final : public DynamicSolver<dim> {
   // One step, in this order.
   void locate_points(std::int64_t step);
   void extrapolate_momenta(std::int64_t step);
-  void update_strains();
+  void update_strains_by_half_a_step();
   void find_forces(std::int64_t step);
   void update_momenta(std::int64_t step);
   void update_points();

@@ -10,7 +10,6 @@
 
 #include "breccia/discretisation/cell_shape.hpp"
 
-#include "force_layer.hpp"
 #include "layer_step.hpp"
 #include "materials.hpp"
 
