@@ -67,6 +67,16 @@ typename CellShape<dim>::Stiffness CellShape<dim>::stiffness(const PointModuli& 
 }
 
 template <int dim>
+typename CellShape<dim>::Stiffness CellShape<dim>::stiffness(const PointTensors& tensors, Volumetric volumetric) {
+  Stiffness stiffness = Stiffness::Zero();
+  for (int p = 0; p < points; ++p) {
+    const auto strain = strain_matrix(p, volumetric);
+    stiffness += point_volume * strain.transpose() * tensors[static_cast<std::size_t>(p)] * strain;
+  }
+  return stiffness;
+}
+
+template <int dim>
 typename CellShape<dim>::DeviatorMatrix CellShape<dim>::deviator_matrix() {
   DeviatorMatrix matrix = DeviatorMatrix::Zero();
   if constexpr (dim == 2) {

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/discretisation/moduli.hpp"
 #include "breccia/discretisation/tensor.hpp"
 #include "breccia/discretisation/volumetric.hpp"
@@ -26,9 +27,10 @@ struct CellShape {
   static constexpr int modes = dofs - dim * (dim + 1) / 2;  ///< ways to strain: motions of the nodes but rigid ones
   static constexpr double point_volume = 1.0 / points;      ///< share of a point in the volume of the cell
 
-  using Weights = std::array<double, std::size_t{1} << dim>;      ///< by node
-  using PointModuli = std::array<Moduli, std::size_t{1} << dim>;  ///< by point
-  using Values = Eigen::Matrix<double, dofs, 1>;                  ///< nodal displacements or forces
+  using Weights = std::array<double, std::size_t{1} << dim>;                     ///< by node
+  using PointModuli = std::array<Moduli, std::size_t{1} << dim>;                 ///< by point
+  using PointTensors = std::array<StiffnessTensor<dim>, std::size_t{1} << dim>;  ///< by point
+  using Values = Eigen::Matrix<double, dofs, 1>;                                 ///< nodal displacements or forces
   using Stiffness = Eigen::Matrix<double, dofs, dofs>;
   using StrainVector = Eigen::Matrix<double, strains, 1>;
   using StrainMatrix = Eigen::Matrix<double, strains, dofs>;
@@ -66,6 +68,8 @@ struct CellShape {
   /// Stiffness of a cell [Pa]: for nodal displacements [m] it gives the nodal forces [N] (in 2D per unit thickness
   /// [N/m]) divided by h^(dim-2) (theory, Eq. 5).
   [[nodiscard]] static Stiffness stiffness(const PointModuli& moduli, Volumetric volumetric);
+  /// The stiffness of a cell of points with these full stiffnesses.
+  [[nodiscard]] static Stiffness stiffness(const PointTensors& tensors, Volumetric volumetric);
 
   /// What is left of a strain e without equal strains along all axes, L e, scaled so that |L e|^2 is twice its energy
   /// per unit shear modulus. L' gives the stress components of such a deviator times a modulus.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "breccia/discretisation/boundary.hpp"
+#include "breccia/discretisation/crystals.hpp"
 #include "breccia/discretisation/discretisation.hpp"
 #include "breccia/discretisation/load.hpp"
 #include "breccia/discretisation/volumetric.hpp"
@@ -64,6 +65,8 @@ struct QuasistaticProblem {
   Volumetric volumetric = Volumetric::averaged;
   Boundary boundary = Boundary::displacement;
   LinearOptions linear = {};
+  /// Phases that are not isotropic. They are elastic: their stiffness is in place of the moduli of their materials.
+  Crystals<dim> crystals = {};
 };
 
 }  // namespace breccia

@@ -6,11 +6,25 @@
 #include "breccia/error.hpp"
 
 namespace breccia::quasistatic {
+namespace {
+
+template <int dim>
+void require_no_crystals(const Mixture* mixture, const Crystals<dim>& crystals) {
+  if (mixture == nullptr) return;
+  const auto is_crystal = [&](const MixedPart& part) { return crystals.contains(part.phase); };
+  if (std::ranges::none_of(*mixture, is_crystal)) return;
+  throw InputError("quasi-static solver: a mixed cell holds a crystal; expected isotropic phases, or cells of points");
+}
+
+}  // namespace
 
 template <int dim>
 CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                          const IndexRange<dim>& own_cells)
+                          const IndexRange<dim>& own_cells, const Crystals<dim>& crystals)
     : volumetric_(volumetric), own_cells_(own_cells) {
+  for (const auto& [phase, stiffness] : crystals) {
+    crystals_.emplace(phase, Crystal{stiffness, softer_moduli<dim>(stiffness).shear});
+  }
   std::map<CellPhases<dim>, std::uint32_t> known;
   PetscInt strains = 0;  // of the cells before
   discretisation.grid().for_each_cell([&](const Index<dim>& cell) {
@@ -23,6 +37,7 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
       if (cell.front() == own_cells.begin.front()) strains_before_rows_.push_back(strains);
       const auto [kind, is_new] = known.emplace(phases, static_cast<std::uint32_t>(known.size()));
       if (is_new) {
+        require_no_crystals<dim>(mixture, crystals);
         phases_.push_back(phases);
         mixed_.push_back(mixture != nullptr ? std::optional<MixedCell<dim>>(*mixture) : std::nullopt);
       }
@@ -36,7 +51,26 @@ CellKinds<dim>::CellKinds(const Discretisation<dim>& discretisation, Volumetric 
 }
 
 template <int dim>
+bool CellKinds<dim>::has_crystals(std::size_t kind) const {
+  return std::ranges::any_of(phases_[kind], [this](PhaseIndex phase) { return crystals_.contains(phase); });
+}
+
+template <int dim>
+StiffnessTensor<dim> CellKinds<dim>::tensor(PhaseIndex phase, const Moduli& moduli) const {
+  const auto crystal = crystals_.find(phase);
+  if (crystal == crystals_.end()) return isotropic_stiffness<dim>(moduli);
+  return moduli.shear / crystal->second.shear * crystal->second.stiffness;
+}
+
+template <int dim>
 typename CellShape<dim>::Stiffness CellKinds<dim>::stiffness(std::size_t kind, std::span<const Moduli> moduli) const {
+  if (has_crystals(kind)) {
+    typename Shape::PointTensors of_points;
+    for (std::size_t p = 0; p < of_points.size(); ++p) {
+      of_points[p] = tensor(phases_[kind][p], moduli[phases_[kind][p]]);
+    }
+    return Shape::stiffness(of_points, volumetric_);
+  }
   typename Shape::PointModuli of_points{};
   if (mixed_[kind]) {
     of_points.fill(series_moduli<dim>(mixed_[kind]->mixture(), moduli));
@@ -57,6 +91,7 @@ std::vector<typename CellShape<dim>::Stiffness> CellKinds<dim>::stiffnesses(std:
 template <int dim>
 std::optional<Moduli> CellKinds<dim>::uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const {
   if (mixed_[kind]) return series_moduli<dim>(mixed_[kind]->mixture(), moduli);
+  if (has_crystals(kind)) return std::nullopt;
   const auto& phases = phases_[kind];
   const bool is_uniform = std::ranges::count(phases, phases.front()) == Shape::points;
   if (!is_uniform || volumetric_ == Volumetric::standard) return std::nullopt;

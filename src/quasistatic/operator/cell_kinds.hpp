@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,8 +23,10 @@ class CellKinds {
   using Shape = CellShape<dim>;
   using Stiffness = typename Shape::Stiffness;
 
-  /// Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
-  CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells);
+  /// Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for
+  /// mixed cells with crystals.
+  CellKinds(const Discretisation<dim>& discretisation, Volumetric volumetric, const IndexRange<dim>& own_cells,
+            const Crystals<dim>& crystals = {});
 
   /// Number of kinds.
   [[nodiscard]] std::size_t count() const noexcept { return phases_.size(); }
@@ -41,7 +44,8 @@ class CellKinds {
   /// Number of the unknown strains of all mixed cells of the box before each row of cells.
   [[nodiscard]] const std::vector<PetscInt>& strains_before_rows() const noexcept { return strains_before_rows_; }
 
-  /// Stiffness of the cells of a kind [Pa], for moduli [Pa] by material.
+  /// Stiffness of the cells of a kind [Pa], for moduli [Pa] by material. Crystals have their own stiffness where their
+  /// moduli are softer_moduli(), and none where these are 0, as in the parts of an affine stiffness that vary.
   [[nodiscard]] Stiffness stiffness(std::size_t kind, std::span<const Moduli> moduli) const;
   /// The stiffnesses of all kinds.
   [[nodiscard]] std::vector<Stiffness> stiffnesses(std::span<const Moduli> moduli) const;
@@ -50,12 +54,22 @@ class CellKinds {
   [[nodiscard]] std::optional<Moduli> uniform_moduli(std::size_t kind, std::span<const Moduli> moduli) const;
 
  private:
+  /// The stiffness of a crystal, and the shear modulus that stands for it in lists of moduli [Pa].
+  struct Crystal {
+    StiffnessTensor<dim> stiffness;
+    double shear;
+  };
+
+  [[nodiscard]] bool has_crystals(std::size_t kind) const;
+  [[nodiscard]] StiffnessTensor<dim> tensor(PhaseIndex phase, const Moduli& moduli) const;
+
   Volumetric volumetric_;
   IndexRange<dim> own_cells_;
   std::vector<CellPhases<dim>> phases_;               ///< of the points of a cell, by kind
   std::vector<std::optional<MixedCell<dim>>> mixed_;  ///< by kind
   std::vector<std::uint32_t> of_cells_;
   std::vector<PetscInt> strains_before_rows_;
+  std::map<PhaseIndex, Crystal> crystals_;
 };
 
 extern template class CellKinds<2>;

@@ -14,9 +14,9 @@
 namespace breccia::quasistatic {
 template <int dim>
 ElasticOperator<dim>::ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric,
-                                      Boundary boundary, int threads)
+                                      Boundary boundary, int threads, const Crystals<dim>& crystals)
     : nodes_({discretisation.grid().cells, 1.0}, boundary),
-      kinds_(discretisation, volumetric, nodes_.cells()),
+      kinds_(discretisation, volumetric, nodes_.cells(), crystals),
       threads_(parallel::threads_for(threads)) {
   find_first_strains();
 }

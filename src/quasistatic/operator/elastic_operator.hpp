@@ -31,8 +31,10 @@ class ElasticOperator {
   using Shape = CellShape<dim>;
 
   /// Forces in 3 dimensions take as many threads, 0 for all that there are, and have the same bits for any number of
-  /// them. Throws InputError when a point has no phase, and for mixed cells with the volumetric strains of points.
-  ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1);
+  /// them. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for
+  /// mixed cells with crystals.
+  ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
+                  const Crystals<dim>& crystals = {});
 
   [[nodiscard]] Boundary boundary() const noexcept { return nodes_.boundary(); }
   [[nodiscard]] int threads() const noexcept { return threads_; }

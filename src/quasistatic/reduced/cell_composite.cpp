@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "breccia/error.hpp"
+
 #include "operator/cube_forces.hpp"
 #include "operator/recovery.hpp"
 #include "operator/square_forces.hpp"
@@ -12,7 +16,16 @@ namespace breccia::quasistatic {
 template <int dim>
 CellComposite<dim>::CellComposite(const QuasistaticProblem<dim>& problem, std::span<const VaryingPhase> varying)
     : stiffness_(affine_stiffness(problem.materials, varying)),
-      elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary, problem.linear.threads) {}
+      elastic_operator_(problem.discretisation, problem.volumetric, problem.boundary, problem.linear.threads,
+                        problem.crystals) {
+  for (const auto& [phase, stiffness] : problem.crystals) {
+    if (phase >= stiffness_.constant.size() ||
+        std::ranges::find(varying, phase, &VaryingPhase::index) != varying.end()) {
+      throw InputError(fmt::format("crystals: phase {} has no material, or its moduli vary", phase));
+    }
+    stiffness_.constant[phase] = softer_moduli<dim>(stiffness);
+  }
+}
 
 template <int dim>
 std::vector<PhaseModulus> CellComposite<dim>::parameters() const {
@@ -56,6 +69,7 @@ Forces CellComposite<dim>::varying_forces(std::span<const double> parameters, Lo
 template <int dim>
 LatticeFields<dim> fields_of(const CellComposite<dim>& composite, const QuasistaticProblem<dim>& problem, Load load,
                              const CompositeState<Displacement>& state) {
+  if (!problem.crystals.empty()) throw InputError("quasi-static solver: no fields of composites with crystals");
   const auto& stiffness = composite.stiffness();
   std::vector<AppliedModuli> applied;
   for (const auto& [bulk, shear] : stiffness.constant) {

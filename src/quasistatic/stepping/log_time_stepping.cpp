@@ -11,11 +11,13 @@
 namespace breccia {
 namespace {
 
-/// All phases, so that any of them may relax.
-std::vector<VaryingPhase> all_phases(const std::vector<Material>& materials) {
+/// All phases but crystals, so that any of them may relax.
+template <int dim>
+std::vector<VaryingPhase> isotropic_phases(const QuasistaticProblem<dim>& problem) {
   std::vector<VaryingPhase> phases;
-  for (std::size_t m = 0; m < materials.size(); ++m) {
-    phases.push_back({static_cast<PhaseIndex>(m), fmt::format("phase {}", m)});
+  for (std::size_t m = 0; m < problem.materials.size(); ++m) {
+    const auto phase = static_cast<PhaseIndex>(m);
+    if (!problem.crystals.contains(phase)) phases.push_back({phase, fmt::format("phase {}", m)});
   }
   return phases;
 }
@@ -41,7 +43,7 @@ SteppingResult<dim> run_log_time_stepping(const QuasistaticProblem<dim>& problem
   quasistatic::require_steps(loads, times);
   require_loads("log-time stepping", dim, loads);
   require_phases_in_cells("log-time stepping", problem.discretisation, problem.materials.size());
-  const quasistatic::CellComposite<dim> composite(problem, all_phases(problem.materials));
+  const quasistatic::CellComposite<dim> composite(problem, isotropic_phases(problem));
   const auto series = series_of(composite, problem.materials);
   quasistatic::CellSolver<dim> solver(composite, problem.linear);
   quasistatic::LogTimeRuns runs(composite, series, loads, times, field_times);
