@@ -18,8 +18,9 @@
 
 namespace breccia::quasistatic {
 
-/// The elastic operator K of a discretisation under one boundary condition: forces of displacements, K u, cell by cell
-/// and without an assembled matrix. The nodes are distributed over the processes.
+/// The elastic operator K of a discretisation under one boundary condition. Its forces K u are found cell by cell and
+/// without an assembled matrix: forces_under() in square_forces.hpp and cube_forces.hpp. The nodes are distributed over
+/// the processes.
 ///
 /// Lengths are in units of the cell side, which makes the stiffness of a cell independent of its size (theory, Eq. 5).
 /// A displacement is u = a E x + w. A displacement boundary (KUBC) holds w at zero on the boundary of the box; under a
@@ -30,9 +31,9 @@ class ElasticOperator {
  public:
   using Shape = CellShape<dim>;
 
-  /// Forces in 3 dimensions take as many threads, 0 for all that there are, and have the same bits for any number of
-  /// them. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of points, and for
-  /// mixed cells with crystals.
+  /// `threads` is the number of threads that find forces in 3 dimensions, 0 for all cores of the process; the forces do
+  /// not depend on it. Throws InputError when a point has no phase, for mixed cells with the volumetric strains of
+  /// points, and for mixed cells with crystals.
   ElasticOperator(const Discretisation<dim>& discretisation, Volumetric volumetric, Boundary boundary, int threads = 1,
                   const Crystals<dim>& crystals = {});
 
@@ -89,6 +90,7 @@ class ElasticOperator {
   /// Calls action(cell, mixed cell, index of its first unknown strain) for the mixed cells of this process.
   template <class Action>
   void for_mixed_cells(Action&& action) const;
+
   NodeLayout<dim> nodes_;
   CellKinds<dim> kinds_;
   int threads_;
