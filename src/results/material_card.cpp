@@ -12,7 +12,7 @@
 
 #include "breccia/error.hpp"
 #include "breccia/io/display.hpp"
-#include "breccia/viscoelasticity/few_terms.hpp"
+#include "breccia/viscoelasticity/prony_reduction.hpp"
 #include "breccia/viscoelasticity/poisson_ratio.hpp"
 #include "breccia/viscoelasticity/reference_temperature.hpp"
 
@@ -133,7 +133,7 @@ PronySeries with_equilibrium(const PronySeries& series, double last_time, double
 }
 
 /// Throws InputError where the terms are too many, or do not follow the moduli.
-void refuse_terms(const FewTerms& terms, const BulkOfCard& bulk, const CardSettings& settings) {
+void refuse_terms(const PronyReduction& terms, const BulkOfCard& bulk, const CardSettings& settings) {
   const auto worst = terms.worst_deviation();
   if (worst <= settings.tolerance && terms.relaxation_times() <= most_terms(settings.format)) return;
   const bool is_bulk = bulk.is_computed && terms.deviations[1] > settings.tolerance;
@@ -246,7 +246,7 @@ MaterialCard material_card(const Composite& composite, const CardSettings& setti
   const auto times = settings.times.value_or(composite.times);
   const std::vector<PronySeries> moduli = {composite.shear, bulk.series};
   const auto few =
-      with_few_terms(moduli, times, {.tolerance = settings.tolerance, .most_terms = most_terms(settings.format)});
+      reduce_prony(moduli, times, {.tolerance = settings.tolerance, .most_terms = most_terms(settings.format)});
   refuse_terms(few, bulk, settings);
   MaterialCard card;
   card.name = card_name(composite.stage);

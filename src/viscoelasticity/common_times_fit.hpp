@@ -14,11 +14,11 @@ struct SampledModuli {
   std::vector<Eigen::VectorXd> moduli;
 };
 
-/// Fits of non-negative series with common relaxation times to several moduli (theory, Eq. 24): of each modulus the
-/// strengths that make the weighted squares of the relative deviations least.
+/// Fits of non-negative series with common relaxation times to several moduli (theory, Eq. 24): the strengths of each
+/// series make the weighted squares of its relative deviations from the modulus least.
 class CommonTimesFit {
  public:
-  /// With a weight of 1 for each sample.
+  /// Each sample has a weight of 1 until set_weights() is called.
   explicit CommonTimesFit(SampledModuli samples);
 
   [[nodiscard]] Eigen::Index deviations_count() const;
@@ -26,7 +26,7 @@ class CommonTimesFit {
 
   /// Strengths of the terms, and the equilibrium modulus as the last row; a column for each modulus [Pa].
   [[nodiscard]] Eigen::MatrixXd strengths(const Eigen::VectorXd& relaxation_times) const;
-  /// Relative deviations of the series with these strengths, of one modulus after the other, without the weights.
+  /// Unweighted relative deviations of the series with these strengths, one modulus after the other.
   [[nodiscard]] Eigen::VectorXd deviations(const Eigen::VectorXd& relaxation_times,
                                            const Eigen::MatrixXd& strengths) const;
   /// Moves the logarithms of relaxation times [ln s], within bounds, to the least sum of weighted squares, by variable

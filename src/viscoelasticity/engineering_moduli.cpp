@@ -23,8 +23,8 @@ Complex poisson_ratio_of(Complex bulk, Complex shear) {
   return 0.5 * (3.0 * bulk - 2.0 * shear) / (3.0 * bulk + shear);
 }
 
-/// The function of time whose Laplace transform times s is given, by a fixed contour of Talbot. All singularities of
-/// the transform must be on the negative real axis, as those of relaxing solids are.
+/// The function of time whose Laplace transform times s is given, by Talbot's method with a fixed contour. All
+/// singularities of the transform must be on the negative real axis, as those of relaxing solids are.
 template <class Transform>
 double function_of_time(const Transform& times_s, double t) {
   constexpr int nodes = 20;

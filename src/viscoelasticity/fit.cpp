@@ -90,7 +90,7 @@ Fit fit(const Eigen::MatrixXd& columns, const Eigen::VectorXd& data, const std::
   for (Eigen::Index j = 0; j < result.amplitudes.size(); ++j) {
     if (result.amplitudes[j] > 0.0) used.push_back(j);
   }
-  // With as many parts as data nothing is left over that would tell the scatter.
+  // With as many parts as data there is no degree of freedom left from which the scatter could be estimated.
   const auto freedom = data.size() - static_cast<Eigen::Index>(used.size());
   const double scatter =
       freedom > 0 ? std::sqrt(deviations.squaredNorm() / static_cast<double>(freedom)) : std::nan("");

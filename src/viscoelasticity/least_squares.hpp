@@ -15,7 +15,8 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
 /// Orthonormal columns that span the columns of a matrix: as many rows as it has, as many columns as its rank.
 Eigen::MatrixXd orthonormal_basis(const Eigen::MatrixXd& columns);
 
-/// Diagonal of (J'J)^-1, the variances of the unknowns for deviations of unit variance. Nothing where J'J is singular.
+/// Diagonal of (J'J)^-1, the variances of the unknowns for deviations of unit variance. Returns nothing where J'J is
+/// singular.
 std::optional<Eigen::VectorXd> variances(const Eigen::MatrixXd& jacobian);
 
 /// Deviations f(x), whose sum of squares is to be made least.

@@ -94,14 +94,14 @@ std::vector<double> relaxation_times(const std::vector<FrequencySweep>& sweeps, 
 }
 
 /// Storage and loss modulus of a Maxwell element of unit modulus at x = omega tau.
-struct Answer {
+struct ComplexModulus {
   double storage, loss;
 };
-Answer answer(double x) {
+ComplexModulus maxwell_element(double x) {
   return {x * x / (1.0 + x * x), x / (1.0 + x * x)};
 }
-/// Derivatives of both by log10 x.
-Answer slope(double x) {
+/// Derivatives of both moduli by log10 x.
+ComplexModulus maxwell_element_slope(double x) {
   const double square = 1.0 + x * x, factor = std::numbers::ln10 * x / (square * square);
   return {2.0 * x * factor, (1.0 - x * x) * factor};
 }
@@ -119,14 +119,14 @@ class Projection {
   [[nodiscard]] Eigen::Index values() const { return rows_; }
 
   void set_deviations(const Eigen::VectorXd& shifts, Eigen::VectorXd& deviations) const {
-    const auto columns = answers(shifts);
+    const auto columns = design_matrix(shifts);
     deviations = columns * best_spectrum(columns) - Eigen::VectorXd::Ones(rows_);
   }
 
   /// Jacobian by variable projection: the spectrum follows the shifts, so changes in the span of its used parts are
   /// projected out (Kaufman, BIT 15, 49, 1975).
   void set_jacobian(const Eigen::VectorXd& shifts, Eigen::MatrixXd& jacobian) const {
-    const auto columns = answers(shifts);
+    const auto columns = design_matrix(shifts);
     const auto spectrum = best_spectrum(columns);
     const auto change = slopes(shifts, spectrum);
     jacobian.setZero(rows_, shifts.size());
@@ -142,7 +142,7 @@ class Projection {
 
   /// Number of used (non-zero) parts of the spectrum.
   [[nodiscard]] Eigen::Index used_terms(const Eigen::VectorXd& shifts) const {
-    return (best_spectrum(answers(shifts)).array() > 0.0).count();
+    return (best_spectrum(design_matrix(shifts)).array() > 0.0).count();
   }
 
   /// Index of a sweep other than the reference among the unknowns.
@@ -157,7 +157,7 @@ class Projection {
 
   /// Responses relative to the data: one column for each relaxation time and one for the equilibrium modulus; rows with
   /// the storage and loss modulus in turn.
-  [[nodiscard]] Eigen::MatrixXd answers(const Eigen::VectorXd& shifts) const {
+  [[nodiscard]] Eigen::MatrixXd design_matrix(const Eigen::VectorXd& shifts) const {
     const auto terms = static_cast<Eigen::Index>(times_.size());
     Eigen::MatrixXd columns(rows_, terms + 1);
     Eigen::Index row = 0;
@@ -166,7 +166,7 @@ class Projection {
       for (std::size_t j = 0; j < sweep.frequencies.size(); ++j, row += 2) {
         const double frequency = shift_factor(shifts, i) * sweep.frequencies[j];
         for (Eigen::Index k = 0; k < terms; ++k) {
-          const auto [storage, loss] = answer(frequency * times_[static_cast<std::size_t>(k)]);
+          const auto [storage, loss] = maxwell_element(frequency * times_[static_cast<std::size_t>(k)]);
           columns(row, k) = storage / sweep.storage[j];
           columns(row + 1, k) = loss / sweep.loss[j];
         }
@@ -187,7 +187,7 @@ class Projection {
         const double frequency = shift_factor(shifts, i) * sweep.frequencies[j];
         for (std::size_t k = 0; k < times_.size(); ++k) {
           const double strength = spectrum[static_cast<Eigen::Index>(k)];
-          const auto [storage, loss] = slope(frequency * times_[k]);
+          const auto [storage, loss] = maxwell_element_slope(frequency * times_[k]);
           change[row] += strength * storage / sweep.storage[j];
           change[row + 1] += strength * loss / sweep.loss[j];
         }
@@ -283,7 +283,7 @@ Shifts best_shifts(const Projection& projection, const Eigen::VectorXd& start) {
   const auto unit_variances = variances(jacobian);
   if (!unit_variances) {
     throw NumericalError(
-        "master curve: the data do not tell the shift of every sweep; leave out temperatures whose sweeps are flat");
+        "master curve: the data do not determine the shift of every sweep; leave out temperatures whose sweeps are flat");
   }
   shifts.standard_errors = (variance * *unit_variances).cwiseSqrt();
   return shifts;

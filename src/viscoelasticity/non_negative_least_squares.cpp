@@ -50,7 +50,7 @@ Eigen::VectorXd non_negative_least_squares(const Eigen::MatrixXd& matrix, const 
   for (Eigen::Index step = 0; step < 20 * count; ++step) {
     Eigen::VectorXd gain = scaled.transpose() * (right - scaled * x);
     for (const auto j : free) gain[j] = 0.0;
-    // If a variable has a positive gradient by rounding only, its solution is negative, and the next one is tried.
+    // If the gradient of a variable is positive only by rounding, its solution is negative, and the next one is tried.
     Eigen::Index best = 0;
     while (gain.maxCoeff(&best) > rounding) {
       auto candidates = free;

@@ -90,7 +90,7 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
   fit.worst_deviation = residual.cwiseAbs().maxCoeff(&worst);
   fit.worst_at = used[static_cast<std::size_t>(worst)].temperature;
   if (count > 2) {
-    if (!variances(jacobian)) throw NumericalError("WLF fit: the shift factors do not tell c1 and c2 apart");
+    if (!variances(jacobian)) throw NumericalError("WLF fit: the shift factors do not determine c1 and c2 separately");
     const double variance = residual.squaredNorm() / static_cast<double>(count - 2);
     const Eigen::Matrix2d covariance = variance * (jacobian.transpose() * jacobian).inverse();
     const Eigen::Vector2d c1_gradient(c2, -c1 * c2);
@@ -118,7 +118,7 @@ std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve) {
       const auto fit = fit_williams_landel_ferry(factors, curve.reference_temperature);
       if (fit && follow(*fit)) return fit->law;
     } catch (const NumericalError&) {
-      // The factors do not determine a law; their table is what there is.
+      // The factors do not determine a law, so that the table is returned.
     }
   }
   std::vector<double> temperatures, logarithms;

@@ -36,7 +36,7 @@ TEST(EngineeringModuli, OfASolidOfConstantPoissonsRatio) {
   }
 }
 
-/// The uniaxial creep compliance is J / 3 + B / 9, of which the relaxation modulus is known exactly.
+/// The uniaxial creep compliance is J / 3 + B / 9; its relaxation modulus follows exactly by interconversion.
 TEST(EngineeringModuli, OfARelaxingSolidFollowFromItsCompliances) {
   const PronySeries bulk(2.5e9, {{1e-6, 4e8}, {1e-2, 7e8}, {10.0, 2e8}});
   const auto of_shear = creep_compliance(binder), of_bulk = creep_compliance(bulk);

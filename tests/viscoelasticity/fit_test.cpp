@@ -83,7 +83,7 @@ TEST(Fit, CreepWithNoiseGivesTheRelaxationModulus) {
   const auto relaxation = compare(
       times, [&](double t) { return series.at(t); }, modulus);
   EXPECT_LT(relaxation.median, 0.02);
-  // At the end of the data the modulus depends on what comes after them.
+  // At the end of the data the modulus depends on the compliance at later times.
   EXPECT_LT(relaxation.worst, 0.10);
 }
 

@@ -32,7 +32,7 @@ FrequencySweep sweep_at(double temperature, Noise& noise) {
   return sweep;
 }
 
-/// From the glass to the rubber: 232 to 332 K in steps of 10 K.
+/// Sweeps from the glass to the rubber: 232 to 332 K in steps of 10 K.
 std::vector<FrequencySweep> sweeps(double scatter) {
   Noise noise(scatter);
   std::vector<FrequencySweep> all;
@@ -50,7 +50,7 @@ TEST(MasterCurve, FindsTheShiftsOfNoisySweeps) {
     EXPECT_LE(standard_error, 0.01);
     if (standard_error > 0.0) square += std::pow((log10_factor - truth) / standard_error, 2);
   }
-  // Errors are what they are said to be; they add up along the chain of sweeps, so that they are not independent.
+  // The shifts deviate by about their standard errors, which add up along the chain of sweeps and so are correlated.
   EXPECT_LT(std::sqrt(square / 10.0), 3.0);
   const auto law = fit_williams_landel_ferry(curve.shift_factors, 292.15);
   ASSERT_TRUE(law);

@@ -63,7 +63,7 @@ struct MaterialCard {
 /// The largest number of Maxwell terms of a card.
 std::size_t most_terms(CardFormat format);
 
-/// The card of a composite, in SI units: G(t) and K(t) with few common relaxation times (with_few_terms). Throws
+/// The card of a composite, in SI units: G(t) and K(t) with few common relaxation times (reduce_prony). Throws
 /// InputError with all mistakes in the settings; where there is neither a bulk test nor a bulk modulus or a Poisson's
 /// ratio; where the series cannot follow the moduli within the tolerance with as many terms as the format has; and
 /// where a series without negative terms cannot follow the K(t) of a composite in plane strain.

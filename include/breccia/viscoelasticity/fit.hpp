@@ -25,8 +25,8 @@ struct FitQuality {
   double worst_error = 0.0;    ///< largest absolute deviation [-]
   double worst_at = 0.0;       ///< its time [s] or angular frequency [rad/s]
   std::vector<double> fitted;  ///< values of the fit at the data points, in the unit of the data
-  /// Of the fit at each data point, from the scatter of the data [-]; not a number where the fit has as many parts as
-  /// there are data.
+  /// Relative standard errors of the fit at each data point, from the scatter of the data [-]; not a number where the
+  /// fit has as many parts as there are data.
   std::vector<double> standard_errors;
 };
 

@@ -16,8 +16,8 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// The modulus of equal strains along both axes in plane strain, K(t) + G(t)/3 [Pa]. It only falls, even where K(t) of
-/// a composite rises.
+/// The modulus of equal strains along both axes in plane strain, K(t) + G(t)/3 [Pa]. It never rises with time, even
+/// where K(t) of a composite does.
 PronySeries plane_strain_bulk_modulus(const Material& material);
 
 /// The modulus of equal strains along all axes [Pa]: K(t) + G(t)/3 in plane strain, K(t) in 3 dimensions. Instantiated

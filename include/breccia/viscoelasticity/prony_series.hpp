@@ -35,9 +35,9 @@ class PronySeries {
   [[nodiscard]] double unrelaxed() const noexcept;
   /// Complex modulus M' + i M'' [Pa] at angular frequency omega [rad/s].
   [[nodiscard]] std::complex<double> complex_modulus(double omega) const noexcept;
-  /// The same series with every relaxation time multiplied by a positive factor (time-temperature superposition).
+  /// This series with every relaxation time multiplied by a positive factor (time-temperature superposition).
   [[nodiscard]] PronySeries shifted(double shift_factor) const;
-  /// The same series with every modulus multiplied by a factor that is not negative.
+  /// This series with every modulus multiplied by a factor that is not negative.
   [[nodiscard]] PronySeries scaled(double factor) const;
   /// The series without its `slow` slowest terms, whose moduli are added to the equilibrium modulus, and without its
   /// `fast` fastest terms, which are dropped.

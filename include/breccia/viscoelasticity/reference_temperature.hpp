@@ -4,11 +4,11 @@
 
 namespace breccia {
 
-/// The same law with another reference temperature [K]: the product c1 c2 and c2 - T_ref do not change (theory, Eq.
-/// 28a; Ferry, Viscoelastic Properties of Polymers, chapter 11). Throws InputError at or below T_ref - c2.
+/// The law with another reference temperature [K]: the product c1 c2 and c2 - T_ref do not change (theory, Eq. 28a;
+/// Ferry, Viscoelastic Properties of Polymers, chapter 11). Throws InputError at or below T_ref - c2.
 WilliamsLandelFerry with_reference(const WilliamsLandelFerry& law, double temperature);
 
-/// The same for a table of shift factors. Throws InputError outside the table.
+/// The table of shift factors with another reference temperature [K]. Throws InputError outside the table.
 ShiftTable with_reference(const ShiftTable& table, double temperature);
 
 }  // namespace breccia

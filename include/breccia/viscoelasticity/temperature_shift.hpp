@@ -24,7 +24,7 @@ struct WilliamsLandelFerry {
 /// temperature [K]. It is the law of Williams, Landel and Ferry with c2 = T_ref (docs/theory.md, Eq. 28c).
 WilliamsLandelFerry arrhenius(double activation_energy, double reference_temperature);
 
-/// How the shift factor depends on the temperature.
+/// A law of the shift factor as a function of the temperature.
 using ShiftLaw = std::variant<WilliamsLandelFerry, ShiftTable>;
 
 /// Shift factor a_T at a temperature [K]. Throws InputError where the law has no meaning.

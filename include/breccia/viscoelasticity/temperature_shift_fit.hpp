@@ -29,7 +29,8 @@ std::optional<WilliamsLandelFerryFit> fit_williams_landel_ferry(std::span<const 
 bool follow(const WilliamsLandelFerryFit& fit);
 
 /// The law of the shift factors of a master curve: that of Williams, Landel and Ferry where there are four temperatures
-/// and they follow it, or else their table. Nothing where the factors do not fall as the temperature rises.
+/// and the factors follow it, otherwise their table. Returns nothing where the factors do not fall as the temperature
+/// rises.
 std::optional<ShiftLaw> shift_law_of(const MasterCurve& curve);
 
 }  // namespace breccia

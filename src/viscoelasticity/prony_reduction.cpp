@@ -1,4 +1,4 @@
-#include "breccia/viscoelasticity/few_terms.hpp"
+#include "breccia/viscoelasticity/prony_reduction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,40 +11,40 @@
 
 #include "breccia/error.hpp"
 
-#include "few_times.hpp"
+#include "common_times_search.hpp"
 
 namespace breccia {
 namespace {
 
-/// By how much the deviations of all series exceed the tolerance.
-double excess_of(const FewTerms& terms, double tolerance) {
+/// The sum over all series of the deviation beyond the tolerance [-].
+double excess_of(const PronyReduction& reduction, double tolerance) {
   double excess = 0.0;
-  for (const double deviation : terms.deviations) excess += std::max(0.0, deviation - tolerance);
+  for (const double deviation : reduction.deviations) excess += std::max(0.0, deviation - tolerance);
   return excess;
 }
 
-/// Keeps the best of several choices: the nearest to the tolerance, of those within it that of fewest terms, and of
-/// these that of the least deviation.
-class Best {
+/// Keeps the best of several reductions: the nearest to the tolerance; among those within it, the one with the fewest
+/// relaxation times; among these, the one with the least deviation.
+class BestReduction {
  public:
-  explicit Best(const FewTermsOptions& options) : options_(options) {}
+  explicit BestReduction(const PronyReductionOptions& options) : options_(options) {}
 
-  void consider(FewTerms found) {
+  void consider(PronyReduction found) {
     if (found.relaxation_times() > options_.most_terms) return;
     if (found_.series.empty() || rank(found) < rank(found_)) found_ = std::move(found);
   }
-  [[nodiscard]] const FewTerms& found() const { return found_; }
+  [[nodiscard]] const PronyReduction& found() const { return found_; }
 
  private:
-  [[nodiscard]] std::tuple<double, std::size_t, double> rank(const FewTerms& terms) const {
-    return {excess_of(terms, options_.tolerance), terms.relaxation_times(), terms.worst_deviation()};
+  [[nodiscard]] std::tuple<double, std::size_t, double> rank(const PronyReduction& reduction) const {
+    return {excess_of(reduction, options_.tolerance), reduction.relaxation_times(), reduction.worst_deviation()};
   }
 
-  FewTermsOptions options_;
-  FewTerms found_;
+  PronyReductionOptions options_;
+  PronyReduction found_;
 };
 
-/// A modulus, and between which values it changes in a window of time.
+/// A modulus and its range of values in a window of time.
 struct RelaxingModulus {
   PronySeries series;
   double least;  ///< [Pa]
@@ -64,12 +64,12 @@ struct RelaxingModulus {
   [[nodiscard]] double deviation_of_middle() const { return std::sqrt(most / least) - 1.0; }
 };
 
-/// Tells of series with different numbers of relaxation times, until the fewest that follow the moduli within the
-/// tolerance are found: 0, 4, 8, 16, ..., and then by halves between those that do not and those that do. A number that
-/// suffices for one tolerance suffices for a wider one, so a wider one hardly ever takes more. Where even a dense fit
-/// is far off, as from a modulus that rises, only the most terms are tried.
-void search_fewest(const FewTimes& times, const FewTermsOptions& options,
-                   const std::function<void(FewTerms)>& consider) {
+/// Searches the fewest relaxation times with which series follow the moduli within the tolerance: 0, 4, 8, 16, ...,
+/// then by bisection. Calls `consider` with every reduction found on the way. A number that suffices for one tolerance
+/// suffices for a wider one, so that a wider one hardly ever takes more times. Where even a dense fit is far off, as
+/// from a modulus that rises, only the most terms are tried.
+void search_fewest_times(const CommonTimesSearch& times, const PronyReductionOptions& options,
+                   const std::function<void(PronyReduction)>& consider) {
   const auto follows = [&](std::size_t count) {
     auto found = times.with(count);
     const bool is_within = found.worst_deviation() <= options.tolerance;
@@ -78,7 +78,7 @@ void search_fewest(const FewTimes& times, const FewTermsOptions& options,
   };
   const auto most = std::min(times.most(), options.most_terms);
   constexpr std::size_t first = 4;
-  constexpr double rest = 1.05;  // moving the times of a dense fit gains hardly more
+  constexpr double rest = 1.05;  // moving the times of a dense fit lowers its deviation by hardly more
   const auto nearest = times.nearest(options.tolerance);
   consider(nearest);
   if (nearest.worst_deviation() > rest * options.tolerance) {
@@ -98,9 +98,9 @@ void search_fewest(const FewTimes& times, const FewTermsOptions& options,
   }
 }
 
-/// The series as they are, unless one has a negative term.
-void consider_as_given(const std::vector<RelaxingModulus>& moduli, Best& best) {
-  FewTerms given;
+/// Considers the unchanged series, unless one has a negative term.
+void consider_as_given(const std::vector<RelaxingModulus>& moduli, BestReduction& best) {
+  PronyReduction given;
   for (const auto& [series, least, most] : moduli) {
     if (std::ranges::any_of(series.terms(), [](const MaxwellTerm& term) { return term.modulus < 0.0; })) return;
     given.series.push_back(series);
@@ -111,7 +111,7 @@ void consider_as_given(const std::vector<RelaxingModulus>& moduli, Best& best) {
 
 }  // namespace
 
-std::size_t FewTerms::relaxation_times() const {
+std::size_t PronyReduction::relaxation_times() const {
   std::vector<double> times;
   for (const auto& one : series) {
     for (const auto& term : one.terms()) times.push_back(term.relaxation_time);
@@ -120,11 +120,11 @@ std::size_t FewTerms::relaxation_times() const {
   return static_cast<std::size_t>(std::unique(times.begin(), times.end()) - times.begin());
 }
 
-double FewTerms::worst_deviation() const {
+double PronyReduction::worst_deviation() const {
   return deviations.empty() ? 0.0 : *std::ranges::max_element(deviations);
 }
 
-FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window, const FewTermsOptions& options) {
+PronyReduction reduce_prony(std::span<const PronySeries> series, const TimeWindow& window, const PronyReductionOptions& options) {
   if (!(window.begin > 0.0 && window.begin < window.end)) {
     throw InputError(fmt::format("terms: expected two rising times, got {} s and {} s", window.begin, window.end));
   }
@@ -139,17 +139,17 @@ FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& w
   std::ranges::stable_sort(by_change, std::greater<>(), [&](std::size_t i) { return moduli[i].change(); });
   const auto is_elastic = [&](std::size_t i) { return moduli[i].change() <= 0.5 * options.tolerance; };
 
-  Best best(options);
+  BestReduction best(options);
   consider_as_given(moduli, best);
-  // Those that are elastic for this tolerance are searched with, too, as for a narrower one, lest that find fewer
-  // terms.
+  // The search is repeated with each modulus that is elastic for this tolerance among the relaxing ones, as it would be
+  // for a narrower tolerance, so that a narrower tolerance never finds fewer terms.
   const auto relaxing = static_cast<std::size_t>(std::ranges::find_if(by_change, is_elastic) - by_change.begin());
   for (auto searched = relaxing; searched <= by_change.size(); ++searched) {
     if (searched > relaxing && moduli[by_change[searched - 1]].series.is_elastic()) break;
     std::vector<PronySeries> together;
     for (std::size_t i = 0; i < searched; ++i) together.push_back(moduli[by_change[i]].series);
-    search_fewest(FewTimes(together, window), options, [&](const FewTerms& found) {
-      FewTerms all{std::vector<PronySeries>(moduli.size()), std::vector<double>(moduli.size())};
+    search_fewest_times(CommonTimesSearch(together, window), options, [&](const PronyReduction& found) {
+      PronyReduction all{std::vector<PronySeries>(moduli.size()), std::vector<double>(moduli.size())};
       for (std::size_t i = 0; i < by_change.size(); ++i) {
         const auto at = by_change[i];
         all.series[at] = i < relaxing ? found.series[i] : moduli[at].middle();

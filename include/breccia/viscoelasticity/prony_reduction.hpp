@@ -10,14 +10,14 @@
 
 namespace breccia {
 
-/// How few terms with_few_terms() may take.
-struct FewTermsOptions {
+/// Limits of a reduction by reduce_prony().
+struct PronyReductionOptions {
   double tolerance = 0.01;                                           ///< largest relative deviation wanted [-]
   std::size_t most_terms = std::numeric_limits<std::size_t>::max();  ///< different relaxation times of all series
 };
 
-/// Series that stand for others in a window of time with few relaxation times, which all of them share.
-struct FewTerms {
+/// Series that replace others in a window of time. They have few relaxation times, which all of them share.
+struct PronyReduction {
   std::vector<PronySeries> series;
   std::vector<double> deviations;  ///< largest relative deviation of each series in the window [-]
 
@@ -28,12 +28,12 @@ struct FewTerms {
 
 /// Replaces series, some of whose terms may be negative (PronySeries::difference), by series without negative terms
 /// that follow them in a window of time: with the fewest common relaxation times found for which all deviate by at most
-/// the tolerance, at 40 times a decade (theory, Eq. 33b). A wider one hardly ever takes more. A modulus that does not
-/// change by more than half of the tolerance in the window becomes elastic. Series without negative terms stay as they
-/// are where nothing shorter is found. Where the tolerance is not met with the terms allowed, the series whose
-/// deviations exceed it least are returned: ask worst_deviation(). Throws InputError for a window of no length, a
+/// the tolerance, at 40 times a decade (theory, Eq. 33b). A wider tolerance hardly ever takes more times. A modulus
+/// that changes by at most half of the tolerance in the window becomes elastic. Series without negative terms are
+/// returned unchanged where nothing shorter is found. Where the tolerance is not met with the terms allowed, the series
+/// whose deviations exceed it least are returned; see worst_deviation(). Throws InputError for a window of no length, a
 /// tolerance that is not positive, and a modulus that is not positive in the window.
-FewTerms with_few_terms(std::span<const PronySeries> series, const TimeWindow& window,
-                        const FewTermsOptions& options = {});
+PronyReduction reduce_prony(std::span<const PronySeries> series, const TimeWindow& window,
+                        const PronyReductionOptions& options = {});
 
 }  // namespace breccia

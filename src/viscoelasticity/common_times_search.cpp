@@ -1,4 +1,4 @@
-#include "few_times.hpp"
+#include "common_times_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 namespace breccia {
 namespace {
 
-/// Relaxation times are offered and sought within a window that is wider by this factor on both sides: terms beyond it
-/// have vanished at the first time, or are constant up to the last.
+/// Factors by which the range of the relaxation times extends beyond both ends of a window: terms beyond it have
+/// vanished at the first time, or are constant up to the last.
 constexpr double beyond_begin = 30.0, beyond_end = 100.0;
 
 /// Times of a window, equally spaced in their logarithms, both ends included [s].
@@ -54,7 +54,7 @@ CommonTimesFit fit_of(const std::vector<PronySeries>& moduli, const TimeWindow& 
 }
 
 /// The relaxation times of the moduli themselves, and a dense list between them; rising [s].
-Eigen::VectorXd offered_times(const std::vector<PronySeries>& moduli, const TimeWindow& window) {
+Eigen::VectorXd candidate_times(const std::vector<PronySeries>& moduli, const TimeWindow& window) {
   constexpr int per_decade = 8;
   constexpr double same = 1e-3;  // relative distance of two relaxation times that are one
   const TimeWindow wide = {window.begin / beyond_begin, window.end * beyond_end};
@@ -70,7 +70,8 @@ Eigen::VectorXd offered_times(const std::vector<PronySeries>& moduli, const Time
   return as_vector(times);
 }
 
-/// Lists of relaxation times, by their number, from those of series, weighted by the strengths over the moduli.
+/// Lists of relaxation times, by their number: those of the series, merged with the ratios of strength to modulus as
+/// weights.
 std::vector<Eigen::VectorXd> merged_times_of(const std::vector<PronySeries>& series,
                                              const std::vector<PronySeries>& moduli, const TimeWindow& window) {
   std::map<double, double> weights;
@@ -104,18 +105,18 @@ std::vector<double> checked_times(const TimeWindow& window) {
   return sampled_times(window, per_decade);
 }
 
-FewTimes::FewTimes(std::vector<PronySeries> moduli, const TimeWindow& window)
+CommonTimesSearch::CommonTimesSearch(std::vector<PronySeries> moduli, const TimeWindow& window)
     : moduli_(std::move(moduli)),
       window_(window),
       checked_(checked_times(window)),
       fit_(fit_of(moduli_, window)),
-      offered_(offered_times(moduli_, window)) {
+      candidates_(candidate_times(moduli_, window)) {
   for (const auto& one : moduli_) checked_moduli_.push_back(moduli_at(one, checked_));
-  dense_ = measured(fit_, offered_);
+  dense_ = measured(fit_, candidates_);
   merged_ = merged_times_of(dense_.series, moduli_, window);
 }
 
-std::vector<Eigen::VectorXd> FewTimes::starts(Eigen::Index count) const {
+std::vector<Eigen::VectorXd> CommonTimesSearch::starts(Eigen::Index count) const {
   std::vector<Eigen::VectorXd> all;
   if (static_cast<std::size_t>(count) < merged_.size()) all.push_back(merged_[static_cast<std::size_t>(count)]);
   constexpr double wider = 3.0;
@@ -124,17 +125,17 @@ std::vector<Eigen::VectorXd> FewTimes::starts(Eigen::Index count) const {
   return all;
 }
 
-FewTerms FewTimes::measured(const CommonTimesFit& fit, const Eigen::VectorXd& relaxation_times) const {
-  FewTerms found{fit.series(relaxation_times), {}};
+PronyReduction CommonTimesSearch::measured(const CommonTimesFit& fit, const Eigen::VectorXd& relaxation_times) const {
+  PronyReduction found{fit.series(relaxation_times), {}};
   for (std::size_t i = 0; i < moduli_.size(); ++i) {
     found.deviations.push_back(largest_deviation(found.series[i], checked_, checked_moduli_[i]));
   }
   return found;
 }
 
-/// The best of the series on the way from least squares to the least largest deviation, by Lawson's weights: they grow
-/// with the deviations that are left. In each round the relaxation times are moved.
-FewTerms FewTimes::evened(Eigen::VectorXd relaxation_times, const Mover& move) const {
+/// The series with the least largest deviation among those of Lawson's iteration, which begins with least squares and
+/// multiplies the weights by the deviations that are left. `move` moves the relaxation times in each round.
+PronyReduction CommonTimesSearch::evened(Eigen::VectorXd relaxation_times, const Mover& move) const {
   constexpr int rounds = 12;
   constexpr double floor = 0.1;  // of the largest: a sample between two deviations of opposite sign keeps a weight
   auto fit = fit_;
@@ -158,12 +159,12 @@ FewTerms FewTimes::evened(Eigen::VectorXd relaxation_times, const Mover& move) c
   return best;
 }
 
-FewTerms FewTimes::nearest(double tolerance) const {
+PronyReduction CommonTimesSearch::nearest(double tolerance) const {
   if (dense_.worst_deviation() <= tolerance) return dense_;
-  return evened(offered_, [](const CommonTimesFit&, Eigen::VectorXd&, int) {});
+  return evened(candidates_, [](const CommonTimesFit&, Eigen::VectorXd&, int) {});
 }
 
-FewTerms FewTimes::moved(const Eigen::VectorXd& start) const {
+PronyReduction CommonTimesSearch::moved(const Eigen::VectorXd& start) const {
   const double least = std::log(window_.begin / beyond_begin), most = std::log(window_.end * beyond_end);
   return evened(start, [&](const CommonTimesFit& fit, Eigen::VectorXd& relaxation_times, int round) {
     constexpr int evaluations = 40, evaluations_each = 6;
@@ -173,9 +174,9 @@ FewTerms FewTimes::moved(const Eigen::VectorXd& start) const {
   });
 }
 
-FewTerms FewTimes::with(std::size_t count) const {
+PronyReduction CommonTimesSearch::with(std::size_t count) const {
   if (count == 0) return measured(fit_, Eigen::VectorXd());
-  FewTerms best;
+  PronyReduction best;
   for (const auto& start : starts(static_cast<Eigen::Index>(count))) {
     auto found = moved(start);
     if (best.series.empty() || found.worst_deviation() < best.worst_deviation()) best = std::move(found);
